@@ -15,6 +15,7 @@ import plotly.graph_objects as go
 import pytest
 
 from pitchpoint.viz.report.page import Section, asset, page
+from pitchpoint.viz.tables import plain_table
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 pytestmark = pytest.mark.skipif(
@@ -91,3 +92,42 @@ def test_what_zlib_packs_comes_out_as_it_was(tmp_path: Path) -> None:
     assert found is not None, said
     assert found.group(1).split(",") == ["true"] * len(cases)
     assert found.group(2) == "the packed script is damaged"
+
+
+PDFTOTEXT = shutil.which("pdftotext")
+ROWS = 12
+"""Rows of the short tables."""
+
+
+@pytest.mark.skipif(PDFTOTEXT is None, reason="no pdftotext on this machine; install poppler-utils to run it")
+def test_headings_stay_with_what_follows_and_short_tables_whole(tmp_path: Path) -> None:
+    """At every height on the page: heading, sentence and table of a dozen rows; heading and two plots."""
+    line = go.Scatter(x=[0.0, 1.0], y=[0.0, 1.0], mode="lines")
+    sections = []
+    for k in range(14):
+        section = Section(f"s{k}", f"Chapter {k}")
+        rows = [f"<tr><th>first{k}</th><td>1</td></tr>"]
+        rows += [f"<tr><th>row</th><td>{n}</td></tr>" for n in range(ROWS - 2)]
+        table = plain_table(("name", "value"), [*rows, f"<tr><th>last{k}</th><td>1</td></tr>"])
+        section.add(
+            f"<h4>Table {k}</h4><p>Above table {k}. {'Words and more words. ' * 3 * (k % 3)}</p>{table}"
+        )
+        section.add(f"<h4>Plots {k}</h4>")
+        section.add_figure(go.Figure(line), f"Left {k}", beside=go.Figure(line), beside_caption=f"Right {k}")
+        section.add("<p>Something lower.</p>" * (k % 4))
+        sections.append(section)
+    paper = tmp_path / "paper.pdf"
+    chromium(tmp_path, page("printed", [], sections, ""), f"--print-to-pdf={paper}", "--no-pdf-header-footer")
+    command = [str(PDFTOTEXT), "-layout", str(paper), "-"]
+    said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
+    pages = said.split("\f")
+    assert len(pages) > 8
+
+    def sheet(words: str) -> int:
+        (found,) = (n for n, text in enumerate(pages) if re.search(rf"\b{words}\b", text))
+        return found
+
+    for k in range(14):
+        together = {sheet(f"{words}{k}") for words in ("Table ", "Above table ", "first", "last")}
+        assert together == {sheet(f"Chapter {k}")}, k
+        assert len({sheet(f"{words} {k}") for words in ("Plots", "Left", "Right")}) == 1, k

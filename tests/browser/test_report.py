@@ -170,7 +170,7 @@ def test_reader_chooses_whose_orders_a_picture_shows(narrow: Any) -> None:
       }
       return said;
     """
-    title = "order [per revolution of driven]"
+    title = "order of driven [–]"
     said = asked(narrow, script)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2
 

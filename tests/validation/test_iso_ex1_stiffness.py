@@ -89,7 +89,7 @@ def test_order_of_the_gears_does_not_matter():
 
 
 def test_high_speed_stage():
-    with pytest.warns(ValidityWarning, match="x1 = 0.48 "):
+    with pytest.warns(ValidityWarning, match="x₁ = 0.48 "):
         found = single_stiffness(stage_3(), C_R=blank_factor(0.25, 5.0))
     assert found.C_B == pytest.approx(0.975, abs=1e-12)
     assert found.C_R == pytest.approx(0.89800, abs=5e-6)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.sampled import as_increasing, as_signal, positive, same_length
-from pitchpoint.analysis.statistics import BACK, BOTH, SEPARATED, contact_statistics, time_weights
+from pitchpoint.analysis.statistics import BACK, BOTH, FRONT, SEPARATED, contact_statistics, time_weights
 
 
 @dataclass(frozen=True)
@@ -22,6 +22,9 @@ class Rattle:
         Number of contacts that begin after a separation, by flank [-].
     impact_rate
         Impacts per time [1/s].
+    contact_frequency
+        Frequency with which contact of one flank begins, from its first to its last beginning [Hz]; 0 with
+        fewer than two. Of the flank with more contacts.
     closing_speed_mean, closing_speed_rms, closing_speed_max
         Speed at which the flanks meet, normal to them [m/s]; 0 without impacts.
     impulse_mean, impulse_max
@@ -40,6 +43,7 @@ class Rattle:
     front_impacts: int
     back_impacts: int
     impact_rate: float
+    contact_frequency: float
     closing_speed_mean: float
     closing_speed_rms: float
     closing_speed_max: float
@@ -89,7 +93,8 @@ def rattle(
     interval; with the step h it is low by up to (omega h)^2/6, with omega the natural frequency of the flanks
     in contact. The impulse is the integral of the magnitude of the force by the trapezoidal rule, up to the
     loss of contact or the change of the flank. For a mass m that hits an elastic flank at the speed v and
-    carries no load it is 2 m v. Times as in `contact_statistics` [1]_.
+    carries no load it is 2 m v. The contact frequency is that of an oscillation through the backlash; without
+    backlash, contact of a flank begins where the other one ends. Times as in `contact_statistics` [1]_.
 
     References
     ----------
@@ -126,11 +131,17 @@ def rattle(
             lasting.append(float(middle[last[0]] - middle[first]))
     back = int(np.sum(state[begins + 1] == BACK))
     total = float(clock[-1] - clock[0])
+    begun = [
+        middle[np.flatnonzero(np.isin(state[1:], own) & ~np.isin(state[:-1], own))]
+        for own in ((FRONT, BOTH), (BACK, BOTH))
+    ]
+    often = max(begun, key=len)
     both = float(weights[state == BOTH].sum()) / total
     return Rattle(
         front_impacts=int(begins.size) - back,
         back_impacts=back,
         impact_rate=begins.size / total,
+        contact_frequency=(often.size - 1) / float(often[-1] - often[0]) if often.size > 1 else 0.0,
         closing_speed_mean=float(speeds.mean()) if speeds.size else 0.0,
         closing_speed_rms=float(np.sqrt(np.mean(speeds**2))) if speeds.size else 0.0,
         closing_speed_max=float(speeds.max(initial=0.0)),

@@ -11,6 +11,7 @@ RATTLE = (
     ("impact_rate", "1/s", "impacts per time after separations"),
     ("closing_speed_max", "m/s", "largest speed at which flanks meet, normal to them"),
     ("impulse_max", "N s", "largest impulse of an impact"),
+    ("contact_frequency", "Hz", "frequency with which contact of one flank begins"),
     ("front_impacts", "1", "number of impacts on the front flank"),
     ("back_impacts", "1", "number of impacts on the back flank"),
     ("closing_speed_mean", "m/s", "mean speed at which flanks meet"),

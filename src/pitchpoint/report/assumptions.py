@@ -11,8 +11,16 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
+QUIET = (
+    *("type", "name", "planet_name", "channels", "along", "reaction", "drawing_resolution", "sample_rate"),
+    *("tip_chamfer", "tip_rounding", "tip_alteration", "bore_diameter", "initial_angle", "shape"),
+    *("profile_crowning", "lead_crowning", "profile_slope", "helix_slope", "periods", "position", "axis"),
+)
+"""Keys without influence on the results at their default, or of features that are then absent."""
+
+
 def assumptions_of(model: Model) -> list[tuple[str, list[tuple[str, str]]]]:
-    """Components in words, each with keys and the values in effect.
+    """Components in words, each with keys and the values in effect; without the keys in `QUIET`.
 
     Returns
     -------
@@ -22,6 +30,8 @@ def assumptions_of(model: Model) -> list[tuple[str, list[tuple[str, str]]]]:
     """
     found: dict[str, list[tuple[str, str]]] = {}
     for path, value in defaults(model):
+        if path.rpartition(".")[2].rpartition(" ")[2] in QUIET:
+            continue
         group, _, rest = path.partition(".")
         names, _, key = rest.partition(".")
         group = group.replace("_", " ")

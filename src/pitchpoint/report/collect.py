@@ -13,6 +13,7 @@ from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.main_channels import drawn_groups
+from pitchpoint.report.notes import own_notes
 from pitchpoint.report.planets import load_sharing
 from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
@@ -95,6 +96,8 @@ class _Found:
     campbells: dict[str, xr.Dataset] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    notes: list[tuple[str, list[str]]] = field(default_factory=list)
+    """Name of a result and its notes."""
     variants: dict[str, tuple[str, str]] = field(default_factory=dict)
     """Scenario and text of the model by name of the run or sweep."""
     others: dict[str, str] = field(default_factory=dict)
@@ -150,7 +153,7 @@ def collect(
         compared=compared,
         sources=found.sources,
     )
-    return shown, [*notes, *more, *found.remarks]
+    return shown, [*notes, *more, *found.remarks, *own_notes(found.notes)]
 
 
 def _add_file(found: _Found, file: str, model: Model) -> None:
@@ -172,6 +175,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if str(header.get("model_hash", "")) not in ("", content_hash(model)):
             found.others[key] = f"{own} was computed with a different version of the model."
         found.sources.append(source_of(key, header, content_hash(model), own))
+        found.notes.append((key, split_notes(str(header.get("notes", "")))))
         return key
 
     if header["kind"] == "sweep":
@@ -260,6 +264,7 @@ def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]
     found.runs = {named.get(name, name): run for name, run in found.runs.items()}
     found.sweeps = {named.get(name, name): sweep for name, sweep in found.sweeps.items()}
     found.sources = [replace(source, name=named.get(source.name, source.name)) for source in found.sources]
+    found.notes = [(named.get(name, name), own) for name, own in found.notes]
     found.remarks += [words for name, words in found.others.items() if name not in named]
     return compared
 
@@ -269,9 +274,8 @@ def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
     groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
-    notes = split_notes(str(data.attrs.get("notes", "")))
     planets = load_sharing(model, data, settle)
-    about: dict[str, Any] = {"note": note, "remarks": notes, "groups": groups, "planets": planets}
+    about: dict[str, Any] = {"note": note, "groups": groups, "planets": planets}
     return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 
@@ -322,6 +326,7 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
             "sweep_speed or cases_dataset, or the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
+    found.notes.append((name, split_notes(str(data.attrs.get("notes", "")))))
 
 
 def _free(name: str, other: str, taken: dict[str, Any]) -> str:

@@ -177,7 +177,7 @@ def _numbers(data: xr.Dataset) -> str:
 
     from pitchpoint.analysis.statistics import signal_statistics
     from pitchpoint.viz.quantities import channels, settle_time_of, window_words
-    from pitchpoint.viz.run_record import settled_part
+    from pitchpoint.viz.run_record import settled_part, statistics_window
     from pitchpoint.viz.tables import plain_table
 
     if "time" not in data.dims or data.sizes["time"] < 2:
@@ -192,9 +192,9 @@ def _numbers(data: xr.Dataset) -> str:
             rows.append(_row(found[name], x, known))
     if not rows:
         return ""
-    begin, end = (float(t) for t in time[inside][[0, -1]])
     head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
-    sentence = _sentence(window_words(begin, end).capitalize())
+    window = statistics_window(time, found, settle_time_of(data.attrs))
+    sentence = _sentence(window_words(*window).capitalize())
     return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>{sentence}'
 
 

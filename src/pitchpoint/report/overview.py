@@ -65,9 +65,10 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
         if scene.solids:
             # the page contains all curves; only the most important channels are shown below the scene
             scene = replace(scene, channels=[c for c in scene.channels if c.name.partition("[")[0] in READ])
-            notes = [f"The scene shows {name}; click a curve of this run to set the time of the scene.", lost]
-            notes.append("" if len(runs) < 2 else "Use pitchpoint view for other runs or two side by side.")
-            return SceneData(scene=scene, run=name, words=" ".join(filter(None, notes)))
+            hint = "Click a curve of this run to set the time of the scene."
+            hint += "" if len(runs) < 2 else " Use pitchpoint view for other runs or two side by side."
+            words = f"The scene shows {name}. {lost}".strip()
+            return SceneData(scene=scene, run=name, words=words, hint=hint)
     try:
         scene = scene_of(model)
     except PitchpointError as error:

@@ -20,6 +20,8 @@ KINDS = {
     "contact": "contact analysis",
 }
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
+NAMES = ("mesh", "body", "scenario")
+"""Options whose values are names of the model."""
 EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
 
 
@@ -55,7 +57,6 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         ("computed", str(header.get("created", "")).replace("T", " ").replace("+00:00", " UTC")),
         ("by", str(header.get("source", ""))),
         ("model", f"{theirs}{same}"),
-        ("remarks", str(header.get("notes", ""))),
         *((key.replace("_", " "), _text(key, value)) for key, value in sorted(options.items())),
     ]
     return SourceData(
@@ -81,10 +82,11 @@ def _text(key: str, value: Any) -> str:
     if any(value is x or (type(value) is type(x) and value == x) for x in EMPTY):
         return ""
     if isinstance(value, Mapping):
-        return ", ".join(f"{k}: {_text(key, v)}" for k, v in value.items())
+        return ", ".join(f"{k}: {_text(k if k in NAMES else key, v)}" for k, v in value.items())
     if isinstance(value, list | tuple):
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
         # laws are shown in the model file; their representation here is not readable
-        return "" if "(" in str(value) else printed(str(value)).replace("_", " ")
+        text = "" if "(" in str(value) else printed(str(value))
+        return text if key in NAMES else text.replace("_", " ")
     return amount(float(value), UNITS.get(key, ""), 5)

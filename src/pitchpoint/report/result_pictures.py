@@ -115,7 +115,7 @@ def sweep_figures(data: xr.Dataset) -> Figures:
 def cases_figures(data: xr.Dataset) -> Figures:
     """Results over the varied value."""
     from pitchpoint.report.study_data import case_table
-    from pitchpoint.viz.report.tables import case_section
+    from pitchpoint.viz.report.cases import case_section
 
     return case_section({"": case_table(data)}).figures
 

@@ -281,5 +281,5 @@ def _own_periods(position: Array, phase: Array) -> Array:
 
 def without_given(cycles: dict[str, MeshCycleData], rolls: dict[str, Any]) -> dict[str, MeshCycleData]:
     """Mesh cycles without the transmission errors of meshes with a given roll."""
-    given = {roll.mesh for roll in rolls.values()}
+    given = {mesh for roll in rolls.values() for mesh in (roll.mesh, *roll.curves)}
     return {name: replace(c, errors={}) if name in given else c for name, c in cycles.items()}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def mean_mesh_frequencies(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> dict[str, float]:
-    """Mean mesh frequencies over the window of the statistics [Hz], the lowest first.
+    """Mean mesh frequencies over the window of the statistics [Hz], in the order of the model.
 
     Parameters
     ----------
@@ -42,11 +42,10 @@ def mean_mesh_frequencies(model: Model, result: xr.Dataset, settle_time: float =
         else:
             spins[body] = 0.0
             unknown |= {body} if "spin" in seat.coordinates else set()
-    found = {
+    return {
         name: float(row["frequency"])
         for name, row in frequencies_of(model, spins)["meshes"].items()
         if row["frequency"] > 0.0
         and np.isfinite(row["frequency"])
         and unknown.isdisjoint(str(model.body_of(gear)) for gear in row["gears"])
     }
-    return dict(sorted(found.items(), key=lambda item: item[1]))

@@ -10,12 +10,16 @@ import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.case_store import read_cases
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.reading import read_header
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS, read_sweep
 from pitchpoint.viz.report.build import CaseTable
 
 if TYPE_CHECKING:
     import xarray as xr
+
+COUNTED = {name for name, _, _ in RATTLE}
+"""Contact numbers of a mesh, variables of their own in a dataset."""
 
 
 def sweep_of(data: xr.Dataset) -> dict[str, Any]:
@@ -53,12 +57,17 @@ def case_table(data: xr.Dataset) -> CaseTable:
     numeric = [path for path in paths if data[path].dtype.kind in "fiu"]
     sentences, cases = data.attrs.get("sentences", []), []
     channels = {str(n): v for n, v in data.data_vars.items() if v.dims == ("case", "statistic")}
+    counted = {str(n): v for n, v in data.data_vars.items() if str(n).partition("[")[0] in COUNTED}
     for k in range(data.sizes["case"]):
         rows = {
             name: {"unit": str(v.attrs.get("units", ""))}
             | {s: float(x) for s, x in zip(STATISTICS, v.values[k], strict=True)}
             for name, v in channels.items()
         }
+        for name, v in counted.items():
+            number, _, mesh = name.partition("[")
+            if v.dims == ("case",):
+                rows.setdefault(f"contact_state[{mesh}", {"mean": math.nan})[number] = float(v.values[k])
         values = {path: data[path].values[k] for path in paths}
         cases.append(
             {

@@ -34,6 +34,9 @@ def variant_words(models: Mapping[str, str], scenarios: Mapping[str, str]) -> di
     >>> text = '{"meshes": {"stage": {"backlash": {"normal": "%s"}}}}'
     >>> variant_words({"a": text % "0.1 mm", "b": text % "0.2 mm"}, {"a": "s", "b": "s"})
     {'a': 'backlash normal 0.1 mm', 'b': 'backlash normal 0.2 mm'}
+    >>> text = '{"parameters": {"load": {"value": "%s"}}}'
+    >>> variant_words({"a": text % "5 N m", "b": text % "9 N m"}, {"a": "s", "b": "s"})
+    {'a': 'load 5 N m', 'b': 'load 9 N m'}
     """
     try:
         leaves = {name: dict(_leaves(json.loads(text))) for name, text in models.items()}
@@ -50,14 +53,15 @@ def variant_words(models: Mapping[str, str], scenarios: Mapping[str, str]) -> di
     differing = [path for path in paths if len({str(own.get(path)) for own in leaves.values()}) > 1]
     if not 0 < len(differing) <= MAX_DIFFERENCES:
         return {}
-    keys = [path[2:] for path in differing]
+    # a parameter has its own name, a key of a component that of the key
+    keys = [path[1:2] if path[0] == "parameters" else path[2:] for path in differing]
     found = {}
     for name, own in leaves.items():
         words = []
-        for path in differing:
+        for path, ends in zip(differing, keys, strict=True):
             # the name of the component only where several have this key
-            place = [path[1]] if keys.count(path[2:]) > 1 or not path[2:] else []
-            key = " ".join(word.replace("_", " ") for word in path[2:])
+            place = [path[1]] if keys.count(ends) > 1 or not ends else []
+            key = " ".join(word.replace("_", " ") for word in ends)
             value = printed(str(own[path])) if path in own else "default"
             words.append(" ".join(filter(None, (*place, key, value))))
         found[name] = ", ".join(words)

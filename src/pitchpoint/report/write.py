@@ -77,6 +77,7 @@ def write_report(
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.report.collect import collect, describe
+    from pitchpoint.report.notes import remarks_of
     from pitchpoint.viz.report.build import report_html
 
     path = check_target(path_out, "page", files_of(model, *results))
@@ -87,7 +88,7 @@ def write_report(
         about = describe(model)
         found, remarks = collect(model, results, progress, compare)
     texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
-    about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
+    about = replace(about, warnings=remarks_of(texts, remarks))
     written = write_file(path, report_html(about, found))
     if on_note is not None:
         for text in about.warnings:

@@ -28,6 +28,8 @@ COUNTS = np.dtype(
         *((name, "i8") for name in ("begun", "state", "hit", "front_impacts", "back_impacts", "impulses")),
         *((name, "f8") for name in ("normal", "t", "deflection", "mesh_force", "speed_1", "speed_2")),
         *((name, "f8") for name in ("total", "front", "back", "both", "loss", "lost_at", "longest_loss")),
+        *((name, "i8") for name in ("fronts", "backs")),
+        *((name, "f8") for name in ("front_first", "front_last", "back_first", "back_last")),
         ("momentum", "f8"),
         *((name, "f8") for name in ("closing", "closing_squares", "closing_most")),
         *((name, "f8") for name in ("impulse", "impulse_sum", "impulse_most", "touched_at")),
@@ -39,7 +41,7 @@ COUNTS = np.dtype(
 
 #: Numbers of `read_counts`.
 CONTACT_NUMBERS = (
-    *("front_impacts", "back_impacts", "impact_rate"),
+    *("front_impacts", "back_impacts", "impact_rate", "contact_frequency"),
     *("closing_speed_mean", "closing_speed_rms", "closing_speed_max", "impulse_mean", "impulse_max"),
     *("front_contact_share", "back_contact_share", "both_flanks_share", "contact_loss_share"),
     *("longest_loss", "shortest_contact", "resolution", "rattle_index"),
@@ -90,6 +92,7 @@ def _count(t, row, c):
             c["impulse"] += 0.5 * h * abs(c["mesh_force"])
         if c["hit"] != 0 and (state == 0 or state * c["state"] == -1):
             _end_contact(c, middle)
+        _begin_cycle(c, state, middle)
         if state == 0 and c["state"] != 0:
             c["lost_at"] = middle
         if c["state"] == 0 or state == 0:
@@ -132,6 +135,20 @@ def _add_accelerations(c, first, second):
 
 
 @kernel
+def _begin_cycle(c, state, t):
+    """Count the contacts of either flank that begin, after a separation or from the other flank."""
+    before = c["state"]
+    if (state == 1 or state == 2) and before != 1 and before != 2:
+        c["front_first"] = t if c["fronts"] == 0 else c["front_first"]
+        c["front_last"] = t
+        c["fronts"] += 1
+    if (state == -1 or state == 2) and before != -1 and before != 2:
+        c["back_first"] = t if c["backs"] == 0 else c["back_first"]
+        c["back_last"] = t
+        c["backs"] += 1
+
+
+@kernel
 def _begin_contact(c, state, closing, t):
     """Count an impact with its closing speed [m/s]."""
     if state == -1:
@@ -170,6 +187,7 @@ def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str,
             "front_impacts": int(c["front_impacts"]),
             "back_impacts": int(c["back_impacts"]),
             "impact_rate": impacts / total,
+            "contact_frequency": _frequency(c),
             "closing_speed_mean": _ratio(c["closing"], impacts),
             "closing_speed_rms": float(np.sqrt(_ratio(c["closing_squares"], impacts))),
             "closing_speed_max": float(c["closing_most"]),
@@ -208,6 +226,13 @@ def _index(system: System, record: np.void, c: np.void, force: float, driven: se
         return float("nan")
     needed = [-mass * other_r_b * float(c[f"{end}_{other}"]) / force for end in ("least", "most")]
     return max(0.0, *needed)
+
+
+def _frequency(c: np.void) -> float:
+    """Frequency with which contact of one flank begins, of that with more contacts [Hz]; 0 below two."""
+    flank = "back" if c["backs"] > c["fronts"] else "front"
+    count = int(c[f"{flank}s"])
+    return (count - 1) / float(c[f"{flank}_last"] - c[f"{flank}_first"]) if count > 1 else 0.0
 
 
 def _ratio(total: float, count: int) -> float:

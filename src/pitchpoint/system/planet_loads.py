@@ -97,7 +97,7 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
     result
         The result, with the mesh forces.
     settle_time
-        Time at the start of a time response that is omitted from the means [s].
+        Time after the first sample of a time response that is omitted from the means [s].
     """
 
     def mean(channel: str) -> float | None:
@@ -106,7 +106,7 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
             return None
         values = result[channel]
         if "time" in values.dims:
-            values = values.sel(time=slice(settle_time, None))
+            values = values.sel(time=slice(float(values["time"][0]) + settle_time, None))
         elif "mesh_phase_position" in values.dims and values.size > 1:
             values = values.isel(mesh_phase_position=slice(None, -1))
         return float(values.mean()) if values.size else None

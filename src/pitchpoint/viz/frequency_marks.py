@@ -13,12 +13,14 @@ if TYPE_CHECKING:
 
 FAINT = 0.35
 """Opacity of the lines of harmonics above the first."""
-CLOSE, LIFT = 0.09, 13
-"""Share of the axis below which two names would overlap, and how far one of them is then lowered [pixels]."""
+NARROW = 240.0
+"""Width of the axis of the narrowest plot, one of two next to each other on paper [pixels]."""
+LETTER, GAP, LIFT = 6.2, 8.0, 13
+"""Mean width of a letter, smallest distance of names in one line, and distance of lines [pixels]."""
 EQUAL = 1e-6
 """Relative difference up to which two frequencies are one."""
 PALE = "#ffffff"
-LONGEST = 40
+LONGEST = 36
 """Maximum number of letters of a name."""
 
 
@@ -29,7 +31,7 @@ def mark_frequencies(
     harmonics: int = 1,
     factor: float = 1.0,
     over_map: bool = False,
-) -> None:
+) -> int:
     """Draw upright lines into a spectrum, named at the first harmonic.
 
     Parameters
@@ -45,17 +47,23 @@ def mark_frequencies(
     over_map
         Lines in one pale colour above the cells of a map.
 
+    Returns
+    -------
+    int
+        Number of lines of text with names, one below the other.
+
     Notes
     -----
-    Equal frequencies, as of the meshes of planets, have one line with all names. The names have the attribute
-    `name`, which distinguishes them from numbers at peaks.
+    Names are placed so that they do not overlap in a plot of half the width of a page. Equal frequencies, as
+    of the meshes of planets, have one line with all names. The names have the attribute `name`, which
+    distinguishes them from numbers at peaks.
     """
     end = axis_end(figure)
     shared: dict[float, str] = {}
     for name, frequency in frequencies.items():
         same = next((f for f in shared if abs(f - frequency) < EQUAL * frequency), frequency)
         shared[same] = f"{shared[same]}, {name}" if same in shared else name
-    named: list[tuple[float, int]] = []
+    lines: list[list[tuple[float, float]]] = []
     for index, (frequency, name) in enumerate(shared.items()):
         colour = theme.SERIES[(index + 1) % len(theme.SERIES)]
         for k in range(1, harmonics + 1):
@@ -69,22 +77,45 @@ def mark_frequencies(
                 layer="above" if over_map else "below",
             )
             if k == 1:
-                taken = {level for other, level in named if abs(at - other) < CLOSE * end}
-                lift = next(n for n in range(len(named) + 1) if n not in taken)
-                named.append((at, lift))
+                words = _short(name)
+                anchor, (left, right), beside = _extent(words, at / end)
                 figure.add_annotation(
-                    x=at,
+                    x=at if beside else end * left / NARROW,
                     y=1.0,
                     yref="paper",
                     yanchor="top",
-                    yshift=-LIFT * lift,
-                    text=_short(name),
+                    yshift=-LIFT * _line_of(left, right, lines),
+                    text=words,
                     name="frequency",
                     showarrow=False,
-                    xanchor="left",
-                    xshift=2,
+                    xanchor=anchor,
+                    xshift=0 if not beside else 2 if anchor == "left" else -2,
                     font={"size": 11, "color": PALE if over_map else colour},
                 )
+    return len(lines)
+
+
+def _extent(words: str, share: float) -> tuple[str, tuple[float, float], bool]:
+    """Anchor and ends of a name in the narrowest plot [pixels], and whether it stands beside its line.
+
+    A name without room on either side of its line ends at the end of the axis.
+    """
+    width, at = LETTER * len(words), NARROW * share
+    if at + width <= NARROW:
+        return "left", (at, at + width), True
+    if at >= width:
+        return "right", (at - width, at), True
+    return "left", (NARROW - width, NARROW), False
+
+
+def _line_of(left: float, right: float, lines: list[list[tuple[float, float]]]) -> int:
+    """First line of text with room between two ends [pixels], which are then taken."""
+    for k, taken in enumerate(lines):
+        if all(right + GAP <= begin or end + GAP <= left for begin, end in taken):
+            taken.append((left, right))
+            return k
+    lines.append([(left, right)])
+    return len(lines) - 1
 
 
 def axis_end(figure: go.Figure) -> float:

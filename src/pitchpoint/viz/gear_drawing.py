@@ -299,7 +299,8 @@ def _marks(view: View, where: dict[str, Array], along: Array) -> list[str]:
 
 def _legend(top: float, pair: Any) -> str:
     """Legend of the lines, with the diameters of the active flanks."""
-    parts = [f'<rect class="pp-paper" x="0" y="{top:.0f}" width="{WIDTH:.0f}" height="92"/>']
+    # larger than its place: remains of lines would shine through at its edges
+    parts = [f'<rect class="pp-paper" x="-4" y="{top:.0f}" width="{WIDTH + 8.0:.0f}" height="96"/>']
     entries = [
         ("pp-path", "path of contact A to E"),
         ("pp-action", "line of action"),

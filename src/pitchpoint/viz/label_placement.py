@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from pitchpoint.viz.svg import text
 
-LINE = 14.0
+LINE = 16.0
 """Distance of lines [pixels]."""
 LETTER = {"pp-halo": 8.4, "pp-small": 7.0}
 """Mean width of a letter by style [pixels]."""

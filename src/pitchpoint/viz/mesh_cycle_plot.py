@@ -101,7 +101,7 @@ def plot_transmission_error(
     means = {name: mean if abs(mean) > ROUND_OFF else 0.0 for name, mean in means.items()}
     sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
     shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
-    figure = theme.figure(title, shown.title("transmission error − mean"), height=340)
+    figure = theme.figure(title, shown.title("transmission error<br>− mean"), height=340)
     for index, (name, values) in enumerate(data.items()):
         x, y = repeated(phase, values - means[name], cycles)
         whole = scale("m", [means[name]]) if means[name] else shown

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,8 +18,11 @@ if TYPE_CHECKING:
 
 MAX_MODES, MAX_PARTS = 20, len(theme.SERIES) - 1
 """Maximum numbers of modes and of components with a colour."""
-LINE, MARGINS = 24, 110
-"""Height of a mode and of both margins [pixels]."""
+LINE, LEGEND, BOTTOM = 22, 20, 52
+"""Heights of a mode, of a line of the legend, and of the axis with its title [pixels]."""
+LETTERS, BOX = 88, 5
+"""Letters per line of the legend on paper, and space of the mark of a name [letters]."""
+LEGEND_AT = {"x": 0, "y": 1, "xref": "container", "pad": {"t": 12}, "font": {"size": 12}}
 NAMED = 0.2
 """Share of the components without colour from which the largest of them is named."""
 
@@ -51,17 +55,19 @@ def plot_modes(
     for k in range(n):
         damping = f", ζ {number(100.0 * ratio[k], 2)} %" if np.isfinite(ratio[k]) and hertz[k] > 0.0 else ""
         labels.append(f"{k + 1} {names[k]}, {scale('Hz', [hertz[k]]).text(hertz[k])}{damping}")
-    height = MARGINS + LINE * max(n, 2)
-    figure = theme.figure("share in the strain energy [%]", "", height=height)
     order = np.argsort(-share.sum(axis=0), kind="stable")
     largest = [int(c) for c in order[:MAX_PARTS] if share[:, c].max(initial=0.0) > 1e-3]
     bars = {components[c]: share[:, c] for c in largest}
     rest = share.sum(axis=1) - sum((bar for bar in bars.values()), np.zeros(n))
     if rest.max(initial=0.0) > 5e-3:
         bars["others"] = rest
+    legend, lines = _legend(list(bars))
+    top = 22 + LEGEND * lines
+    height = top + BOTTOM + LINE * max(n, 2)
+    figure = theme.figure("share in the strain energy [%]", "", height=height, margin={"t": top})
     for k, (name, values) in enumerate(bars.items()):
         others = name == "others"
-        colour = theme.GREY if others else theme.SERIES[k % len(theme.SERIES)]
+        colour = _colour(name, k)
         words = _largest_others(components, share, largest, rest) if others else None
         figure.add_bar(
             y=labels,
@@ -78,12 +84,36 @@ def plot_modes(
     figure.update_layout(
         barmode="stack",
         bargap=0.3,
-        showlegend=True,
-        legend={"traceorder": "normal"},
+        showlegend=False,
+        # a legend would be as narrow as the axis beside the names of the modes
+        title={
+            **theme.title_above(legend),
+            "x": 0,
+            "y": 1,
+            "xref": "container",
+            "pad": {"t": 12},
+            "font": {"size": 12},
+        },
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )
     return figure
+
+
+def _colour(name: str, index: int) -> str:
+    return theme.GREY if name == "others" else theme.SERIES[index % len(theme.SERIES)]
+
+
+def _legend(names: Sequence[str]) -> tuple[str, int]:
+    """Names of the bars with a square in their colour, and the number of lines."""
+    lines, width = [""], 0
+    for k, name in enumerate(names):
+        if width and width + len(name) + BOX > LETTERS:
+            lines, width = [*lines, ""], 0
+        mark = f'<span style="color:{_colour(name, k)}">■</span>'
+        lines[-1] += f"{'&nbsp;&nbsp; ' if width else ''}{mark} {escape(name)}"
+        width += len(name) + BOX
+    return "<br>".join(lines), len(lines)
 
 
 def _largest_others(

@@ -15,12 +15,14 @@ from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
-WIDTH_BLOCK, STEP = 122.0, 246.0
+WIDTH_BLOCK, STEP = 122.0, 216.0
 """Width of a block, and distance between columns [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
-GAP, HEAD, MIN_WIDTH = 62.0, 44.0, 46.0
+GAP, HEAD, MIN_WIDTH = 72.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
+LETTERS, ROW = 12, 16.0
+"""Letters of a name that fit into a block, and distance of its lines [pixels]."""
 SIDE, BACK = 10.0, 90.0
 """Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
 NEGLIGIBLE = 1e-6
@@ -58,7 +60,7 @@ def power_flow_svg(flow: PowerFlow) -> str:
     unit = scale("W", [most])
     columns = _columns(len(flow.blocks), links)
     boxes = [
-        _Box(column, MIN_WIDTH, (block.name, amount(block.speed, "rad/s")))
+        _Box(column, MIN_WIDTH + _more(block.name), (block.name, amount(block.speed, "rad/s")))
         for column, block in zip(columns, flow.blocks, strict=True)
     ]
     ends: list[_Joined] = []
@@ -68,10 +70,10 @@ def power_flow_svg(flow: PowerFlow) -> str:
         start = boxes[link.start] if link.start != OUTSIDE else None
         end = boxes[link.end] if link.end != OUTSIDE else None
         if start is None and end is not None:
-            start = _Box(end.column - 1, 34.0, words, outside=True)
+            start = _Box(end.column - 1, 34.0 + _more(link.name), words, outside=True)
             boxes.append(start)
         elif end is None and start is not None:
-            end = _Box(start.column + 1, 34.0, words, outside=True)
+            end = _Box(start.column + 1, 34.0 + _more(link.name), words, outside=True)
             boxes.append(end)
         if start is not None and end is not None:
             ends.append((link, start, end, width))
@@ -204,7 +206,7 @@ def _band(
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tuple[str, list[Label]]:
     """Drop for the loss of a straight band; name and power above the band, the loss below it."""
     words = ((link.name, "pp-halo"), (unit.text(link.given), "pp-small"))
-    labels = [Label(x, y - 0.5 * width - 19.0, "middle", words)]
+    labels = [Label(x, y - 0.5 * width - 10.0 - LINE, "middle", words)]
     if not link.lost > 0.0:
         return "", labels
     below, drop = y + 0.5 * width, min(max(THINNEST, width * link.lost / link.given), 40.0)
@@ -231,6 +233,11 @@ def _beside(
     return Label(x, top, anchor, tuple(lines))
 
 
+def _more(name: str) -> float:
+    """Height of a second line of a name [pixels]."""
+    return ROW * (len(name_lines(name)) - 1)
+
+
 def _loss(link: PowerLink) -> str:
     """Loss in words, with the sign of the table."""
     return f"{amount(link.lost, 'W')} lost"
@@ -238,17 +245,33 @@ def _loss(link: PowerLink) -> str:
 
 def _block(box: _Box, x: float) -> str:
     """Block with its name and speed, or text of a source or sink."""
-    middle = box.y + 0.5 * box.height
-    if box.outside:
-        shape = ""
-    else:
+    shape = ""
+    if not box.outside:
         shape = (
             f'<rect class="pp-block" rx="5" x="{x:.1f}" y="{box.y:.1f}" '
             f'width="{WIDTH_BLOCK:.0f}" height="{box.height:.1f}"/>'
         )
-    name = box.words[0] if len(box.words[0]) <= 15 else f"{box.words[0][:14]}…"
-    full = f"<title>{escape(box.words[0])}</title>" if name != box.words[0] else ""
-    return (
-        f"<g>{full}{shape}{text(x + 0.5 * WIDTH_BLOCK, middle - 2.0, name, 'pp-name')}"
-        f"{text(x + 0.5 * WIDTH_BLOCK, middle + 14.0, box.words[1], 'pp-small')}</g>"
+    name = name_lines(box.words[0])
+    full = f"<title>{escape(box.words[0])}</title>" if "".join(name) != box.words[0] else ""
+    styles = [(words, "pp-name") for words in name] + [(box.words[1], "pp-small")]
+    first = box.y + 0.5 * box.height - 0.5 * ROW * len(styles) + 12.0
+    lines = (
+        text(x + 0.5 * WIDTH_BLOCK, first + ROW * k, words, style) for k, (words, style) in enumerate(styles)
     )
+    return f"<g>{full}{shape}{''.join(lines)}</g>"
+
+
+def name_lines(name: str) -> list[str]:
+    """Name in one line, or in two if it is wider than a block; what is still too long is cut.
+
+    Examples
+    --------
+    >>> name_lines("output"), name_lines("high_speed_shaft"), name_lines("wheel_gap_015")
+    (['output'], ['high_speed_', 'shaft'], ['wheel_gap_', '015'])
+    """
+    if len(name) <= LETTERS:
+        return [name]
+    ends = [k for k, letter in enumerate(name, start=1) if letter in " _-." and k <= LETTERS]
+    at = max(ends, default=LETTERS)
+    rest = name[at:]
+    return [name[:at], rest if len(rest) <= LETTERS else f"{rest[: LETTERS - 1]}…"]

@@ -58,6 +58,32 @@ def settled_part(time: Array, settle_time: float) -> np.ndarray:
     return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
 
 
+def statistics_window(time: Array, found: Mapping[str, Channel], settle_time: float) -> tuple[float, float]:
+    """Beginning and end of the window of the statistics [s], of all steps or else of the stored samples.
+
+    Parameters
+    ----------
+    time
+        Times of the record [s], shape (n,).
+    found
+        Channels by name.
+    settle_time
+        Start of the window after the first sample [s].
+
+    Examples
+    --------
+    >>> t = np.linspace(0.0, 1.0, 101)
+    >>> known = Channel("a", t, statistics={"mean": 0.5})
+    >>> statistics_window(t, {"a": known}, 0.125), statistics_window(t, {"a": Channel("a", t)}, 0.125)
+    ((0.125, 1.0), (0.13, 1.0))
+    """
+    begin, end = float(time[0]), float(time[-1])
+    if any(channel.statistics is not None for channel in found.values()):
+        return min(begin + settle_time, end), end
+    inside = time[settled_part(time, settle_time)]
+    return float(inside[0]), float(inside[-1])
+
+
 def uniform(time: Array, values: Array) -> tuple[Array, float]:
     """Values at equal time steps and their sample rate; records of adaptive solvers are interpolated."""
     try:

@@ -27,8 +27,8 @@ FLAT = 0.05
 """Share of a row below which the variation of a curve would be flat."""
 ONE_ROW, ROW, LINE, GAP, MARGINS = 320, 110, 17, 12, 78
 """Heights [pixels]: figure with one row, axes of one of several rows, line of names, gap, both margins."""
-HEAD_WIDTH = 60
-"""Characters per line above one of two figures next to each other."""
+HEAD_WIDTH, HALF_WIDTH = 90, 40
+"""Characters per line above a figure, and above one of two next to each other on paper."""
 
 
 def plot_signals(
@@ -40,6 +40,7 @@ def plot_signals(
     title: str = "",
     rows: Sequence[Sequence[int]] | None = None,
     over: str = "time",
+    half: bool = False,
 ) -> go.Figure:
     """Plot of channels of one unit over time that preserves all peaks and ripple.
 
@@ -61,6 +62,8 @@ def plot_signals(
         Indices of the channels of each row; default those of `signal_rows`.
     over
         `time`, `angle`, or the title of an axis without unit conversion.
+    half
+        One of two plots next to each other.
 
     Raises
     ------
@@ -90,7 +93,8 @@ def plot_signals(
                 line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
             )
     if len(channels) > 1:
-        arrange_rows(figure, channels, rows, f"[{shown.unit}]" if shown.unit else y_title)
+        row_title = f"[{shown.unit}]" if shown.unit else y_title
+        arrange_rows(figure, channels, rows, row_title, HALF_WIDTH if half else HEAD_WIDTH)
     for k, row in enumerate(rows, start=1):
         values = np.concatenate([channels[index].values for index in row]) * shown.factor
         _keep_noise_small(figure.layout[f"yaxis{k}" if k > 1 else "yaxis"], values)
@@ -144,10 +148,14 @@ def _by_size(row: Sequence[int], spans: Sequence[tuple[float, float]]) -> list[l
 
 
 def arrange_rows(
-    figure: go.Figure, channels: Sequence[Channel], rows: Sequence[Sequence[int]], row_title: str
+    figure: go.Figure,
+    channels: Sequence[Channel],
+    rows: Sequence[Sequence[int]],
+    row_title: str,
+    letters: int = HEAD_WIDTH,
 ) -> None:
-    """Stacked rows, each below the names of its curves in their colours."""
-    heads = [_head(channels, row) for row in rows]
+    """Stacked rows, each below the names of its curves in their colours, with so many letters per line."""
+    heads = [_head(channels, row, letters) for row in rows]
     height = ONE_ROW - MARGINS if len(rows) == 1 else ROW
     whole = float(sum(height + LINE * len(head) + GAP for head in heads))
     at = whole
@@ -174,12 +182,12 @@ def arrange_rows(
     figure.update_xaxes(anchor=f"y{len(rows)}" if len(rows) > 1 else "y")
 
 
-def _head(channels: Sequence[Channel], row: Sequence[int]) -> list[str]:
+def _head(channels: Sequence[Channel], row: Sequence[int], letters: int) -> list[str]:
     """Text lines with the names of the channels of a row."""
     lines, width = [""], 0
     for index in row:
         name = channels[index].label
-        if width and width + len(name) > HEAD_WIDTH:
+        if width and width + len(name) > letters:
             lines, width = [*lines, ""], 0
         colour = theme.colour_of(channels[index].name, index)
         lines[-1] += f'{"&nbsp;&nbsp; " if width else ""}<span style="color:{colour}">{escape(name)}</span>'

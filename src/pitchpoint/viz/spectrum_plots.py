@@ -103,12 +103,13 @@ def plot_spectrum(
         first = next(iter(spectra.values()))
         _label_peaks(figure, first, end, factor, shown.factor, labels)
     known = (shafts.meshes if shafts else {}) if across is None else meshes or {}
-    if tallest > 0.0:
-        top, room = float(np.log10(tallest * shown.factor)), 1.2 if known else 0.6
-        figure.update_yaxes(type="log", range=[top - 4.2, top + room], dtick=1, exponentformat="power")
     figure.update_xaxes(range=[0.0, end * factor])
     figure.update_layout(showlegend=any(spectra))
-    mark_frequencies(figure, known, harmonics=HARMONICS, factor=factor)
+    lines = mark_frequencies(figure, known, harmonics=HARMONICS, factor=factor)
+    if tallest > 0.0:
+        # the names of the marks have their lines of text above the highest peak
+        top, room = float(np.log10(tallest * shown.factor)), 0.6 + 0.45 * lines
+        figure.update_yaxes(type="log", range=[top - 4.2, top + room], dtick=1, exponentformat="power")
     if across is None:
         _offer(figure, shafts)
     return figure
@@ -140,7 +141,7 @@ def plot_order_map(
 
 
 def _order_title(shafts: Shafts | None) -> str:
-    return f"order [per revolution of {shafts.chosen}]" if shafts else "order [per revolution]"
+    return f"order of {shafts.chosen} [–]" if shafts else "order [–]"
 
 
 def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False) -> None:

@@ -102,6 +102,8 @@ MAX_COLUMNS = 6
 """Maximum number of gears or meshes per table; more would not fit on paper and continue in another table."""
 MAX_ROWS = 30
 """Rows of statistics shown; further rows are collapsed."""
+NO_COEFFICIENT = 1e-5
+"""Size of a coefficient, such as a profile shift, that counts as round-off."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
@@ -170,7 +172,7 @@ def _merged(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> dic
 def _equal(one: Any, other: Any) -> bool:
     """Whether two values are equal as printed: pin errors change a centre distance by less."""
     if isinstance(one, int | float) and isinstance(other, int | float):
-        round_off = 1e-5 if one * other == 0.0 else 0.0  # a coefficient against zero
+        round_off = NO_COEFFICIENT if one * other == 0.0 else 0.0
         return math.isclose(one, other, rel_tol=1e-4, abs_tol=round_off)
     return bool(one == other)
 
@@ -186,11 +188,22 @@ def common_name(names: Sequence[str]) -> str:
     return ", ".join(names) if len(names) < 4 else f"{names[0]} … {names[-1]}"
 
 
-def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True, words: int = 2) -> str:
-    """HTML table from complete rows; numbers are right-aligned after the first columns with words."""
+def plain_table(
+    head: Sequence[str],
+    body: Sequence[str],
+    *,
+    numbers: bool = True,
+    words: int = 2,
+    texts: Sequence[int] = (),
+) -> str:
+    """HTML table from complete rows; numbers are right-aligned after the first columns with words.
+
+    `texts` are further columns with words.
+    """
+    right = [numbers and k >= words and k not in texts for k in range(len(head))]
     cells = "".join(
-        f'<th scope="col"{" class=num" if numbers and k >= words else ""}>{escape(text)}</th>'
-        for k, text in enumerate(head)
+        f'<th scope="col"{" class=num" if is_number else ""}>{escape(text)}</th>'
+        for text, is_number in zip(head, right, strict=True)
     )
     rows = "".join(body)
     return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'
@@ -244,15 +257,18 @@ def text_html(text: str) -> str:
 
     Examples
     --------
-    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2")
-    'limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²'
+    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2"), text_html("K_γ of set")
+    ('limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²', 'K<sub>γ</sub> of set')
     """
-    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9]{1,5}\b", _symbol, escape(printed(text)))
+    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9α-ω]{1,5}\b", _symbol, escape(printed(text)))
 
 
 def _symbol(found: re.Match[str]) -> str:
     row = table().get(found[0])
-    return symbol_html(row.symbol) if row is not None and row.symbol else found[0]
+    if row is not None and row.symbol:
+        return symbol_html(row.symbol)
+    # a symbol itself; those of Latin letters could be names of the model
+    return found[0] if found[0].isascii() else symbol_html(found[0])
 
 
 def _word_html(word: str) -> str:
@@ -286,6 +302,8 @@ def _cell(value: Any, kind: str, unit: str) -> str:
         return "–" if value is None else escape(str(value))
     if isinstance(value, int):
         return number(value)
+    if kind == "dimensionless" and abs(value) < NO_COEFFICIENT:
+        return "0"
     shown = float(value) if kind == "dimensionless" else in_unit(float(value), kind, unit)
     if kind not in ("length", "angle", "dimensionless") or not 1e-3 <= abs(shown) < 1e5:
         return number(shown, 4)

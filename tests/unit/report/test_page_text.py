@@ -23,6 +23,7 @@ RUNS = {
 }
 RAW = {
     "symbol": re.compile(r"\b[A-Za-z]{1,5}_[A-Za-z0-9]+(_[A-Za-z0-9]+)*\b"),
+    "index without subscript": re.compile(r"(?<![\w.\-])[abcdjruvwxz][12](?=\s*[=<>≥≤])"),
     "power": re.compile(r"\w\^-?\d"),
     "angular speed": re.compile(r"\brad/s\b"),
     "unit of files": re.compile(r"\d ?(deg|um|us|uN)\b"),

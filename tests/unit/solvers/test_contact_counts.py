@@ -48,6 +48,8 @@ def test_free_gap(free_gap):
     speed = natural * TORQUE / RADIUS / STIFFNESS
     assert (found["front_impacts"], found["back_impacts"]) == (5, 5)
     assert found["impact_rate"] == pytest.approx(2.0 * frequency, rel=1e-4)
+    # between contacts, not over the window: a step of 20 us in four periods
+    assert found["contact_frequency"] == pytest.approx(frequency, rel=2e-5)
     assert found["contact_loss_share"] == pytest.approx(share, abs=1e-4)
     assert found["front_contact_share"] == pytest.approx(0.5 * (1.0 - share), abs=1e-4)
     for word in ("mean", "rms", "max"):

@@ -38,8 +38,8 @@ def record():
     "tool, count, across, up",
     [
         ("amplitude_spectrum", 1, "frequency [Hz]", "amplitude [µm]"),
-        ("tracked_spectrum", 1, "order [per revolution]", "amplitude [µm]"),
-        ("order_map", 1, "order [per revolution]", "time [ms]"),
+        ("tracked_spectrum", 1, "order [–]", "amplitude [µm]"),
+        ("order_map", 1, "order [–]", "time [ms]"),
         ("time_frequency_map", 1, "time [ms]", "frequency [Hz]"),
         ("power_spectral_density", 1, "frequency [Hz]", "density, travel [m²/Hz]"),
         ("envelope", 1, "time [ms]", "envelope, travel [µm]"),

@@ -39,7 +39,7 @@ def test_transmission_error_in_micrometres() -> None:
     figure = plot_transmission_error(
         phase, {"unloaded": 2e-6 * phase * (1 - phase), "loaded": 5e-6 + 0 * phase}
     )
-    assert titles(figure)[1] == "transmission error − mean [µm]"
+    assert titles(figure)[1] == "transmission error<br>− mean [µm]"
     assert [t.name for t in figure.data] == ["unloaded (mean 0.3 µm)", "loaded (mean 5 µm)"]
     assert max(figure.data[0].y) == pytest.approx(0.2)
     assert max(figure.data[1].y) == pytest.approx(0.0)
@@ -139,12 +139,13 @@ def test_lines_that_overlap_share_an_axis_and_are_named_above_it() -> None:
 def test_names_of_many_lines_have_room_above_them() -> None:
     names = [f"displacement[a_shaft_with_a_long_name_{k}.rx]" for k in range(8)]
     many = [Channel(name, np.sin(300 * TIME + k), "rad") for k, name in enumerate(names)]
-    figure = plot_signals(TIME, many)
-    (head,) = figure.layout.annotations
-    lines = head.text.count("<br>") + 1
-    assert lines == 8
-    room = (1.0 - figure.layout.yaxis.domain[1]) * (figure.layout.height - 78)
-    assert room >= 16 * lines
+    for half, count in ((False, 4), (True, 8)):
+        figure = plot_signals(TIME, many, half=half)
+        (head,) = figure.layout.annotations
+        lines = head.text.count("<br>") + 1
+        assert lines == count
+        room = (1.0 - figure.layout.yaxis.domain[1]) * (figure.layout.height - 78)
+        assert room >= 16 * lines
 
 
 def test_tilts_are_shown_in_microradians_and_axes_without_powers_of_ten() -> None:
@@ -193,7 +194,7 @@ def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:
     assert cells.shape[1] <= 360
     assert cells.max() == 0
     orders = plot_order_map(order_map(x, angle, TIME, highest_order=20, revolutions=2), unit="N")
-    assert titles(orders) == ("order [per revolution]", "speed [rpm]")
+    assert titles(orders) == ("order [–]", "speed [rpm]")
     # lines of the shorter frames at the ends are wider
     column = np.asarray(orders.data[0].z, dtype=float).mean(axis=0)
     assert float(orders.data[0].x[column.argmax()]) == 10.0
@@ -246,7 +247,7 @@ def test_rows_of_one_letter_share_a_unit() -> None:
 
 def test_round_off_is_no_transmission_error() -> None:
     figure = plot_transmission_error([0.0, 0.5, 1.0], {"without load": [1e-13, 1e-13, 1e-13]})
-    assert titles(figure)[1] == "transmission error − mean [µm]"
+    assert titles(figure)[1] == "transmission error<br>− mean [µm]"
     assert figure.data[0].name == "without load (mean 0 µm)"
 
 

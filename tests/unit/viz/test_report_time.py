@@ -65,16 +65,16 @@ def test_rigidly_geared_speeds_are_one_curve_with_its_ratio() -> None:
             "speed[fan]": (10.0, "rad/s"),
         }
     )
-    drawn, words = distinct(list(found.values()))
+    drawn, constant, words = distinct(list(found.values()))
     assert [c.name for c in drawn] == ["speed[in]", "speed[other]"]
+    assert constant == ["speed, fan: 95.49 rpm"]
     text = " ".join(words)
-    assert "Constant: speed, fan: 95.49 rpm." in text
     assert "Equal curves are drawn once: out as in times −0.25." in text
 
 
 def test_forces_are_equal_only_with_the_factor_one_and_many_are_cut() -> None:
     forces = named({f"mesh_force[{k}]": (WAVE * (1.0 + k), "N") for k in range(12)})
-    drawn, words = distinct(list(forces.values()))
+    drawn, _, words = distinct(list(forces.values()))
     assert [c.name for c in drawn] == [f"mesh_force[{k}]" for k in range(4, 12)]
     assert "4 more channels are in the result." in " ".join(words)
     mirrored = named({"mesh_force[l]": (WAVE, "N"), "mesh_force[r]": (-WAVE, "N")})

@@ -106,3 +106,22 @@ def test_detection_rises_with_the_ratio_in_per_cent() -> None:
     assert figure.data[0].y[1] == 100.0 > figure.data[0].y[0]
     assert figure.data[0].error_y.array[1] == 0.0
     assert figure.layout.shapes[0].y0 == pytest.approx(100.0 * found.false_alarm)
+
+
+@pytest.mark.parametrize("place", [0.02, 0.45, 0.9])
+def test_names_of_marks_do_not_overlap_in_a_narrow_plot(place: float) -> None:
+    """Three meshes within a tenth of the axis; the axis of one of two plots on paper has 240 pixels."""
+    figure = plot_spectrum(
+        {"a": amplitude_spectrum(np.sin(np.arange(400.0)), 400.0)}, unit="N", highest=200.0, labels=0
+    )
+    names = {f"stage_{k}, stage_{k}_right": 200.0 * (place + 0.03 * k) for k in range(3)}
+    mark_frequencies(figure, names)
+    boxes = []
+    for a in (a for a in figure.layout.annotations if a.name == "frequency"):
+        at, width = 240.0 * a.x / 200.0 + a.xshift, 6.0 * len(a.text)
+        left = at if a.xanchor == "left" else at - width
+        assert left > -10.0 and left + width < 250.0
+        boxes.append((left, left + width, a.yshift))
+    assert len(boxes) == 3
+    for k, (left, right, line) in enumerate(boxes):
+        assert all(line != other or right <= begin or end <= left for begin, end, other in boxes[k + 1 :])

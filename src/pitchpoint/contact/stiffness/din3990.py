@@ -73,8 +73,8 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
     """
     if x1 < x2 or not -0.5 <= x1 + x2 <= 2.0:
         warnings.warn(
-            f"profile shifts x1 = {x1:.4g} (smaller gear), x2 = {x2:.4g} lie outside the range of the"
-            " DIN 3990 / ISO 6336-1 stiffness polynomial (x1 >= x2, -0.5 <= x1 + x2 <= 2)",
+            f"profile shifts x₁ = {x1:.4g} (smaller gear), x₂ = {x2:.4g} lie outside the range of the"
+            " DIN 3990 / ISO 6336-1 stiffness polynomial (x₁ >= x₂, -0.5 <= x₁ + x₂ <= 2)",
             ValidityWarning,
             stacklevel=2,
         )

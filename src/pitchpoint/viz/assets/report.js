@@ -26,10 +26,13 @@
   // Paper is white and its width is known: 182 mm between the margins, two plots in a pair.
   const paperWidth = (node) => (node.closest(".pair") ? 325 : 680);
 
+  // Rows with a name each, and diagrams full of names, need their height; other plots are lower on paper.
+  const paperHeight = (height, meta) => (meta && meta.whole ? height : Math.round(0.8 * height));
+
   function apply(mode, printing) {
     for (const { node, height } of plots) {
       const size = printing
-        ? { width: paperWidth(node), height: Math.round(0.8 * height), autosize: false }
+        ? { width: paperWidth(node), height: paperHeight(height, node.layout.meta), autosize: false }
         : { width: null, height, autosize: true };
       Plotly.relayout(node, Object.assign(look(node.layout, mode), size));
     }
@@ -164,8 +167,31 @@
     const canvas = document.querySelector(".ppv-canvas");
     if (!still || !canvas || !window.pitchpointViewer) return;
     pitchpointViewer.draw();
-    still.src = canvas.toDataURL("image/png");
+    still.src = cropped(canvas).toDataURL("image/png");
     still.hidden = false;
+  }
+
+  // The part of a picture that differs from its corner, with a margin: a wide window is mostly background.
+  function cropped(canvas) {
+    const { width, height } = canvas;
+    const copy = Object.assign(document.createElement("canvas"), { width, height });
+    const pen = copy.getContext("2d");
+    pen.drawImage(canvas, 0, 0);
+    const pixels = new Uint32Array(pen.getImageData(0, 0, width, height).data.buffer);
+    let left = width, right = -1, top = height, bottom = -1;
+    for (let k = 0; k < pixels.length; k++) {
+      if (pixels[k] === pixels[0]) continue;
+      const x = k % width, y = (k - x) / width;
+      left = Math.min(left, x), right = Math.max(right, x);
+      top = Math.min(top, y), bottom = Math.max(bottom, y);
+    }
+    if (right < left) return canvas;
+    const margin = Math.round(0.02 * width);
+    const x = Math.max(0, left - margin), y = Math.max(0, top - margin);
+    const size = { width: Math.min(width, right + margin) - x, height: Math.min(height, bottom + margin) - y };
+    const part = Object.assign(document.createElement("canvas"), size);
+    part.getContext("2d").drawImage(canvas, -x, -y);
+    return part;
   }
 
   // The page takes the width of paper before it is printed: what is then still wider shrinks.

@@ -110,9 +110,9 @@ def bearing_table(rows: Mapping[str, BearingForce]) -> str:
     size = max(row.maximum for row in rows.values())
     with_axial = any(row.axial_maximum > NOTHING * size for row in rows.values())
     with_moment = any(row.moment > NOTHING * size for row in rows.values())
-    head = ["bearing", f"radial, mean [{force.unit}]", "rms (alternating)", "maximum", "direction [°]"]
-    head += [f"axial, mean [{force.unit}]", "maximum"] if with_axial else []
-    head += [f"tilting moment, maximum [{moment.unit}]"] if with_moment else []
+    head = ["bearing", f"radial [{force.unit}], mean", "rms (alternating)", "maximum", "direction [°]"]
+    head += [f"axial [{force.unit}], mean", "axial, maximum"] if with_axial else []
+    head += [f"tilting moment [{moment.unit}], maximum"] if with_moment else []
     most = max(rows, key=lambda name: rows[name].maximum)
     body = []
     for name, row in rows.items():
@@ -124,7 +124,8 @@ def bearing_table(rows: Mapping[str, BearingForce]) -> str:
             cells += [
                 "–" if free else number(v * force.factor, 4) for v in (row.axial_mean, row.axial_maximum)
             ]
-        cells += [number(row.moment * moment.factor, 4)] if with_moment else []
+        if with_moment:
+            cells.append(number(row.moment * moment.factor, 4) if row.moment > NOTHING * size else "–")
         label = f"<b>{escape(name)}</b>" if name == most else escape(name)
         body.append(
             f'<tr><th scope="row">{label}</th>{"".join(f"<td class=num>{c}</td>" for c in cells)}</tr>'

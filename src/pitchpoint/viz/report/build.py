@@ -17,6 +17,7 @@ from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
 from pitchpoint.viz.report.campbell import campbell_section
+from pitchpoint.viz.report.cases import case_section
 from pitchpoint.viz.report.compare import compare_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
@@ -27,7 +28,7 @@ from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.summary import summary_section
-from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
+from pitchpoint.viz.report.tables import mode_section, parameter_section, signal_section
 from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
 
@@ -129,11 +130,14 @@ class SceneData:
         Name of the displayed time response; empty for a scene at rest.
     words
         Caption, or the reason why there is no scene.
+    hint
+        Sentence about the controls, on the screen only.
     """
 
     scene: Scene | None = None
     run: str = ""
     words: str = ""
+    hint: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -247,8 +251,6 @@ class TimeRun:
         Titles and names of the channels to be drawn, by meaning; default: the main quantities.
     note
         Sentence above the signals (status of an unfinished run).
-    remarks
-        Notes of the run, listed above the signals.
     planets
         Load sharing of planetary stages, see `planet_table`.
     """
@@ -258,7 +260,6 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
-    remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
     groups: Sequence[tuple[str, Sequence[str]]] = ()
     planets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)

@@ -13,7 +13,7 @@ import numpy as np
 from pitchpoint.analysis.campbell_ranking import RankedSpeed, ranked_speeds
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.quantities import number, scale
-from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.report.page import Section, keep_height
 from pitchpoint.viz.tables import plain_table
 
 if TYPE_CHECKING:
@@ -33,7 +33,9 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset]) -> Section:
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."
         caption = words if ranked else "No critical speed in this range."
-        section.add_figure(plot_campbell(data), caption, name="campbell")
+        drawn = plot_campbell(data)
+        keep_height(drawn)
+        section.add_figure(drawn, caption, name="campbell")
         if ranked:
             section.add(_table(ranked, "crossing_separation" in data))
             more = len(ranked) - LISTED
@@ -67,8 +69,9 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
         body = "".join(f'<td class="{"num" if k not in TEXTS else ""}">{x}</td>' for k, x in enumerate(cells))
         rows.append(f'<tr><th scope="row">{rank}</th>{body}</tr>')
     heads = ["rank", "speed", "frequency", "damping", "order", "mode", "driven by", "amplification"]
-    return plain_table((*heads, *(["from operation"] if apart else [])), rows)
+    heads += ["from operation"] if apart else []
+    return plain_table(heads, rows, words=1, texts=[k + 1 for k in TEXTS])
 
 
 TEXTS = (3, 4, 5)
-"""Columns of text."""
+"""Columns of text after the rank."""

@@ -16,9 +16,8 @@ from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, channel_scale, channels, scale
 from pitchpoint.viz.report.bearing_forces import with_resultants
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.report.time import SAME, groups_of
+from pitchpoint.viz.report.time import SAME, groups_of, is_constant
 from pitchpoint.viz.run_record import changes_speed, channel_word, settled_part, turning_angle, uniform
-from pitchpoint.viz.signals_plot import NOISE
 from pitchpoint.viz.spectrum_plots import plot_spectrum
 from pitchpoint.viz.sweep_plot import UNITS
 
@@ -68,7 +67,7 @@ def _add_runs(section: Section, runs: Mapping[str, Any]) -> None:
             if (
                 name.startswith("contact_state")
                 or len(curves) < 2
-                or all(_constant(c) for _, c in curves.values())
+                or all(is_constant(c) for _, c in curves.values())
             ):
                 continue
             if _equal(list(curves.values())):
@@ -96,7 +95,7 @@ def _add_spectra(section: Section, runs: Mapping[str, Any], read: Mapping[str, A
             return
         for channel in own.values():
             varied = channel.quantity in SPECTRA and np.all(np.isfinite(channel.values))
-            if varied and not _constant(channel):
+            if varied and not is_constant(channel):
                 values, rate = uniform(time[window], channel.values[window])
                 found.setdefault(channel.name, {})[label] = amplitude_spectrum(values, rate)
     common = {name: spectra for name, spectra in found.items() if len(spectra) > 1}
@@ -173,8 +172,3 @@ def _equal(curves: Sequence[tuple[Array, Channel]]) -> bool:
     values = [np.interp(curves[0][0], time, channel.values) for time, channel in curves]
     spread = np.abs(np.array(values) - values[0]).max(initial=0.0)
     return bool(spread <= SAME * max(float(np.ptp(v)) for v in values))
-
-
-def _constant(channel: Channel) -> bool:
-    size = float(np.nanmax(np.abs(channel.values), initial=0.0))
-    return float(np.ptp(channel.values)) <= NOISE * size

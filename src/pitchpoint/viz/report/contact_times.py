@@ -9,8 +9,20 @@ from html import escape
 import numpy as np
 
 from pitchpoint.analysis.statistics import ContactStatistics, contact_statistics
-from pitchpoint.viz.quantities import Array, Channel, amount
+from pitchpoint.viz.quantities import Array, Channel, amount, number
 from pitchpoint.viz.tables import plain_table
+
+HEAD = (
+    *("flank in work", "contact loss", "back contact", "longest loss"),
+    *("impacts", "largest impact", "closing speed", "impulse", "rattle index"),
+)
+"""Columns of the table after the mesh."""
+ALWAYS = 3
+"""Number of columns that are always listed."""
+NOTHING = ("–", "0")
+"""Cells without a result."""
+NO_RATTLE = 0.05
+"""Rattle index that is not listed: flanks separate above 1."""
 
 
 def contact_table(
@@ -29,7 +41,7 @@ def contact_table(
     settled
         Samples of the window in the record, bool.
     """
-    body = []
+    rows: dict[str, tuple[str, ...]] = {}
     for mesh, state in states.items():
         force = found.get(f"mesh_force[{mesh}]")
         c = contact_statistics(time, state, None if force is None else force.values[settled])
@@ -39,14 +51,17 @@ def contact_table(
             cells: tuple[str, ...] = _counted_cells(counted, amount(max(peaks), "N") if peaks else "–")
         else:
             cells = _sampled_cells(c, peaks)
-        body.append(
-            f'<tr><th scope="row">{escape(mesh)}</th><td>{working_flank(state)}</td>'
-            + "".join(f'<td class="num">{x}</td>' for x in cells)
-            + "</tr>"
-        )
-    impacts = ("impacts", "largest impact", "closing speed", "impulse", "rattle index")
-    head = ("mesh", "flank in work", "contact loss", "back contact", "longest loss", *impacts)
-    return plain_table(head, body) if body else ""
+        rows[mesh] = (working_flank(state), *cells)
+    # impacts are listed only if there are any
+    kept = [k for k in range(len(HEAD)) if k < ALWAYS or any(row[k] not in NOTHING for row in rows.values())]
+    body = [
+        f'<tr><th scope="row">{escape(mesh)}</th><td>{row[0]}</td>'
+        + "".join(f'<td class="num">{row[k]}</td>' for k in kept[1:])
+        + "</tr>"
+        for mesh, row in rows.items()
+    ]
+    words = "" if len(kept) > ALWAYS else "<p>No mesh loses contact.</p>"
+    return plain_table(("mesh", *(HEAD[k] for k in kept)), body) + words if body else ""
 
 
 def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...]:
@@ -61,7 +76,7 @@ def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...
         largest,
         f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
         f"{counted['impulse_max']:.4g} N s" if impacts else "–",
-        f"{index:.3g}" if np.isfinite(index) else "–",
+        number(index, 3) if np.isfinite(index) and index > NO_RATTLE else "–",
     )
 
 

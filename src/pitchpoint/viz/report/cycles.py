@@ -117,9 +117,8 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
         section.add(f"<h3>{escape(name)}</h3>")
         section.add(f"<p>{escape(roll.note)}</p>" if roll.note else "")
         section.add(planet_table(roll.planets))
-        for mesh, (periods, errors) in roll.curves.items():
-            if np.size(periods) < 2:
-                continue
+        for meshes, periods, errors in _distinct_rolls(roll.curves):
+            mesh = common_name(meshes)
             drawn = plot_transmission_error(
                 periods, errors, cycles=1, title=f"periods of {mesh} rolled [base pitches]"
             )
@@ -129,6 +128,24 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
     return section
 
 
+def _distinct_rolls(curves: Mapping[str, Any]) -> list[tuple[list[str], Any, Mapping[str, Any]]]:
+    """Curves of a roll with the names of all meshes that have the same ones, about their means."""
+    found: list[tuple[list[str], Any, Mapping[str, Any]]] = []
+    for mesh, (periods, errors) in curves.items():
+        if np.size(periods) < 2:
+            continue
+        for names, other_periods, other in found:
+            alike = _close(np.asarray(periods, float), np.asarray(other_periods, float))
+            pairs = zip(errors.values(), other.values(), strict=False)
+            alike = alike and len(errors) == len(other)
+            if alike and all(_close(np.asarray(a, float), np.asarray(b, float)) for a, b in pairs):
+                names.append(mesh)
+                break
+        else:
+            found.append(([mesh], periods, errors))
+    return found
+
+
 def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
     spans = {name: float(np.ptp(values)) for name, values in errors.items()}
     spans = {name: span if span > ROUND_OFF else 0.0 for name, span in spans.items()}
@@ -136,7 +153,8 @@ def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
     words = ", ".join(f"{shown.text(span)} {name}" for name, span in spans.items())
     words = words.replace(" mesh force", " at a mesh force of")
     count = number(float(np.max(periods)), 4)
-    return f"Transmission error of {mesh} over {count} rolled periods; peak to peak {words}."
+    word = "rolled period" if count == "1" else "rolled periods"
+    return f"Transmission error of {mesh} over {count} {word}; peak to peak {words}."
 
 
 def _drawn_cycles(cycle: Any) -> int:

@@ -24,7 +24,14 @@ from pitchpoint.viz.report.bearing_forces import QUANTITY as BEARINGS
 from pitchpoint.viz.report.bearing_forces import with_resultants
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.time import ROUND_OFF, groups_of
-from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, channel_word, listed, settled_part
+from pitchpoint.viz.run_record import (
+    FORCE_PARTS,
+    TIME_QUANTITIES,
+    channel_word,
+    listed,
+    settled_part,
+    statistics_window,
+)
 from pitchpoint.viz.tables import MAX_ROWS, plain_table
 
 
@@ -48,10 +55,10 @@ def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         found = with_resultants(found)
         main = [n for _, names in groups_of(run, found) for n in names]
         _add_table(section, time[settled], found, main, settled, linked=name == seen)
-        begin, end = time[settled][[0, -1]]
-        window = window_words(float(begin), float(end)).capitalize()
+        window = window_words(*statistics_window(time, found, run.settle_time)).capitalize()
         words = f"{window}; times are those of the nearest stored sample."
-        section.add(f"<p>{escape(words)}{' Click a time to set the scene.' if name == seen else ''}</p>")
+        hint = ' <span class="screen">Click a time to set the scene.</span>' if name == seen else ""
+        section.add(f"<p>{escape(words)}{hint}</p>")
     return section
 
 

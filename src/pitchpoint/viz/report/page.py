@@ -70,6 +70,11 @@ class Section:
         self.parts.append(html)
 
 
+def keep_height(figure: go.Figure) -> None:
+    """Keep the height of a plot on paper, where others are lower: its labels need it."""
+    figure.update_layout(meta={**(figure.layout.meta or {}), "whole": True})
+
+
 def figure_html(figure: go.Figure, caption: str = "") -> str:
     """Plot as data; the script of the page draws it in light or dark colours."""
     # the default template only repeats settings of the layout

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from html import escape
 
+import numpy as np
+
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.power_flow_drawing import power_flow_svg
 from pitchpoint.viz.quantities import Scale, amount, number, scale, span
@@ -14,12 +16,16 @@ from pitchpoint.viz.tables import plain_table
 
 NEGLIGIBLE = 1e-6
 """Share of the power below which a term of the balance is omitted."""
+ALIKE = 0.002
+"""Difference of two powers relative to the largest that is not visible."""
+MAX_COLUMNS = 5
+"""Runs next to each other in a table."""
 CLOSES = 0.005
 """Relative remainder up to which a balance counts as closed."""
 
 
 def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
-    """Section with the power flow of each run.
+    """Section with the power flow of each run; runs with the same path of the power share a picture.
 
     Parameters
     ----------
@@ -27,21 +33,82 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
         Flows by name of the run, or a sentence with the reason why there is none.
     """
     section = Section("power", "Power flow")
-    for name, flow in flows.items():
-        section.add(f"<h3>{escape(name)}</h3>" if len(flows) > 1 else "")
-        if isinstance(flow, str):
-            section.add(f"<p>{escape(flow)}</p>")
-            continue
+    for group in _same_paths(flows):
+        first, flow = next(iter(group.items()))
+        section.add(f"<h3>{escape(', '.join(group))}</h3>" if len(flows) > 1 else "")
         drawing = power_flow_svg(flow)
-        words = f"Mean powers from {span(*flow.span, 's')}; bands are as wide as the power. {_friction(flow)}"
+        whose = f" of {first}" if len(group) > 1 else ""
+        words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power."
+        words = f"{words} {_friction(flow)}"
         section.add(
             f"<figure>{drawing}<figcaption>{escape(words.strip())}</figcaption></figure>"
             if drawing
             else "<p>No power is transmitted in this run.</p>"
         )
-        section.add(f"<p>{escape(balance(flow))}</p>")
-        section.add(_table(flow))
+        if len(group) == 1:
+            section.add(f"<p>{escape(balance(flow))}</p>{_table(flow)}")
+            continue
+        names = list(group)
+        for k in range(0, len(names), MAX_COLUMNS):
+            section.add(_common_table({name: group[name] for name in names[k : k + MAX_COLUMNS]}))
+        texts = [f"{name}: {balance(one)}" for name, one in _unlike(group).items()]
+        section.add(f'<ul class="notes">{"".join(f"<li>{escape(text)}</li>" for text in texts)}</ul>')
+    reasons = [f"<p>{escape(flow)}</p>" for flow in flows.values() if isinstance(flow, str)]
+    section.add("".join(reasons))
     return section
+
+
+def _same_paths(flows: Mapping[str, PowerFlow | str]) -> list[dict[str, PowerFlow]]:
+    """Flows by name, in groups with the same blocks and links in the same directions."""
+    found: dict[tuple[object, ...], dict[str, PowerFlow]] = {}
+    for name, flow in flows.items():
+        if isinstance(flow, PowerFlow):
+            links = tuple((link.name, link.kind, link.start, link.end) for link in flow.links)
+            found.setdefault((tuple(b.name for b in flow.blocks), links), {})[name] = flow
+    return list(found.values())
+
+
+def _unlike(group: Mapping[str, PowerFlow]) -> dict[str, PowerFlow]:
+    """Flows under the names of all that have the same powers within the width of a line."""
+    found: list[tuple[list[str], PowerFlow]] = []
+    for name, flow in group.items():
+        most = max((link.given for link in flow.links), default=0.0)
+        alike = (
+            names
+            for names, other in found
+            if all(
+                abs(a.given - b.given) <= ALIKE * most for a, b in zip(flow.links, other.links, strict=True)
+            )
+            and abs(flow.lost - other.lost) <= ALIKE * max(flow.lost, other.lost)
+        )
+        names = next(alike, None)
+        if names is None:
+            found.append(([name], flow))
+        else:
+            names.append(name)
+    return {", ".join(names): flow for names, flow in found}
+
+
+def _common_table(group: Mapping[str, PowerFlow]) -> str:
+    """Power of every element and losses of several runs, a column each."""
+    columns = _unlike(group)
+    powers = {name: [link.given for link in flow.links] for name, flow in columns.items()}
+    unit = scale("W", [max((p for own in powers.values() for p in own), default=0.0)])
+    lost = scale("W", [max(flow.lost for flow in columns.values())])
+    places = _places(max((p for own in powers.values() for p in own), default=0.0) * unit.factor)
+    one = next(iter(columns.values()))
+    body = []
+    for k, link in enumerate(one.links):
+        cells = "".join(
+            f'<td class="num">{_fixed(own[k] * unit.factor, places)}</td>' for own in powers.values()
+        )
+        body.append(
+            f'<tr><th scope="row">{escape(link.name)} ({link.kind})</th>'
+            f"<td>{escape(_end(one, link.start))} → {escape(_end(one, link.end))}</td>{cells}</tr>"
+        )
+    losses = "".join(f'<td class="num">{number(f.lost * lost.factor, 4)}</td>' for f in columns.values())
+    body.append(f'<tr><th scope="row">losses, sum [{lost.unit}]</th><td></td>{losses}</tr>')
+    return plain_table([f"power [{unit.unit}]", "from → to", *columns], body)
 
 
 def balance(flow: PowerFlow) -> str:
@@ -84,12 +151,14 @@ def _friction(flow: PowerFlow) -> str:
 
 def _table(flow: PowerFlow) -> str:
     unit = scale("W", [max((link.given for link in flow.links), default=0.0)])
+    places = _places(max((link.given for link in flow.links), default=0.0) * unit.factor)
     lost = scale("W", [max((loss for link in flow.links for loss in link.losses.values()), default=0.0)])
     kinds = list(dict.fromkeys(word for link in flow.links for word in link.losses))
     body = []
     for link in flow.links:
+        # equal decimals: a small power next to a large one is not more exact
         cells = "".join(
-            f'<td class="num">{number(p * unit.factor, 5)}</td>' for p in (link.given, link.taken)
+            f'<td class="num">{_fixed(p * unit.factor, places)}</td>' for p in (link.given, link.taken)
         )
         cells += "".join(f'<td class="num">{_loss(link, word, lost)}</td>' for word in kinds)
         body.append(
@@ -98,6 +167,23 @@ def _table(flow: PowerFlow) -> str:
         )
     head = ["element", "from → to", f"input [{unit.unit}]", f"output [{unit.unit}]"]
     return plain_table([*head, *(f"loss, {word} [{lost.unit}]" for word in kinds)], body)
+
+
+def _places(largest: float) -> int:
+    """Decimals with which the largest value of a column has five digits."""
+    return int(np.clip(4 - np.floor(np.log10(largest)), 0, 6)) if largest > 0.0 else 0
+
+
+def _fixed(value: float, places: int) -> str:
+    """Number with fixed decimals.
+
+    Examples
+    --------
+    >>> _fixed(94.2478, 3), _fixed(-1e-5, 3), _fixed(-2.5, 1)
+    ('94.248', '0.000', '−2.5')
+    """
+    text = f"{value:.{places}f}"
+    return text.replace("-", "−") if float(text) else text.lstrip("-")
 
 
 def _loss(link: PowerLink, word: str, unit: Scale) -> str:

@@ -114,7 +114,10 @@ def notes_section(
         for part, keys in assumptions
     ]
     if rows:
-        section.add("<h3>Assumptions</h3><p>Keys that the model file omits, with the values in effect.</p>")
+        section.add(
+            "<h3>Assumptions</h3><p>Keys that the model file omits, with the values in effect. "
+            "Features that are absent are not listed; pitchpoint check lists all keys.</p>"
+        )
         section.add(f'<div class="scroll"><table class="plain"><tbody>{"".join(rows)}</tbody></table></div>')
     items = "".join(f"<li>{escape(line)}</li>" for line in sources)
     section.add(f'<h3>Sources</h3><ul class="notes">{items}</ul>' if items else "")

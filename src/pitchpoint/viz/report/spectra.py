@@ -39,6 +39,8 @@ QUANTITIES = ("deflection", "mesh_force")
 MAX_CHANNELS = 8
 HARMONICS = 12.5
 """End of a frequency axis in mesh frequencies."""
+SET = "Meshes of "
+"""Beginning of the title of the meshes of a planetary set."""
 EQUAL = 5e-3
 """Relative difference of two mesh frequencies that is invisible in a spectrum."""
 
@@ -75,20 +77,24 @@ def spectrum_section(
         window = settled_part(time, run.settle_time)
         if name in overlaid and not changes_speed(time[window], turning_angle(run, found), window):
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         run = replace(run, mesh_frequencies=_merged(run.mesh_frequencies))
         orders = run.highest_order or highest_order
         kinds = dict.fromkeys(c.quantity for c in picked)
         parts = [distinct([c for c in picked if c.quantity == q]) for q in kinds]
-        if sum(len(drawn) for drawn, _ in parts) > MAX_CHANNELS:
+        if sum(len(drawn) for drawn, _, _ in parts) > MAX_CHANNELS:
             parts = parts[-1:]  # of many meshes, the forces
-        words = dict.fromkeys(sentence for _, own in parts for sentence in own)
+        if not any(drawn for drawn, _, _ in parts):
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        words = dict.fromkeys(sentence for _, _, own in parts for sentence in own)
         section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
-        for channel in [c for drawn, _ in parts for c in drawn]:
-            signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
+        missing: dict[str, list[str]] = {}
+        for channels_of in _together([c for drawn, _, _ in parts for c in drawn], run.groups):
+            channel = channels_of[0]
+            signals = [Channel(c.name, c.values[window], c.unit, c.long_name) for c in channels_of]
             angle = turning_angle(run, found, (shafts or {}).get(owner(channel), ""))
             if angle is None:
-                _add_spectrum(section, signal, time[window], {})
+                _add_spectrum(section, signals, time[window], {})
                 continue
             turns = angle.values[window]
             speeds = geared_speeds(time[window], angle, found, window)
@@ -96,12 +102,25 @@ def spectrum_section(
             if changes_speed(time[window], angle, window):
                 # statistics begin after settling, maps show all of a run-up
                 part = slice(None) if _is_one_way(angle.values) else window
-                whole = Channel(channel.name, channel.values[part], channel.unit, channel.long_name)
-                _add_maps(section, whole, time[part], angle.values[part], orders, named)
+                for c in channels_of:
+                    whole = Channel(c.name, c.values[part], c.unit, c.long_name)
+                    _add_maps(section, whole, time[part], angle.values[part], orders, named)
             else:
-                by_order = _order_spectrum(section, signal, turns, orders, named)
-                _add_spectrum(section, signal, time[window], run.mesh_frequencies, by_order)
+                by_order = _order_spectrum(missing, signals, turns, orders, named)
+                _add_spectrum(section, signals, time[window], run.mesh_frequencies, by_order)
+        for reason, names in missing.items():
+            section.add(f"<p>No order spectrum of {escape('; '.join(names))}: {escape(reason)}.</p>")
     return section
+
+
+def _together(drawn: Sequence[Channel], groups: Sequence[tuple[str, Sequence[str]]]) -> list[list[Channel]]:
+    """Channels of each picture: those of the meshes of a planetary set in one, others alone."""
+    sets = [{*names} for title, names in groups if title.startswith(SET)]
+    found: dict[tuple[int, str], list[Channel]] = {}
+    for k, channel in enumerate(drawn):
+        own = next((n for n, names in enumerate(sets) if channel.name in names), len(sets) + k)
+        found.setdefault((own, channel.quantity), []).append(channel)
+    return list(found.values())
 
 
 def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
@@ -112,7 +131,8 @@ def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
             found[-1][0].append(mesh)
         else:
             found.append(([mesh], frequency))
-    return {common_name(names): frequency for names, frequency in found}
+    order = list(frequencies)  # as in the file, not by the ripple
+    return {common_name(sorted(names, key=order.index)): frequency for names, frequency in found}
 
 
 def default_highest_order(teeth: Sequence[int]) -> float:
@@ -139,37 +159,39 @@ def _mesh_orders(run: Any, time: Array, angle: Array) -> dict[str, float]:
 
 def _add_spectrum(
     section: Section,
-    channel: Channel,
+    signals: Sequence[Channel],
     time: Array,
     meshes: Mapping[str, float],
     beside: go.Figure | None = None,
 ) -> None:
-    values, rate = uniform(time, channel.values)
-    spectrum = {channel.label: amplitude_spectrum(values, rate)}
+    spectra = {}
+    for channel in signals:
+        values, rate = uniform(time, channel.values)
+        spectra[channel.label] = amplitude_spectrum(values, rate)
     # jumps of the stiffness excite all frequencies; those of gears end with a few harmonics of the meshes
     limit = min(HARMONICS * max(meshes.values()), 0.5 * rate) if meshes else None
-    last = min(limit, spectrum_plots.last_peak(spectrum[channel.label])) if limit else None
-    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes, highest=last)
+    last = min(limit, max(map(spectrum_plots.last_peak, spectra.values()))) if limit else None
+    drawn = spectrum_plots.plot_spectrum(spectra, unit=signals[0].unit, meshes=meshes, highest=last)
     section.add_figure(
         drawn,
-        name=f"spectrum[{channel.name}]",
+        name=f"spectrum[{signals[0].name}]",
         beside=beside,
         beside_caption="The same over orders.",
-        beside_name=f"order_spectrum[{channel.name}]",
+        beside_name=f"order_spectrum[{signals[0].name}]",
     )
 
 
 def _order_spectrum(
-    section: Section, channel: Channel, angle: Array, highest: float, shafts: Shafts
+    missing: dict[str, list[str]], signals: Sequence[Channel], angle: Array, highest: float, shafts: Shafts
 ) -> go.Figure | None:
-    name = channel.label
+    """Order spectra; if there are none, the reason with the names of the channels is added to `missing`."""
     try:
         _long_enough(angle, ORDER_TURNS)
-        spectrum = tracked_spectrum(channel.values, angle, highest_order=highest)
+        spectra = {c.label: tracked_spectrum(c.values, angle, highest_order=highest) for c in signals}
     except SignalError as reason:
-        section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
+        missing.setdefault(str(reason), []).extend(c.label for c in signals)
         return None
-    return spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, over="order", shafts=shafts)
+    return spectrum_plots.plot_spectrum(spectra, unit=signals[0].unit, over="order", shafts=shafts)
 
 
 def _add_maps(

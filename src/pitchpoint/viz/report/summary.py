@@ -24,9 +24,11 @@ from pitchpoint.viz.quantities import (
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
+from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.run_record import owner, settled_part
+from pitchpoint.viz.report.tables import MAX_MODES
+from pitchpoint.viz.run_record import owner, settled_part, statistics_window
 from pitchpoint.viz.tables import plain_table, text_html
 
 MAX_RUNS = 4
@@ -35,6 +37,10 @@ MAX_ENDS = 4
 """Inputs or outputs named for one run."""
 NO_POWER = 1e-4
 """Power relative to the largest one below which an element does not count as input or output."""
+RIPPLE = 1.005
+"""Ratio of the maximum of a mesh force to its mean from which it is given."""
+UNSTABLE = 1e-6
+"""Negative damping ratio from which a mode counts as unstable; below it is round-off."""
 CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
 
 
@@ -65,7 +71,8 @@ def summary_section(counts: Sequence[tuple[str, str]], results: Any, warnings: S
         for source in results.sources
         if source.name not in shown
     )
-    items += "".join(f"<li>{escape(words)}</li>" for words in _critical(results.campbells))
+    found = [*_unstable(results.modes), *_critical(results.campbells)]
+    items += "".join(f"<li>{escape(words)}</li>" for words in found)
     section.add(f'<ul class="notes">{items}</ul>' if items else "")
     listed = "".join(f"<li>{text_html(line)}</li>" for line in warnings)
     section.add(f'<h3>Remarks</h3><ul class="notes warnings">{listed}</ul>' if listed else "")
@@ -87,7 +94,7 @@ def _side_by_side(head: str, columns: Mapping[str, Mapping[str, str]]) -> str:
     for key in keys:
         cells = [column.get(key, "") for column in columns.values()]
         if any(cells):
-            body.append(f'<tr><th scope="row">{escape(key)}</th>{_cells(cells)}</tr>')
+            body.append(f'<tr><th scope="row">{text_html(key)}</th>{_cells(cells)}</tr>')
     return plain_table((head, *columns), body, numbers=False)
 
 
@@ -102,19 +109,24 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         return {"status": escape(state)}
     window = settled_part(time, run.settle_time)
     flow = results.powers.get(name)
-    begin, end = (float(t) for t in time[window][[0, -1]])
-    row = {"status": escape(state), "window": escape(window_words(begin, end))}
+    words = window_words(*statistics_window(time, found, run.settle_time))
+    row = {"status": escape(state), "window": escape(words)}
     if isinstance(flow, PowerFlow):
         row["input"] = _ends(flow, [link for link in flow.links if link.start == OUTSIDE], starts=True)
         row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
         row["input power"] = amount(flow.put_in, "W") if flow.put_in else ""
         row["losses"] = amount(flow.lost, "W") if flow.lost else ""
     row["maximum mesh force"] = _largest(
-        found, "mesh_force", window, lambda low, high: max(abs(low), abs(high))
+        found, "mesh_force", window, lambda low, high: max(abs(low), abs(high)), over_mean=True
     )
     row["transmission error, p–p"] = _largest(
         found, "transmission_error", window, lambda low, high: _without_noise(high - low, low, high)
     )
+    row |= {
+        f"mesh load factor K_γ of the planets, {stage}": number(loads["load_sharing_factor"], 4)
+        for stage, loads in run.planets.items()
+        if loads["load_sharing_factor"] is not None
+    }
     row |= _contact(found, time, window)
     forces = bearing_forces(time, with_resultants(found), window)
     for key, size in (("radial", "maximum"), ("axial", "axial_maximum")):
@@ -146,9 +158,13 @@ def _without_noise(size: float, low: float, high: float) -> float:
 
 
 def _largest(
-    found: Mapping[str, Channel], quantity: str, window: np.ndarray, size: Callable[[float, float], float]
+    found: Mapping[str, Channel],
+    quantity: str,
+    window: np.ndarray,
+    size: Callable[[float, float], float],
+    over_mean: bool = False,
 ) -> str:
-    """Largest value of a quantity over all meshes, with the name of the mesh."""
+    """Largest value of a quantity over all meshes, with the name of the mesh and its ratio to the mean."""
     sizes = {}
     for channel in found.values():
         if channel.quantity != quantity or not np.all(np.isfinite(channel.values)) or not window.any():
@@ -161,7 +177,13 @@ def _largest(
     name = max(sizes, key=lambda key: sizes[key])
     unit = next(c.unit for c in found.values() if c.quantity == quantity)
     text = channel_scale(quantity, unit, np.array([sizes[name]])).text(sizes[name])
-    return text + (f", {escape(name)}" if len(sizes) > 1 else "")
+    text += f", {escape(name)}" if len(sizes) > 1 else ""
+    if over_mean:
+        channel = found[f"{quantity}[{name}]"]
+        mean = abs((channel.statistics or {"mean": float(channel.values[window].mean())})["mean"])
+        known = RIPPLE * mean < sizes[name] < 10.0 * mean
+        text += f", {number(sizes[name] / mean, 3)} times its mean" if known else ""
+    return text
 
 
 def _contact(found: Mapping[str, Channel], time: Array, window: np.ndarray) -> dict[str, str]:
@@ -251,12 +273,25 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
         cells = [
             escape(states.get(name, "")),
             f"{len(fine)} of {len(table.cases)} finished",
-            escape(", ".join(path.replace("_", " ").replace(".", " ") for path in varied)),
+            escape(", ".join(short_path(path, list(varied)) for path in varied)),
             "<br>".join(ranges[:MAX_ENDS]),
         ]
         body.append(f'<tr><th scope="row">{escape(name)}</th>{_cells(cells)}</tr>')
     head = ("cases", "status", "number", "varied", "range of results")
     return plain_table(head, body, numbers=False) if body else ""
+
+
+def _unstable(modes: Any) -> list[str]:
+    """Listed modes with negative damping, in words."""
+    if modes is None:
+        return []
+    rows = list(zip(modes.names, modes.frequency, modes.damping_ratio, strict=True))[:MAX_MODES]
+    found = [
+        f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
+        for name, frequency, ratio in rows
+        if ratio < -UNSTABLE and frequency > 0.0
+    ]
+    return [f"Unstable about the loaded state: {', '.join(found[:MAX_ENDS])}."] if found else []
 
 
 def _critical(diagrams: Mapping[str, Any]) -> list[str]:

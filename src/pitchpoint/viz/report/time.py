@@ -24,11 +24,11 @@ from pitchpoint.viz.run_record import (
     listed,
     owner,
     settled_part,
+    statistics_window,
     turning_angle,
     uniform,
 )
 from pitchpoint.viz.signals_plot import NOISE, plot_force_parts, plot_signals, signal_rows
-from pitchpoint.viz.tables import text_html
 
 MAX_LINES = 8
 MAX_PARTS = 2
@@ -62,24 +62,28 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         found = with_resultants(found)
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
-        notes = "".join(f"<li>{text_html(remark)}</li>" for remark in run.remarks)
-        section.add(f'<ul class="notes">{notes}</ul>' if notes else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         contact = contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled)
         table = bearing_table(bearing_forces(time, found, settled))
-        begin, end = (float(t) for t in time[settled][[0, -1]])
-        words = f"<p>{escape(window_words(begin, end).capitalize())}.</p>"
+        window = window_words(*statistics_window(time, found, run.settle_time))
+        words = f"<p>{escape(window.capitalize())}.</p>"
         section.add(f"<h4>Contact of the flanks</h4>{words}{contact}" if contact else "")
         section.add(f"<h4>Bearing forces</h4>{words}{table}" if table else "")
         shares = planet_table(run.planets)
         section.add(f"<h4>Load sharing of the planets</h4>{words}{shares}" if shares else "")
         if name == seen or name not in overlaid:
-            for title, names in groups_of(run, found):
-                _add_group(section, title, time, [found[n] for n in names if n in found], states, steady)
-            _add_force_parts(section, time, found, steady)
+            constant = [
+                words
+                for title, names in groups_of(run, found)
+                for words in _add_group(
+                    section, title, time, [found[n] for n in names if n in found], states, steady
+                )
+            ]
+            constant += _add_force_parts(section, time, found, steady)
+            section.add(f"<p>Constant: {escape('; '.join(constant))}.</p>" if constant else "")
         section.add("</div>" if name == seen else "")
     return section
 
@@ -100,8 +104,11 @@ def _add_group(
     group: Sequence[Channel],
     states: Mapping[str, Array],
     steady: bool,
-) -> None:
-    """Add the pictures of one group: one per quantity and unit, and per component of bearing forces."""
+) -> list[str]:
+    """Add the pictures of one group: one per quantity and unit, and per component of bearing forces.
+
+    Returns the constant curves with their values.
+    """
     pictures: dict[tuple[str, str], list[Channel]] = {}
     sizes: dict[str, float] = {}
     for channel in group:
@@ -113,17 +120,23 @@ def _add_group(
         if channel.quantity != "contact_state" and size > ROUND_OFF * sizes[channel.unit]:
             key = channel.quantity + (channel.name.rpartition(".")[2] if channel.quantity == QUANTITY else "")
             pictures.setdefault((key, channel.unit), []).append(channel)
-    section.add(f"<h4>{escape(title)}</h4>" if pictures and title else "")
+    constant: list[str] = []
+    headed = False
     for curves in pictures.values():
-        drawn, words = distinct(curves)
+        drawn, still, words = distinct(curves)
+        constant += still
+        if (drawn or words) and not headed:
+            section.add(f"<h4>{escape(title)}</h4>" if title else "")
+            headed = True
         if drawn:
             alone = len(drawn) == 1 and drawn[0].quantity == "mesh_force"
             _add_signals(section, time, drawn, states.get(owner(drawn[0])) if alone else None, steady)
         section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
+    return constant
 
 
-def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
-    """Curves of one quantity to be drawn, and sentences about the others.
+def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str], list[str]]:
+    """Curves of one quantity to be drawn, constant ones with their values, sentences about the others.
 
     Constant curves are numbers; a curve equal to another one, for speeds up to the gear ratio, is drawn once;
     of more than `MAX_LINES` curves, those with the largest values are drawn.
@@ -132,9 +145,8 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
     others: list[Channel] = []
     copies: list[str] = []
     for channel in group:
-        size = float(np.abs(channel.values).max())
-        if np.all(np.isfinite(channel.values)) and float(np.ptp(channel.values)) <= NOISE * size:
-            constant.append(f"{channel.label}: {amount(float(channel.values.mean()), channel.unit)}")
+        if is_constant(channel):
+            constant.append(constant_words(channel))
             continue
         twin = next(((one, k) for one in others if (k := _ratio(one, channel)) is not None), None)
         if twin is None:
@@ -143,8 +155,7 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
             place, other = (c.label.partition(", ")[2] or c.label for c in (channel, twin[0]))
             factor = "" if twin[1] == 1.0 else f" times {number(twin[1], 4)}"
             copies.append(f"{place} as {other}{factor}")
-    words = [f"Constant: {'; '.join(constant)}."] if constant else []
-    words += [f"Equal curves are drawn once: {', '.join(copies)}."] if copies else []
+    words = [f"Equal curves are drawn once: {', '.join(copies)}."] if copies else []
     if len(others) > MAX_LINES:
         order = sorted(others, key=lambda c: -float(np.nanmax(np.abs(c.values))))[:MAX_LINES]
         more = len(others) - MAX_LINES
@@ -154,7 +165,18 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
             f"{more} more {channel_word(more)} {is_are} in the result."
         )
         others = [c for c in others if any(c is one for one in order)]
-    return others, words
+    return others, constant, words
+
+
+def is_constant(channel: Channel) -> bool:
+    """Whether a channel varies by no more than round-off."""
+    size = float(np.nanmax(np.abs(channel.values), initial=0.0))
+    return bool(np.all(np.isfinite(channel.values))) and float(np.ptp(channel.values)) <= NOISE * size
+
+
+def constant_words(channel: Channel) -> str:
+    """Name and value of a constant channel."""
+    return f"{channel.label}: {amount(float(channel.values.mean()), channel.unit)}"
 
 
 def _ratio(one: Channel, other: Channel) -> float | None:
@@ -180,24 +202,26 @@ def _add_signals(
         # the last periods are settled: their ranges determine the curves that share an axis
         rows = signal_rows(last)
         shown = None if state is None else state[part]
-        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
+        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows, half=True)
     points = WIDE if end is None else HALF
-    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
+    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows, half=end is not None)
     long = drawn[0].long_name if len(drawn) == 1 else ""
     section.add_figure(
         whole, f"{long[:1].upper()}{long[1:]}." if long else "", name=drawn[0].quantity, beside=end
     )
 
 
-def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel], steady: bool) -> None:
-    """Add the components of the tooth forces of up to `MAX_PARTS` meshes."""
-    parts = [c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)]
+def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel], steady: bool) -> list[str]:
+    """Add the components of the tooth forces of up to `MAX_PARTS` meshes; returns constant ones in words."""
+    own = [c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)]
+    parts = [c for c in own if not is_constant(c)]
+    still = [constant_words(c) for c in own if is_constant(c)]
     pictures = dict.fromkeys((owner(c), c.unit) for c in parts)
     if len(pictures) > MAX_PARTS:
         section.add(
             f"<p>Components of the tooth forces of {len(pictures)} meshes are in the section Extremes.</p>"
         )
-        return
+        return []
     for mesh, unit in pictures:
         tooth = [c for c in parts if owner(c) == mesh and c.unit == unit]
         part = _last_periods(time, tooth[0].values) if steady else slice(None)
@@ -208,6 +232,7 @@ def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel]
             f"Components of the tooth force of {mesh}, {where}.",
             name=f"tooth_force[{mesh}]",
         )
+    return still
 
 
 def _last_periods(time: Array, values: Array) -> slice:

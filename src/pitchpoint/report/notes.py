@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Notes of results and warnings of the model for the remarks of a report, each once."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+
+def own_notes(notes: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
+    """Notes of all results, each once; with the names of the results if not all have it.
+
+    Parameters
+    ----------
+    notes
+        Name of a result and its notes.
+
+    Examples
+    --------
+    >>> own_notes([("a", ["too slow", "too soft"]), ("b", ["too slow"])])
+    ['too slow', 'a: too soft']
+    """
+    owners: dict[str, list[str]] = {}
+    for name, own in notes:
+        for text in own:
+            owners.setdefault(text, []).append(name)
+    return [
+        text if len(names) == len(notes) else f"{', '.join(dict.fromkeys(names))}: {text}"
+        for text, names in owners.items()
+    ]
+
+
+def remarks_of(warnings: Iterable[str], notes: Iterable[str]) -> list[str]:
+    """Warnings of the model, and what results add to them.
+
+    A note that repeats a warning is omitted. Of notes that differ in numbers only, as those of the cases of a
+    study, the first one is kept with their number.
+
+    Examples
+    --------
+    >>> remarks_of(["x is low."], ["run: x is low", "case 1: 2.5 mm deep", "case 2: 3 mm deep"])
+    ['x is low.', 'case 1: 2.5 mm deep (and 1 similar note)']
+    """
+    known = list(dict.fromkeys(warnings))
+    plain = tuple(text.rstrip(".") for text in known)
+    kinds: dict[str, list[str]] = {}
+    for note in dict.fromkeys(notes):
+        if not note.rstrip(".").endswith(plain):
+            kinds.setdefault(re.sub(r"\d+(\.\d+)?", "#", note), []).append(note)
+    return known + [f"{first}{_similar(len(others))}" for first, *others in kinds.values()]
+
+
+def _similar(count: int) -> str:
+    return f" (and {count} similar note{'s' if count > 1 else ''})" if count else ""
