@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Models of earlier versions keep their hash: the noise of data sets and the names of cases follow from it."""
+"""Models of earlier versions keep their hash, from which the noise of data sets is drawn."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ bodies:
   housing: {motion: free, mass: 9 kg, inertia: 0.1, transverse_inertia: 0.1, position: [0, 0, 0]}
 bearings: {feet: {body: housing, stiffness: {radial: 1e7, axial: 1e7, tilt: 1e4, torsion: 1e4}}}
 rolling_bearings:
-  a: {ends: [rotor, housing], elements: 9, element_diameter: 8 mm, pitch_diameter: 39 mm, grooves: [0.52, 0.52]}
+  a: {ends: [rotor, housing], elements: 9, element_diameter: 8 mm, pitch_diameter: 39 mm,
+    grooves: [0.52, 0.52]}
   b: {ends: [rotor, housing], type: roller, elements: 9, element_diameter: 8 mm, pitch_diameter: 39 mm,
     effective_length: 8 mm, clearance: 5 um, contact_angle: 10 deg}
 plain_bearings: {p: {ends: [rotor, housing], clearance: 20 um, stiffness: 1e8}}
