@@ -125,7 +125,7 @@ def push_slices(b, c, s, share, sa):
     w = b["w"]
     f = b["f"]
     ca = b["ca"]
-    arm = b["half"] * sa
+    arm = b["half"] * sa - b["place"] * ca
     step_c = b["step_c"]
     step_s = b["step_s"]
     for _k in range(b["n"]):

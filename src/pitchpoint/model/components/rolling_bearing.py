@@ -53,13 +53,29 @@ class RollingBearing(Component):
     width: float | None = positive("length", "width B; tapered bearings: overall width T", None, later=True)
     radial_dynamic_load_rating: float | None = positive("force", "dynamic load rating C", None, later=True)
     radial_static_load_rating: float | None = positive("force", "static load rating C0", None, later=True)
+    axial_clearance: float | None = quantity(
+        "length",
+        "axial play of a cylindrical roller bearing with flanges: total (NUP), or displacement until the "
+        "flange touches (NJ)",
+        None,
+        minimum=0.0,
+        display="middle of the range of the catalogue (NUP), 0 (NJ)",
+        later=True,
+    )
+    flange_stiffness: float | None = positive(
+        "stiffness",
+        "axial stiffness of the flange contact of a cylindrical roller bearing",
+        None,
+        display="estimate from the rollers",
+        later=True,
+    )
     axial_force_absorption: str | None = choice(
         ABSORPTION,
         "axial force on the shaft that the bearing supports, along z of the bearing; no_direction: floating "
-        "bearing. Angular contact and tapered bearings: positive or negative",
+        "bearing. Angular contact, tapered and thrust bearings, NJ: positive or negative",
         None,
-        display="both_directions; no_direction for cylindrical rollers; with given elements by the sign of "
-        "contact_angle",
+        display="both_directions; no_direction for NU, N, needles and cylindrical rollers by data; with given "
+        "elements by the sign of contact_angle",
         later=True,
     )
     elements: int | None = integer("number of rolling elements of one row", None, minimum=2, maximum=10000)
@@ -68,7 +84,7 @@ class RollingBearing(Component):
     contact_angle: float | None = quantity(
         "angle",
         "contact angle; > 0 supports an inner ring that is loaded in +z; of catalogue bearings without sign. "
-        "Tapered and spherical: arctan(e/1.5) of the catalogue",
+        "Tapered, spherical, self-aligning: arctan(e/1.5) of the catalogue",
         None,
         minimum=-1.5,
         maximum=1.5,
@@ -84,7 +100,7 @@ class RollingBearing(Component):
         CLASSES,
         "class of the radial internal clearance before mounting (ISO 5753-1)",
         None,
-        display="that of designation, otherwise CN: deep groove, cylindrical and spherical roller bearings",
+        display="that of designation, otherwise CN: all but angular contact, tapered and thrust bearings",
         later=True,
     )
     preload: float | None = positive(
@@ -107,7 +123,7 @@ class RollingBearing(Component):
         minimum=0.5,
         above=True,
         sample="[0.52, 0.52]",
-        display="[0.52, 0.53] for catalogue bearings",
+        display="[0.52, 0.53] for catalogue bearings; thrust [0.54, 0.54]; self-aligning 0.53, sphere",
     )
     effective_length: float | None = positive("length", "roller: effective (load-carrying) length", None)
     slices: int = integer(
