@@ -10,7 +10,8 @@ rolling. The approach of the raceways there is
 
 With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple model of
 balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
-angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. The load of each element is
+angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Where balls have one shoulder only, a
+negative A sin(alpha) + a_z counts as 0: the rings come apart. The load of each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
@@ -76,6 +77,7 @@ RECORD = np.dtype(
         ("rows", "i8"),  # 0, 1: single-row; 2: double-row
         ("aligns", "i8"),  # 1: self-aligning, one raceway is a sphere about the centre
         ("floats", "i8"),  # 1: no axial force
+        ("one_sided", "i8"),  # 1: balls have a shoulder on one side only (angular contact, thrust)
         ("offset", "f8"),  # distance of either row from the centre [m]
         ("flange", "f8"),  # stiffness of the flanges, 0: none [N/m]
         ("flange_low", "f8"),
@@ -218,6 +220,8 @@ def _approach(b, c, s, sa):
     if A > 0.0 and b["floats"] == 0:
         p = A * ca + radial
         q = A * sa + axial
+        if b["one_sided"] != 0 and q * sa < 0.0:
+            return abs(p) - A, 1.0 if p > 0.0 else -1.0, 0.0, 0.0
         length = math.sqrt(p * p + q * q)
         inverse = 1.0 / length
         return length - A, p * inverse, q * inverse, inverse

@@ -47,6 +47,8 @@ def push_elements(b, c, s, share, sa0):
         if A > 0.0:
             p = A * ca0 + radial
             q = A * sa0 + axial
+            if b["one_sided"] != 0 and q * sa0 < 0.0:
+                q = 0.0
             length = math.sqrt(p * p + q * q)
             d = length - A
             inverse = 1.0 / length

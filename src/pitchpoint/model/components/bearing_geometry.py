@@ -30,6 +30,8 @@ GIVEN = ("ball", "roller")
 """Types whose rolling elements are given."""
 INCLINED = ("angular_contact_ball", "tapered_roller", "thrust_ball")
 """Types with one contact angle: they support axial forces in one direction and do not float."""
+ONE_SHOULDER = ("angular_contact_ball", "double_row_angular_contact_ball", "thrust_ball")
+"""Types whose balls have a shoulder on one side only."""
 ANGLED = (
     *("angular_contact_ball", "double_row_angular_contact_ball", "self_aligning_ball"),
     *("tapered_roller", "spherical_roller"),

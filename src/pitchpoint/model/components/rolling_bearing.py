@@ -74,7 +74,7 @@ class RollingBearing(Component):
         "axial force on the shaft that the bearing supports, along z of the bearing; no_direction: floating "
         "bearing. Angular contact, tapered and thrust bearings, NJ: positive or negative",
         None,
-        display="both_directions; no_direction for NU, N, needles and cylindrical rollers by data; with given "
+        display="both_directions; NU, N, needles and cylindrical rollers by data: no_direction; with given "
         "elements by the sign of contact_angle",
         later=True,
     )
@@ -123,7 +123,7 @@ class RollingBearing(Component):
         minimum=0.5,
         above=True,
         sample="[0.52, 0.52]",
-        display="[0.52, 0.53] for catalogue bearings; thrust [0.54, 0.54]; self-aligning 0.53, sphere",
+        display="[0.52, 0.53] for catalogue bearings; thrust 0.54 each; self-aligning 0.53 and the sphere",
     )
     effective_length: float | None = positive("length", "roller: effective (load-carrying) length", None)
     slices: int = integer(

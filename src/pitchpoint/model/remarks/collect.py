@@ -153,6 +153,8 @@ def flat_grooves(model: Model) -> tuple[Message, ...]:
     """A remark for every groove of a ball bearing whose radius exceeds that of its raceway."""
     found = []
     for name, bearing in model.rolling_bearings.items():
+        if bearing.geometry.aligns:  # the outer raceway is a sphere
+            continue
         for k, (ring, ratio) in enumerate(
             zip(("inner", "outer"), bearing.geometry.grooves or (), strict=False)
         ):
