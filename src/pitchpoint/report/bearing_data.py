@@ -52,8 +52,8 @@ def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
             given = part.flange_stiffness
             words = "estimated" if given is None else format_quantity(given, "stiffness", 3)
             notes.append(
-                f"{name}: axial force on flanges with {format_quantity(found.axial_clearance, 'length', 3)} axial "
-                f"clearance, stiffness {words}"
+                f"{name}: flanges with an axial clearance of "
+                f"{format_quantity(found.axial_clearance, 'length', 3)}, stiffness {words}"
             )
         if found.rated is not None and found.dynamic is not None and found.static is not None:
             notes.append(

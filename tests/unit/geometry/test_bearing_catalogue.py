@@ -179,6 +179,7 @@ def test_clearance_grows_with_class_and_bore() -> None:
         ("61808-2Z", "6808", None),
         (6205, "6205", None),
         ("NU 208", "NU208", None),
+        ("NUP 206", "N206", None),
         ("1206 ETN9/C3", "1206", "C3"),
         ("6205-2RSH/C3WT", "6205", "C3"),
         ("6311/C3VL0241", "6311", "C3"),
@@ -200,7 +201,7 @@ def test_suffixes(text: str, name: str, group: str | None) -> None:
     ("text", "message"),
     [
         ("6399", "is not in the table of bearings; did you mean"),
-        ("NU 207", "did you mean NU207E or N207"),
+        ("NU 2207", "did you mean NU2207E"),
         ("7208", r"7208A \(30 deg\), 7208B \(40 deg\), 7208C \(15 deg\); B is the usual one"),
         ("NK 25/20", "a needle roller bearing without inner ring; give type: needle_roller_on_shaft"),
         ("QJ 208", "four-point contact bearing, which is not available; use bearings with the stiffness"),

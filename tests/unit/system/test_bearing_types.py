@@ -10,6 +10,7 @@ from scipy.special import beta
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -211,3 +212,102 @@ def test_messages(keys, where, message):
     assert problem.where == ".".join(filter(None, ("rolling_bearings.a", where)))
     assert message in str(problem)
     assert problem.remedy
+
+
+def test_a_bore_that_does_not_fit_the_shaft():
+    """A 6308 on 30 mm (6306 meant), beside a shoulder where it fits; runs do not repeat the remark."""
+    text = (
+        "shafts: {s: {sections: [{length: 50 mm, diameter: 30 mm}, {length: 50 mm, diameter: 40 mm}], "
+        "position: [0.1, 0, 0], axes: {z: [1, 0, 0]}}}\n"
+        "rolling_bearings:\n"
+        "  a: {body: s, position: [0, 0, 20 mm], designation: 6308}\n"
+        "  b: {body: s, position: [0, 0, 80 mm], designation: 6308}\n"
+        "  c: {body: s, position: [0, 0, 45 mm], designation: 6306, axial_force_absorption: no_direction}\n"
+    )
+    (found,) = remarks_of_file(loads_model(text))
+    assert found.where == "rolling_bearings.a"
+    assert "has a bore of 40 mm on a shaft of 30 mm diameter; correct the designation" in str(found)
+
+
+@pytest.mark.parametrize("slices", [1, 21])
+def test_an_o_arrangement_is_stiffer_in_tilting_than_an_x_arrangement(slices):
+    """Closed form of one slice, Z k (e cos(a) +- d_m/2 sin(a))^2 for both bearings, k = P K d^(P-1).
+
+    The load of each roller has no line of its own to turn with, so that there is no further term.
+    """
+    found = {}
+    for first, second in (("positive", "negative"), ("negative", "positive")):
+        keys = f"body: rotor, designation: 30208, preload: 800 N, slices: {slices}, axial_force_absorption"
+        system = compile_model(
+            model(
+                f"  low: {{position: [0, 0, -30 mm], {keys}: {first}}}\n"
+                f"  high: {{position: [0, 0, 30 mm], {keys}: {second}}}\n"
+            )
+        )
+        record = system.records["rolling_bearing"][1]
+        found[first] = evaluate.linearize(system, system.initial_state())[2][3, 3]
+        if slices == 1:
+            angle, P = abs(float(record["angle"])), float(record["exponent"])
+            depth = 800.0 / record["n"] / math.sin(angle) / record["stiffness"]
+            slope = P * record["stiffness"] * (depth ** (1.0 / P)) ** (P - 1.0)
+            side = 1.0 if first == "positive" else -1.0
+            lever = 0.03 * math.cos(angle) + side * 0.5 * record["pitch"] * math.sin(angle)
+            assert found[first] == pytest.approx(record["n"] * slope * lever**2, rel=1e-3)
+    assert found["positive"] > 2.0 * found["negative"]
+
+
+PAIR = """\
+gears:
+  pinion: {number_of_teeth: 23, normal_module: 3 mm, face_width: 30 mm, helix_angle: 15 deg, hand: right,
+    profile_shift_coefficient: 0.2}
+  wheel: {number_of_teeth: 47, normal_module: 3 mm, face_width: 30 mm, helix_angle: 15 deg, hand: left,
+    profile_shift_coefficient: 0.1}
+shafts:
+  input: {sections: [{length: 140 mm, diameter: 30 mm}], gears: {pinion: 70 mm}AXES}
+  output: {sections: [{length: 140 mm, diameter: 40 mm}], gears: {wheel: 70 mm}}
+meshes: {stage: {gears: [pinion, wheel]}}
+gravity: [0, 0, -9.81]
+loads: {motor: {body: input, torque: 200 N m}, brake: {body: output, torque: balance}}
+rolling_bearings:
+"""
+WEIGHTS = {"input": 17.04, "output": 52.3}
+"""Weights of the shafts with their gears as of `pitchpoint check` [N]."""
+
+
+@pytest.mark.parametrize("axes", ["", ", position: [0, 0, 0], axes: {z: [1, 0, 0]}"])
+@pytest.mark.parametrize(
+    ("fixed", "floating"),
+    [
+        ("63{}", "NU 2{} E"),
+        ("NUP 2{} E", "NU 2{} E"),
+        ("32{}", "NA49{}"),
+        ("12{}", "12{}, axial_force_absorption: no_direction"),
+        ("222{}", "222{}, axial_force_absorption: no_direction"),
+    ],
+)
+def test_bearing_forces_of_a_helical_pair(fixed, floating, axes):
+    """Vertical and horizontal shafts: the axial force of the mesh and the weight are on the fixed bearing.
+
+    Sums over both bearings of a shaft: T/r_b in the transverse plane of action, F_a = T/r_b tan(beta_b), and
+    the weights.
+    """
+    text = PAIR.replace("AXES", axes)
+    for shaft, size in (("input", "06"), ("output", "08")):
+        for name, place, kind in (("fixed", 20, fixed), ("floating", 120, floating)):
+            text += f"  {shaft}_{name}: {{body: {shaft}, position: [0, 0, {place} mm], "
+            text += f"designation: {kind.format(size)}}}\n"
+    seen = solve_equilibrium(compile_model(loads_model(text)))
+    alpha_t = math.atan(math.tan(math.radians(20.0)) / math.cos(math.radians(15.0)))
+    base_radius = 0.5 * 23 * 3e-3 / math.cos(math.radians(15.0)) * math.cos(alpha_t)
+    normal = 200.0 / base_radius  # in the transverse plane of action
+    axial = normal * math.tan(math.radians(15.0)) * math.cos(alpha_t)
+    for shaft, sign in (("input", 1.0), ("output", -1.0)):
+        weight = WEIGHTS[shaft]
+        held = seen[f"bearing_force[{shaft}_fixed.axial]"].item()
+        assert seen[f"bearing_force[{shaft}_floating.axial]"].item() == 0.0
+        assert held == pytest.approx(-sign * axial + (0.0 if axes else weight), rel=2e-3)
+        x, y = (
+            sum(seen[f"bearing_force[{shaft}_{name}.{way}]"].item() for name in ("fixed", "floating"))
+            for way in ("fx", "fy")
+        )
+        assert math.hypot(x, y) == pytest.approx(normal, abs=1e-3 * normal + (weight if axes else 0.0))

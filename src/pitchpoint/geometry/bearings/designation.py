@@ -171,8 +171,10 @@ def _cylindrical(design: str, digits: str, rest: str) -> tuple[str, str]:
     """Name in the table of a cylindrical roller bearing: the E design has larger rollers."""
     if rest.startswith("E"):
         return f"NU{digits}E", rest
-    name = f"N{digits}"
-    return (name if design == "N" and name in catalogue() else f"NU{digits}"), rest
+    names = [f"NU{digits}", f"N{digits}"]  # the same rollers; the table has one or both
+    if design == "N":
+        names.reverse()
+    return next((name for name in names if name in catalogue()), names[0]), rest
 
 
 def _numbered(text: str, digits: str, rest: str) -> tuple[str, str]:
