@@ -93,10 +93,13 @@ def _ring(kind, rng, **numbers):
 
 
 def _rolling_bearing(rng):
-    """A healthy bearing and one with a spall on each race and on an element, in an uneven cage."""
+    """A healthy bearing, one with spalls in an uneven cage, and a double-row one with a flange."""
     numbers = {"n": 9, "pitch": 0.1, "element": 0.02, "angle": 0.4, "gap": -0.05}
     spalls = [(0, -1, 0.1, 0.5, 0.3, 0.01), (1, -1, 0.2, 0.5, 0.4, 0.01), (2, 3, -0.3, 0.9, 0.9, 0.01)]
-    records = np.concatenate([_ring(rolling_bearing, rng, **numbers) for _ in range(2)])
+    records = np.concatenate([_ring(rolling_bearing, rng, **numbers) for _ in range(3)])
+    records["rows"][2], records["offset"][2], records["grooves"][2] = 2, 0.03, 0.01
+    records["one_sided"][2] = 1
+    records["flange"][2], records["flange_low"][2], records["flange_high"][2] = 50.0, -0.5, -0.4
     records["n_faults"][1], records["uneven"][1], records["spacing"][1] = len(spalls), 1, np.size(spalls)
     return records, np.append(spalls, 0.05 * rng.normal(size=9))
 

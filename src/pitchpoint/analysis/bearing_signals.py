@@ -13,7 +13,7 @@ from pitchpoint.analysis.turning_parts import TurningParts
 
 
 def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
-    """Band of the largest kurtosis among the bands wide enough for the orders of the bearings.
+    """Band of the most significant kurtosis among the bands wide enough for the orders of the bearings.
 
     Parameters
     ----------
@@ -32,7 +32,9 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
     Notes
     -----
     Bands of the kurtogram [1]_ at least three times as wide as the highest order; the whole signal if there
-    is none. Valid for impacts that excite a resonance in one band.
+    is none. The kurtosis of a band counts in standard deviations of that of noise: narrow bands have few
+    samples, and the largest of their kurtoses is often one of noise. Valid for impacts that excite a
+    resonance in one band.
 
     References
     ----------
@@ -55,7 +57,7 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
     wide = found.high - found.low >= 3.0 * highest
     if not wide.any():
         return 0.0, 0.5 * samples_per_turn
-    best = int(np.argmax(np.where(wide, found.kurtosis, -np.inf)))
+    best = int(np.argmax(np.where(wide, found.kurtosis / found.spread, -np.inf)))
     return float(found.low[best]), float(found.high[best])
 
 

@@ -124,8 +124,8 @@ def bearing_evidence(
 
     Notes
     -----
-    Lines of a healthy machine are removed; the band is that of the largest kurtosis [1]_. The squared
-    envelope of the band is searched within 1 % of each order to allow for slip [2]_: two of the first three
+    Lines of a healthy machine are removed; the band is that of the most significant kurtosis [1]_. Its
+    squared envelope is searched within 1 % of each order to allow for slip [2]_: two of the first three
     harmonics must exceed the noise and be due to impacts. Shaft orders are omitted. Equal bearings on one
     shaft are treated as one. Valid for many events per record.
 

@@ -38,7 +38,9 @@ def content_hash(data: Any) -> str:
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. For a field with a key of kind
         "file" the content of the file is hashed, not its name. Fields that are excluded from comparison, such
-        as lines in a file, and empty fields whose key is marked `later` are ignored.
+        as lines in a file, and fields whose key is marked `later` are ignored while they are empty or have
+        their default. The attribute `former_values` of a dataclass has the values that stood for its empty
+        fields in earlier versions.
 
     Returns
     -------
@@ -102,8 +104,13 @@ def plain_data(data: Any) -> Any:
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
         read = bool(getattr(data, "digest", ""))  # the content is hashed, not the path
         compared = [f for f in dataclasses.fields(data) if f.compare and not (read and f.name == "file")]
-        compared = [f for f in compared if getattr(data, f.name) or not _came_later(f)]
-        fields = {f.name: plain_data(_content(f, getattr(data, f.name))) for f in compared}
+        compared = [f for f in compared if not _came_later(f) or _differs(f, getattr(data, f.name))]
+        former = getattr(data, "former_values", {})
+        fields = {
+            f.name: plain_data(former.get(f.name) if value is None else _content(f, value))
+            for f in compared
+            for value in (getattr(data, f.name),)
+        }
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
         return {str(k): plain_data(v) for k, v in data.items()}
@@ -127,6 +134,11 @@ def plain_data(data: Any) -> Any:
 def _came_later(field: dataclasses.Field[Any]) -> bool:
     """Whether a key was added later: models without it retain their hash, which seeds random noise."""
     return bool(getattr(field.metadata.get("key"), "later", field.metadata.get("later", False)))
+
+
+def _differs(field: dataclasses.Field[Any], value: Any) -> bool:
+    """Whether a value is neither empty nor the default of its field."""
+    return bool(value) and (type(value) is not type(field.default) or value != field.default)
 
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:

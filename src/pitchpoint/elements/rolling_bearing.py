@@ -10,7 +10,8 @@ rolling. The approach of the raceways there is
 
 With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple model of
 balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
-angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. The load of each element is
+angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Where balls have one shoulder only, a
+negative A sin(alpha) + a_z counts as 0: the rings come apart. The load of each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
@@ -18,10 +19,12 @@ angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. The load o
 never pulls). Forces are conjugate to d, including the rotation: an element that lifts the shaft also has a
 torque on it. T. A. Harris, *Rolling Bearing Analysis*; centrifugal forces of the elements are neglected.
 
-The rows of a double-row bearing are half a spacing apart and have opposite contact angles. Self-aligning
-bearings (spherical raceway) have no lever d_m/2 in a_z: their rings tilt without resistance. Rollers with an
-effective length are divided into slices (`rolling_slices`). Z includes `shift`, an axial preload. A floating
-bearing follows the shaft along the axis: a_z = 0.
+The rows of a double-row bearing are half a spacing apart and have opposite contact angles; those of a rigid
+one are at the distance e below and above the centre (O arrangement), where the radial approach has the
+additional term e (n_x cos(psi) + n_y sin(psi)). Self-aligning bearings (spherical raceway) have neither e nor
+the lever d_m/2 in a_z: their rings tilt without resistance. Rollers with an effective length are divided into
+slices (`rolling_slices`); flanges of cylindrical rollers follow `rolling_flange`. Z includes `shift`, an
+axial preload. A floating bearing follows the shaft along the axis: a_z = 0.
 
 Over a spall the approach of an element is reduced by the depth that it drops (`bearing_fault`); with uneven
 spacing in the cage each element has an additional angle in psi_k.
@@ -48,6 +51,7 @@ from pitchpoint.elements.ring import (
     whole_turns,
 )
 from pitchpoint.elements.rolling_bearing_forces import push_elements
+from pitchpoint.elements.rolling_flange import push_flange
 from pitchpoint.elements.rolling_slices import add_slices, push_slices, slice_sums, tilt_gradient, tilt_of
 from pitchpoint.multibody.channels import frame_args, observations
 
@@ -73,6 +77,11 @@ RECORD = np.dtype(
         ("rows", "i8"),  # 0, 1: single-row; 2: double-row
         ("aligns", "i8"),  # 1: self-aligning, one raceway is a sphere about the centre
         ("floats", "i8"),  # 1: no axial force
+        ("one_sided", "i8"),  # 1: balls have a shoulder on one side only (angular contact, thrust)
+        ("offset", "f8"),  # distance of either row from the centre [m]
+        ("flange", "f8"),  # stiffness of the flanges, 0: none [N/m]
+        ("flange_low", "f8"),
+        ("flange_high", "f8"),  # axial displacements of the inner ring at which flanges touch [m]
         ("shift", "f8"),  # axial displacement of the inner ring to the outer one as assembled [m]
         ("n_slices", "i8"),  # number of slices of a roller, 0: one point
         ("slices", "i8"),  # their rows, offset in the pool; see `rolling_slices`
@@ -88,6 +97,7 @@ RECORD = np.dtype(
         ("step_c", "f8"),
         ("step_s", "f8"),  # and of the angle from one element to the next
         ("half", "f8"),  # lever of the tilt in the axial approach: d_m/2, or 0 if self-aligning [m]
+        ("place", "f8"),  # scratch: position of the current row from the centre [m]
         ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and normal to d
         ("H", "f8", (6, 6)),  # scratch: second derivative of d
         ("out", "i8"),
@@ -139,12 +149,15 @@ def _gradients(b, c, s, share):
     x = b["x"]
     G = b["G"]
     half = b["half"]
+    e = b["place"]
     for r in range(6):
         G[0, r] = 0.0
         G[1, r] = 0.0
     G[0, 0] = c
     G[0, 1] = s
-    G[0, 5] = share * (x[1] * c - x[0] * s)
+    G[0, 3] = e * c
+    G[0, 4] = e * s
+    G[0, 5] = share * ((x[1] + e * x[4]) * c - (x[0] + e * x[3]) * s)
     G[1, 2] = 1.0
     G[1, 3] = -half * c
     G[1, 4] = -half * s
@@ -163,9 +176,10 @@ def _curvatures(b, c, s, share, ca, sa, bend):
     for r in range(6):
         for e in range(6):
             H[r, e] = bend * G[3, r] * G[3, e]
+    e_ca = b["place"] * ca
     mixed_x = -share * s * ca
     mixed_y = share * c * ca
-    mixed_n = share * half * sa
+    mixed_n = share * (half * sa - e_ca)
     H[0, 5] += mixed_x
     H[5, 0] += mixed_x
     H[1, 5] += mixed_y
@@ -174,7 +188,7 @@ def _curvatures(b, c, s, share, ca, sa, bend):
     H[5, 3] += mixed_n * s
     H[4, 5] -= mixed_n * c
     H[5, 4] -= mixed_n * c
-    H[5, 5] += share * share * (half * sa * (x[3] * c + x[4] * s) - ca * (x[0] * c + x[1] * s))
+    H[5, 5] += share * share * ((half * sa - e_ca) * (x[3] * c + x[4] * s) - ca * (x[0] * c + x[1] * s))
 
 
 @kernel
@@ -198,13 +212,16 @@ def _approach(b, c, s, sa):
     `sa` is the sine of the initial contact angle, opposite in the second row.
     """
     x = b["x"]
-    radial = x[0] * c + x[1] * s - b["gap"]
-    axial = x[2] + b["shift"] - b["half"] * (x[3] * c + x[4] * s)
+    tilt = tilt_of(b, c, s)
+    radial = x[0] * c + x[1] * s + b["place"] * tilt - b["gap"]
+    axial = x[2] + b["shift"] - b["half"] * tilt
     ca = b["ca"]
     A = b["grooves"]
     if A > 0.0 and b["floats"] == 0:
         p = A * ca + radial
         q = A * sa + axial
+        if b["one_sided"] != 0 and q * sa < 0.0:
+            return abs(p) - A, 1.0 if p > 0.0 else -1.0, 0.0, 0.0
         length = math.sqrt(p * p + q * q)
         inverse = 1.0 / length
         return length - A, p * inverse, q * inverse, inverse
@@ -325,8 +342,11 @@ def rolling_bearing(rec, ctl, fr, kk):
         if b["n_faults"] > 0:
             spun = _spun(b, turns)
         start = b["azimuth"] + cage
+        b["place"] = -b["offset"]
         _row(b, start, (share, cage), spun, b["sa"], jac)
+        push_flange(b, jac)
         if b["rows"] == 2:
+            b["place"] = b["offset"]
             _row(b, start + math.pi / b["n"], (share, cage), spun, -b["sa"], jac)
         if ctl0["out"] != 0:
             out = observations(ctl)

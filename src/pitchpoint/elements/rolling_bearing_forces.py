@@ -23,6 +23,9 @@ def push_elements(b, c, s, share, sa0):
     w0, w1, w2, w3, w4, w5 = b["w"][0], b["w"][1], b["w"][2], b["w"][3], b["w"][4], b["w"][5]
     stiffness = b["stiffness"]
     half = b["half"]
+    e = b["place"]
+    x0 += e * x3
+    x1 += e * x4
     ca0 = b["ca"]
     step_c = b["step_c"]
     step_s = b["step_s"]
@@ -44,6 +47,8 @@ def push_elements(b, c, s, share, sa0):
         if A > 0.0:
             p = A * ca0 + radial
             q = A * sa0 + axial
+            if b["one_sided"] != 0 and q * sa0 < 0.0:
+                q = 0.0
             length = math.sqrt(p * p + q * q)
             d = length - A
             inverse = 1.0 / length
@@ -54,8 +59,9 @@ def push_elements(b, c, s, share, sa0):
         if d > 0.0:
             g0 = ca * c
             g1 = ca * s
-            g3 = -half * sa * c
-            g4 = -half * sa * s
+            arm = half * sa - e * ca
+            g3 = -arm * c
+            g4 = -arm * s
             g5 = share * (ca * (x1 * c - x0 * s) + half * sa * (x3 * s - x4 * c))
             rate = g0 * w0 + g1 * w1 + sa * w2 + g3 * w3 + g4 * w4 + g5 * w5
             damped = 1.0 + chi * rate

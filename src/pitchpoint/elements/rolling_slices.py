@@ -60,7 +60,12 @@ def slice_sums(b, d, rate, tilt, tilt_rate):
 
 @kernel
 def tilt_of(b, c, s):
-    """Tilt of the rings in the radial plane at an azimuth with cosine c and sine s [rad]."""
+    """Tilt of the rings in the radial plane at an azimuth with cosine c and sine s [rad].
+
+    Rollers in a spherical raceway follow the inner ring: 0.
+    """
+    if b["aligns"] != 0:
+        return 0.0
     return b["x"][3] * c + b["x"][4] * s
 
 
@@ -74,6 +79,11 @@ def tilt_gradient(b, c, s, share):
     h[3] = c
     h[4] = s
     h[5] = share * (b["x"][4] * c - b["x"][3] * s)
+    if b["aligns"] != 0:
+        h[3] = 0.0
+        h[4] = 0.0
+        h[5] = 0.0
+        return 0.0
     return c * b["w"][3] + s * b["w"][4] + h[5] * b["w"][5]
 
 
@@ -125,19 +135,20 @@ def push_slices(b, c, s, share, sa):
     w = b["w"]
     f = b["f"]
     ca = b["ca"]
-    arm = b["half"] * sa
+    arm = b["half"] * sa - b["place"] * ca
     step_c = b["step_c"]
     step_s = b["step_s"]
+    free = 1.0 if b["aligns"] == 0 else 0.0
     for _k in range(b["n"]):
         tilt = tilt_of(b, c, s)
         d = (x[0] * c + x[1] * s - b["gap"]) * ca + (x[2] + b["shift"]) * sa - arm * tilt
-        swing = share * (x[4] * c - x[3] * s)
+        swing = free * share * (x[4] * c - x[3] * s)
         turn = share * ca * (x[1] * c - x[0] * s) - arm * swing
-        tilt_rate = c * w[3] + s * w[4] + swing * w[5]
+        tilt_rate = free * (c * w[3] + s * w[4]) + swing * w[5]
         lift = share * ca * (x[1] * c - x[0] * s)
         rate = ca * (c * w[0] + s * w[1]) + sa * w[2] - arm * tilt_rate + lift * w[5]
         f0, f1, a0, a1, a2, b0, b1, b2 = slice_sums(b, d, rate, tilt, tilt_rate)
-        moment = f1 - arm * f0
+        moment = free * f1 - arm * f0
         f[0] -= f0 * ca * c
         f[1] -= f0 * ca * s
         f[2] -= f0 * sa

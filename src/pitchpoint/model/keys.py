@@ -50,7 +50,7 @@ class Key:
     display: str = ""  # description of a default that is not a constant
     sample: str = ""  # typical value, if the example of the dimension does not fit
     tag: str = "law"  # of a variant: key that selects the class
-    later: bool = False  # added in a later version: if empty, the hash of a model is unchanged
+    later: bool = False  # added in a later version: at its default, the hash of a model is unchanged
     names: str = ""  # section of the named components
     one_of: str = ""  # group of mutually exclusive keys of a component: exactly one is given
     needs: str = ""  # key that must be given together with this one

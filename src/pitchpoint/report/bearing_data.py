@@ -38,7 +38,7 @@ def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
         sizes = (found.bore, found.outside, found.width)
         rows.append(
             [
-                f"{name}: {found.designation or found.kind.replace('_', ' ')}",
+                f"{name}: {part.designation or found.kind.replace('_', ' ')}",
                 " x ".join(f"{1e3 * size:.6g}" if size is not None else "-" for size in sizes),
                 _elements(found),
                 format_quantity(found.pitch_diameter, "length", 4),
@@ -48,6 +48,13 @@ def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
                 found.absorbs.replace("_", " "),
             ]
         )
+        if found.axial_clearance is not None:
+            given = part.flange_stiffness
+            words = "estimated" if given is None else format_quantity(given, "stiffness", 3)
+            notes.append(
+                f"{name}: flanges with an axial clearance of "
+                f"{format_quantity(found.axial_clearance, 'length', 3)}, stiffness {words}"
+            )
         if found.rated is not None and found.dynamic is not None and found.static is not None:
             notes.append(
                 f"{name}: elements estimated from C0 = {found.static * 1e-3:.4g} kN (reproduced) and "

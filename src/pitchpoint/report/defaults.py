@@ -66,6 +66,8 @@ def _keys_without_effect(part: Any) -> set[str]:
     if isinstance(part, RollingBearing):
         found = part.geometry
         idle = {"slices"} if found.effective_length is None else {"grooves"}
+        if found.axial_clearance is None:
+            idle |= {"axial_clearance", "flange_stiffness"}
         return idle if found.clearance_class is not None else idle | {"clearance_class"}
     idle = (
         {"inertia_tensor"}

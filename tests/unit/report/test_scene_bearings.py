@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene.bearing_sizes import (
+from pitchpoint.report.scene.bearing_sections import (
     element_surface,
     raceway,
     ring,
     roller_line,
-    size_of,
-    size_on,
+    rows_of,
+    sphere_radius,
 )
+from pitchpoint.report.scene.bearing_sizes import size_of, size_on
 from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
@@ -24,6 +25,7 @@ from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 from tests.unit.report.test_scene_supports import is_closed, volume
 
+SIDES = ("positive", "negative")
 BALLS, D, PITCH = 9, 7.94e-3, 39.04e-3
 
 RIG = """\
@@ -105,6 +107,73 @@ def test_rings_are_closed_and_touch_the_elements(kind, angle):
         assert gap.min() > -5e-3 * size.element and gap.min() < 5e-3 * size.element
     for sides in (16, 32):
         assert is_closed(element_surface(size, sides))
+
+
+def bought(keys):
+    """A bearing by designation."""
+    body = "bodies: {a: {motion: free, mass: 1 kg, inertia: 1, transverse_inertia: 1, position: [0, 0, 0]}}"
+    model = loads_model(f"{body}\nrolling_bearings: {{b: {{body: a, {keys}}}}}")
+    return size_of(model.rolling_bearings["b"], None)
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        *("designation: 22208", "designation: 23220", "designation: 1308", "designation: 2206"),
+        *("designation: 3208", "designation: NA4908", "designation: RNA4908", "designation: NUP 208"),
+        *(f"designation: {n}, axial_force_absorption: {side}" for n in (51108, "NJ 208") for side in SIDES),
+    ],
+)
+def test_elements_of_all_types_are_between_their_rings(keys):
+    """In sections and as solids: rings closed, no element in a ring, contact with both, inside the width."""
+    size = bought(keys)
+    assert is_closed(element_surface(size, 16)) and element_surface(size, 16)[0].shape[1] == 3
+    races = [raceway(size, inner) for inner in (True, False)]
+    for inner, race in zip((True, False), races, strict=True):
+        if size.bare and inner:
+            continue
+        surface = ring(size, inner, 64)
+        assert is_closed(surface) and volume(surface) > 0.0
+        fine = np.concatenate(
+            [a + (b - a) * np.linspace(0, 1, 30)[:, None] for a, b in zip(race, race[1:], strict=False)]
+        )
+        nearest = []
+        for row in rows_of(size):
+            from_middle = fine - [row.radius, row.height]
+            if size.type == "ball":
+                nearest.append((np.hypot(*from_middle.T) - 0.5 * size.element).min())
+                continue
+            along = from_middle @ [-math.sin(row.angle), math.cos(row.angle)]
+            normal = np.abs(from_middle @ [math.cos(row.angle), math.sin(row.angle)])
+            drop = 0.0
+            if size.form == "sphere":
+                radius = sphere_radius(size)
+                drop = radius - np.sqrt(radius**2 - np.minimum(along**2, radius**2))
+            gap = (normal - 0.5 * size.element + drop)[np.abs(along) < 0.49 * size.length]
+            nearest.append(gap.min())
+        assert np.abs(nearest).max() < 8e-3 * size.element
+    for row in range(size.rows):
+        points = element_surface(size, 24, row)[0]
+        assert np.abs(points[:, 2]).max() <= 0.5 * size.width
+    if size.rows == 2:  # elements of one row do not reach those of the other, half a spacing on
+        one, two = rows_of(size)
+        turned = math.pi / size.count
+        between = math.hypot(2.0 * one.radius * math.sin(0.5 * turned), one.height - two.height)
+        assert between > size.element
+        assert size.type == "ball" or abs(one.height - two.height) > size.length * math.cos(one.angle)
+
+
+def test_barrels_and_balls_of_self_aligning_bearings_are_in_a_sphere():
+    """No point of an element is outside the sphere about the middle, and some are on it."""
+    for keys in ("designation: 22208", "designation: 1308"):
+        size = bought(keys)
+        for row in (0, 1):
+            away = np.linalg.norm(element_surface(size, 64, row)[0], axis=1)
+            assert away.max() == pytest.approx(sphere_radius(size), rel=2e-3)
+        assert size.form == "sphere"
+    barrel = element_surface(bought("designation: 22208"), 64)[0]
+    flat = element_surface(bought("designation: NU 208"), 64)[0]
+    assert len(barrel) != len(flat)
 
 
 def test_a_tapered_roller_and_its_races_have_one_apex_on_the_axis():

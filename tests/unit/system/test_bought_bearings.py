@@ -295,7 +295,7 @@ def test_frequencies_of_a_catalogue_bearing():
         (
             "body: rotor, designation: NU208E, axial_force_absorption: positive",
             "axial_force_absorption",
-            "whose flanges are not modelled; hold the shaft by another bearing",
+            "does not apply to NU208E, which has no flanges; use NJ (one direction) or NUP (both)",
         ),
         (
             "body: rotor, designation: 30208, axial_force_absorption: no_direction",

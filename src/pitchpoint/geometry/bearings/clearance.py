@@ -15,6 +15,8 @@ _BORES = (
     *(10, 18, 24, 30, 40, 50, 65, 80, 100, 120, 140, 160, 180, 200, 225, 250, 280, 315, 355, 400, 450, 500),
 )
 """Upper ends of the ranges of the bore [mm]."""
+_SPHERE_BORES = (6, 10, 14, 18, 24, 30, 40, 50, 65, 80, 100, 120, 140)
+"""The same of self-aligning ball bearings."""
 # limits [um] of each range of the bore: min and max of C2, CN, C3, C4
 _BALLS = """
 0 7 2 13 8 23 14 29
@@ -84,7 +86,28 @@ _SPHERICAL = """
 140 240 240 370 370 500 500 660
 140 260 260 410 410 550 550 720
 """
-_TABLES = {"deep_groove_ball": _BALLS, "cylindrical_roller": _ROLLERS, "spherical_roller": _SPHERICAL}
+_SELF_ALIGNING = """
+1 8 5 15 10 20 15 25
+2 9 6 17 12 25 19 33
+2 10 6 19 13 26 21 35
+3 12 8 21 15 28 23 37
+4 14 10 23 17 30 25 39
+5 16 11 24 19 35 29 46
+6 18 13 29 23 40 34 53
+6 19 14 31 25 44 37 57
+7 21 16 36 30 50 45 69
+8 24 18 40 35 60 54 83
+9 27 22 48 42 70 64 96
+10 31 25 56 50 83 75 114
+10 38 30 68 60 100 90 135
+"""
+_TABLES = {
+    "deep_groove_ball": (_BORES, _BALLS),
+    "self_aligning_ball": (_SPHERE_BORES, _SELF_ALIGNING),
+    "cylindrical_roller": (_BORES, _ROLLERS),
+    "needle_roller": (_BORES, _ROLLERS),
+    "spherical_roller": (_BORES, _SPHERICAL),
+}
 CLASSED = tuple(_TABLES)
 """Types whose clearance is given by a class; that of the others is set when they are mounted."""
 
@@ -111,16 +134,58 @@ def clearance_of(kind: str, bore: float, group: str = "CN") -> tuple[float, floa
     >>> [round(1e6 * c) for c in clearance_of("deep_groove_ball", 40e-3, "C3")]
     [15, 33]
     """
-    rows = _TABLES[kind].split("\n")[1:-1]
-    row = bisect_left(_BORES, round(bore * 1e3, 9))
+    bores, table = _TABLES[kind]
+    rows = table.split("\n")[1:-1]
+    row = bisect_left(bores, round(bore * 1e3, 9))
     if row >= len(rows):
         raise GeometryError(
             "is beyond the table of radial internal clearances",
             where="inner_diameter",
             value=f"{bore * 1e3:.6g} mm",
-            limit=f"{_BORES[len(rows) - 1]} mm",
+            limit=f"{bores[len(rows) - 1]} mm",
             remedy="give clearance",
         )
     k = 2 * CLASSES.index(group)
     low, high = (float(word) * 1e-6 for word in rows[row].split()[k : k + 2])
     return low, high
+
+
+_NUP_BORES = (30, 80, 150, 200, 220, 260)
+"""Upper ends of the ranges of the bore [mm] of `_NUP`."""
+_NUP = ((37, 140), (47, 155), (62, 180), (87, 230), (95, 230), (95, 250))
+
+
+def axial_play(bore: float) -> tuple[float, float]:
+    """Limits of the axial internal clearance of a cylindrical roller bearing NUP [m].
+
+    Parameters
+    ----------
+    bore
+        Bore diameter d [m].
+
+    Notes
+    -----
+    Series NUP 2, which has the smallest play; wider and heavier series have up to 1.4 times this. Source:
+    SKF, *General Catalogue* (2006), cylindrical roller bearings, table 2.
+
+    Raises
+    ------
+    GeometryError
+        If the bore is beyond the table.
+
+    Examples
+    --------
+    >>> [round(1e6 * c) for c in axial_play(40e-3)]
+    [47, 155]
+    """
+    row = bisect_left(_NUP_BORES, round(bore * 1e3, 9))
+    if row >= len(_NUP_BORES):
+        raise GeometryError(
+            "is beyond the table of axial clearances",
+            where="inner_diameter",
+            value=f"{bore * 1e3:.6g} mm",
+            limit=f"{_NUP_BORES[-1]} mm",
+            remedy="give axial_clearance",
+        )
+    low, high = _NUP[row]
+    return low * 1e-6, high * 1e-6

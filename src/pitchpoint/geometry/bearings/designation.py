@@ -25,9 +25,9 @@ MAKERS = "SKF|FAG|INA|NSK|NTN|SNR|KOYO|JTEKT|NACHI|TIMKEN|URB|ZVL|ZKL|NKE|HR"
 _SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
 _CAGES = (
     r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABS\d]?|P|PH|J\d?|XJ?|A|"
-    r"BE[PJYM]?|CA?M?"
+    r"BE[PJYM]?|BD|CA?M?"
 )
-_OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|VA\d+|MT33|HT|LHT|GJN|WT|G\d+"
+_OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|V[AL]\d+|MT33|HT|LHT|GJN|WT|G\d+"
 _WORD = rf"(?:{_SEALS}|{_CAGES}|{_OTHERS})"
 _PLAIN = re.compile(rf"{_WORD}{_WORD}?")
 _REFUSED = {
@@ -38,6 +38,22 @@ _REFUSED = {
     "DB": "a pair of bearings",
     "DF": "a pair of bearings",
 }
+_OTHER_TYPES = (
+    (r"NKI[AS]?-?\d", "a needle roller bearing with inner ring", "give type: needle_roller and the data"),
+    (
+        r"(NKS?|HK|BK|HN)-?\d",
+        "a needle roller bearing without inner ring",
+        "give type: needle_roller_on_shaft and the data, with F_w as inner_diameter",
+    ),
+    (r"KB?K?-?\d", "a needle roller and cage assembly", "give type: roller and its elements"),
+    (r"QJF?-?\d", "a four-point contact bearing, which is not available", ""),
+    (r"29[234]\d\d", "a spherical roller thrust bearing, which is not available", ""),
+    (r"(8[17][12]\d\d|AXK)", "a roller thrust bearing, which is not available", ""),
+    (r"(5[234][234]\d\d)", "a double-direction or aligning thrust bearing, which is not available", ""),
+    (r"20[234]\d\d", "a barrel roller bearing, which is not available", ""),
+)
+"""Beginning of designations that the table lacks, their type, and what to do."""
+_NUMBER = re.compile(r"(?:(NUP|NU|NJ|N)-?(\d{3,4})|(R?NA)-?(4[89]\d\d|4[89]-\d\d)|(\d{4,5}))-?")
 _ANGLES = (("ACD", "A5"), ("AC", "A5"), ("A5", "A5"), ("A", "A"), ("B", "B"), ("C", "C"))
 """Beginning of the suffix of angular contact bearings, and the suffix of the table: 25, 25, 25, 30, 40, 15
 deg."""
@@ -61,6 +77,10 @@ class Catalogued:
         Contact angle [rad].
     group
         Clearance class by the suffix; None if there is none.
+    flanges
+        Number of flanges that take axial forces (cylindrical rollers): 1 NJ, 2 NUP; 0 the others.
+    raceway
+        Raceway diameter F_w of the inner ring [m], if the table has it (needle rollers).
     """
 
     designation: str
@@ -72,6 +92,8 @@ class Catalogued:
     static: float
     angle: float
     group: str | None = None
+    flanges: int = 0
+    raceway: float | None = None
 
 
 @cache
@@ -85,8 +107,9 @@ def catalogue() -> dict[str, Catalogued]:
     ('deep_groove_ball', 0.09, 40500.0)
     """
     found = {}
-    with Path(__file__).with_name("catalogue.csv").open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+    for table in ("catalogue.csv", "catalogue_ntn.csv"):
+        text = Path(__file__).with_name(table).read_text(encoding="utf-8")
+        for row in csv.DictReader(line for line in text.splitlines() if not line.startswith("#")):
             d, D, B = (round(1e-3 * float(row[key]), 9) for key in ("d", "D", "B"))
             found[row["designation"]] = Catalogued(
                 row["designation"],
@@ -124,32 +147,61 @@ def by_designation(text: str) -> Catalogued:
     """
     plain = re.sub(r"[\s/,._-]+", "-", str(text).upper().strip()).strip("-")
     plain = re.sub(rf"^(?:(?:{MAKERS})-)+", "", plain)
-    match = re.match(r"(NUP|NU|NJ|N)?-?(\d{3,5})-?", plain)
+    match = _NUMBER.match(plain)
     if match is None:
         raise _unknown(text, plain)
-    prefix, digits = match.group(1) or "", match.group(2)
+    design, cylindrical, needle, size, digits = match.groups()
     rest = plain[match.end() :]
-    if re.fullmatch(r"61[89]\d\d", digits):  # the same bearing in two systems of numbers
-        digits = "6" + digits[2:]
-    name = prefix + digits
-    if prefix in ("NU", "NJ", "NUP", "N"):  # the E design has larger rollers; NJ and NUP add flanges
-        raised = rest.startswith("E")
-        name = f"{'N' if prefix == 'N' and not raised else 'NU'}{digits}{'E' if raised else ''}"
-    elif f"{digits}B" in catalogue() or f"{digits}C" in catalogue():
-        for begins, suffix in _ANGLES:
-            if rest.startswith(begins):
-                name, rest = digits + suffix, rest[len(begins) :].lstrip("-")
-                break
+    if design is not None:
+        name, rest = _cylindrical(design, cylindrical, rest)
+    elif needle is not None:
+        name = needle + size.replace("-", "/")
+    else:
+        name, rest = _numbered(text, digits, rest)
     found = catalogue().get(name)
     if found is None:
         raise _unknown(text, name)
+    if needle == "NA":
+        found = replace(found, raceway=catalogue()[f"R{name}"].bore)
+    found = replace(found, flanges={"NJ": 1, "NUP": 2}.get(design or "", 0))
     return replace(found, group=_group(text, rest, found))
+
+
+def _cylindrical(design: str, digits: str, rest: str) -> tuple[str, str]:
+    """Name in the table of a cylindrical roller bearing: the E design has larger rollers."""
+    if rest.startswith("E"):
+        return f"NU{digits}E", rest
+    names = [f"NU{digits}", f"N{digits}"]  # the same rollers; the table has one or both
+    if design == "N":
+        names.reverse()
+    return next((name for name in names if name in catalogue()), names[0]), rest
+
+
+def _numbered(text: str, digits: str, rest: str) -> tuple[str, str]:
+    """Name in the table of a bearing without prefix, and the remaining suffixes."""
+    if re.fullmatch(r"61[89]\d\d", digits):  # the same bearing in two systems of numbers
+        digits = "6" + digits[2:]
+    elif re.fullmatch(r"5[23]\d\d", digits):
+        digits = "3" + digits[1:]
+    inclined = [row for name, row in catalogue().items() if name[:-1] == digits and name[-1] in "ABC"]
+    if not inclined or digits in catalogue():
+        return digits, rest
+    for begins, suffix in _ANGLES:
+        if rest.startswith(begins):
+            return digits + suffix, rest[len(begins) :].lstrip("-")
+    angles = ", ".join(f"{row.designation} ({math.degrees(row.angle):.0f} deg)" for row in inclined)
+    raise GeometryError(
+        "has no letter of its contact angle, on which makers disagree",
+        value=str(text),
+        remedy=f"write one of {angles}; B is the usual one, and A (30 deg) is not written by all makers",
+    )
 
 
 def _group(text: str, rest: str, found: Catalogued) -> str | None:
     """Clearance class of a suffix; refuses what it does not understand."""
     group = None
     rest = re.sub(r"(?<=[A-Z0-9])(C[0234N])(?=-|$)", r"-\1", rest)
+    rest = re.sub(r"(?<![A-Z0-9])(C[0234])(?=[A-Z])", r"\1-", rest)
     for word in filter(None, rest.split("-")):
         if word in _REFUSED:
             raise GeometryError(
@@ -178,6 +230,10 @@ def _group(text: str, rest: str, found: Catalogued) -> str | None:
 
 def _unknown(text: str, plain: str) -> GeometryError:
     """Problem of a designation that the table does not have, with the nearest ones."""
+    for begins, what, remedy in _OTHER_TYPES:
+        if re.match(begins, plain):
+            other = "use bearings with the stiffness of the catalogue"
+            return GeometryError(f"is {what}", value=str(text), remedy=remedy or other)
     near = nearest(plain, catalogue(), OFFERED)
     return GeometryError(
         "is not in the table of bearings",

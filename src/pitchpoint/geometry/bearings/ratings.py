@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Basic load ratings of radial rolling bearings from their inner geometry.
+"""Basic load ratings of rolling bearings from their inner geometry.
 
 Sources: ISO 281:2007 (dynamic), ISO 76:2006 (static); Palmgren, *Ball and Roller Bearing Engineering* (1959).
 """
@@ -15,12 +15,24 @@ _F0 = (
     *(12.1, 11.8, 11.6, 11.4, 11.2, 10.9, 10.7, 10.5, 10.3, 10.0, 9.8, 9.6, 9.4),
 )
 """Factor f_0 [N/mm^2] at gamma = 0, 0.01, ... 0.4 (ISO 76, radial ball bearings, groove radius 0.52 D_w)."""
+F0_SPHERE = 1.944
+"""Factor f_0 [N/mm^2] of self-aligning ball bearings over (1 + gamma)^2: 4600 MPa between ball and sphere by
+Hertz, which is the table of ISO 76 (1.9 at 0, 2.8 at 0.2, 3.8 at 0.4)."""
+F0_THRUST = 61.6
+"""Factor f_0 [N/mm^2] at a contact angle of 90 deg (ISO 76): 4200 MPa, groove radius 0.54 D_w."""
 _GAMMA = (*(0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.12, 0.14, 0.16), *(0.02 * k for k in range(9, 21)))
 _FC = (
     *(46.7, 49.1, 51.1, 52.8, 54.3, 55.5, 57.5, 58.8, 59.6),
     *(59.9, 59.9, 59.6, 59.0, 58.2, 57.1, 56.0, 54.6, 53.2, 51.7, 50.0, 48.4),
 )
 """Factor f_c at `_GAMMA` (ISO 281, single-row radial and angular contact ball bearings)."""
+_FC_SPHERE = (
+    *(17.3, 18.6, 19.9, 21.1, 22.3, 23.4, 25.6, 27.7, 29.7),
+    *(31.7, 33.5, 35.2, 36.8, 38.2, 39.4, 40.3, 40.9, 41.2, 41.3, 41.0, 40.4),
+)
+"""Factor f_c of self-aligning ball bearings at `_GAMMA` (ISO 281)."""
+FC_THRUST = 146.1
+"""Factor f_c at a contact angle of 90 deg over (D_w/d_m)^0.3 (ISO 281: 36.7 at 0.01, 73.3 at 0.1)."""
 _HUNDREDTHS = tuple(0.01 * k for k in range(len(_F0)))
 LARGE_BALL = 25.4e-3
 """Ball diameter [m] above which the exponent of the dynamic load rating is 1.4 instead of 1.8."""
@@ -28,45 +40,60 @@ BALL_GAMMA = 0.4
 """Largest D_w cos(alpha)/d_m of the tables for balls."""
 
 
-def ball_static(elements: int, diameter: float, pitch: float, angle: float = 0.0) -> float:
-    """Static load rating C_0 of a single-row ball bearing [N].
+def ball_static(
+    elements: int, diameter: float, pitch: float, angle: float = 0.0, rows: int = 1, race: str = "groove"
+) -> float:
+    """Static load rating C_0 of a ball bearing [N]; of thrust bearings the axial one.
 
     Parameters
     ----------
     elements
-        Number of balls Z.
+        Number of balls Z of a row.
     diameter, pitch
         Ball diameter D_w and pitch diameter d_m [m].
     angle
         Contact angle [rad].
+    rows
+        Number of rows i.
+    race
+        Outer raceway: "groove", "sphere" (self-aligning), or "washer" (thrust bearing, 90 deg).
 
     Notes
     -----
-    C_0 = f_0 Z D_w^2 cos(alpha), ISO 76; gamma = D_w cos(alpha)/d_m is limited to 0.4.
+    C_0 = f_0 i Z D_w^2 cos(alpha), ISO 76; gamma = D_w cos(alpha)/d_m is limited to 0.4. Thrust bearings: f_0
+    Z D_w^2.
 
     Examples
     --------
-    Bearing 6308, catalogue 24.0 kN:
+    Bearing 6308, catalogue 24.0 kN; 1206 (two rows of 14 balls of 8 mm), catalogue 4.65 kN:
 
     >>> round(ball_static(8, 15.081e-3, 65e-3))
     23944
+    >>> round(ball_static(14, 8e-3, 46e-3, 0.165, rows=2, race="sphere"))
+    4716
     """
+    squared = rows * elements * (1e3 * diameter) ** 2
+    if race == "washer":
+        return F0_THRUST * squared
     gamma = min(diameter * math.cos(angle) / pitch, BALL_GAMMA)
-    factor = _between(gamma, _HUNDREDTHS, _F0)
-    return factor * elements * (1e3 * diameter) ** 2 * math.cos(angle)
+    factor = F0_SPHERE * (1.0 + gamma) ** 2 if race == "sphere" else _between(gamma, _HUNDREDTHS, _F0)
+    return factor * squared * math.cos(angle)
 
 
-def ball_dynamic(elements: int, diameter: float, pitch: float, angle: float = 0.0) -> float:
-    """Dynamic load rating C of a single-row ball bearing [N].
+def ball_dynamic(
+    elements: int, diameter: float, pitch: float, angle: float = 0.0, rows: int = 1, race: str = "groove"
+) -> float:
+    """Dynamic load rating C of a ball bearing [N]; of thrust bearings the axial one.
 
     Parameters
     ----------
-    elements, diameter, pitch, angle
+    elements, diameter, pitch, angle, rows, race
         As of `ball_static`.
 
     Notes
     -----
-    C = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D_w^1.8, ISO 281; 3.647 D_w^1.4 above 25.4 mm.
+    C = 1.3 f_c (i cos alpha)^0.7 Z^(2/3) D_w^1.8, ISO 281; 3.647 D_w^1.4 above 25.4 mm. Thrust bearings: 1.3
+    f_c Z^(2/3) D_w^1.8.
 
     Examples
     --------
@@ -75,11 +102,14 @@ def ball_dynamic(elements: int, diameter: float, pitch: float, angle: float = 0.
     >>> round(ball_dynamic(8, 15.081e-3, 65e-3))
     40718
     """
-    gamma = min(diameter * math.cos(angle) / pitch, BALL_GAMMA)
     size = 1e3 * diameter
     power = size**1.8 if diameter <= LARGE_BALL else 3.647 * size**1.4
-    factor = _between(gamma, _GAMMA, _FC)
-    return 1.3 * factor * math.cos(angle) ** 0.7 * elements ** (2.0 / 3.0) * power
+    power *= 1.3 * elements ** (2.0 / 3.0)
+    if race == "washer":
+        return float(FC_THRUST * (diameter / pitch) ** 0.3 * power)
+    gamma = min(diameter * math.cos(angle) / pitch, BALL_GAMMA)
+    factor = _between(gamma, _GAMMA, _FC_SPHERE if race == "sphere" else _FC)
+    return float(factor * (rows * math.cos(angle)) ** 0.7 * power)
 
 
 def roller_static(

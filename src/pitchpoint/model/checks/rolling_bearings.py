@@ -55,7 +55,21 @@ def _room(found: BearingGeometry, at: Place, report: Reader) -> None:
 
 
 def _keys(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Reader) -> None:
-    """Check grooves, effective length and stiffness."""
+    """Check keys that apply to some types only."""
+    if found.axial_clearance is None:
+        for key in ("axial_clearance", "flange_stiffness"):
+            if getattr(bearing, key) is not None:
+                report.problem(
+                    (*at, key),
+                    "applies only to cylindrical roller bearings with flanges",
+                    remedy="remove it, or use NJ or NUP with axial_force_absorption",
+                )
+    if found.kind == "thrust_ball" and bearing.clearance is not None:
+        report.problem(
+            (*at, "clearance"),
+            "does not apply to a thrust bearing",
+            remedy="remove it, or give preload or preload_distance",
+        )
     own, other = ("grooves", "effective_length") if found.is_ball else ("effective_length", "grooves")
     if getattr(bearing, other) is not None:
         report.problem(

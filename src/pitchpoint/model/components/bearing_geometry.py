@@ -8,9 +8,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.bearings.clearance import CLASSED, clearance_of
+from pitchpoint.geometry.bearings.clearance import CLASSED, axial_play, clearance_of
 from pitchpoint.geometry.bearings.designation import Catalogued, by_designation
-from pitchpoint.geometry.bearings.inner import BALL_TYPES, GROOVES, inner_geometry
+from pitchpoint.geometry.bearings.inner import (
+    BALL_TYPES,
+    GROOVES,
+    INNER_SPHERE,
+    NEEDLE_TYPES,
+    ROW_SPACING,
+    WASHERS,
+    InnerGeometry,
+    inner_geometry,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.rolling_bearing import RollingBearing
@@ -19,8 +28,15 @@ BOTH, POSITIVE, NEGATIVE, FLOATING = "both_directions", "positive", "negative", 
 ABSORPTION = (BOTH, POSITIVE, NEGATIVE, FLOATING)
 GIVEN = ("ball", "roller")
 """Types whose rolling elements are given."""
-INCLINED = ("angular_contact_ball", "tapered_roller")
+INCLINED = ("angular_contact_ball", "tapered_roller", "thrust_ball")
 """Types with one contact angle: they support axial forces in one direction and do not float."""
+ONE_SHOULDER = ("angular_contact_ball", "double_row_angular_contact_ball", "thrust_ball")
+"""Types whose balls have a shoulder on one side only."""
+ANGLED = (
+    *("angular_contact_ball", "double_row_angular_contact_ball", "self_aligning_ball"),
+    *("tapered_roller", "spherical_roller"),
+)
+"""Types whose contact angle is one of their catalogue data."""
 BOUGHT = (
     *("inner_diameter", "outer_diameter", "width"),
     *("radial_dynamic_load_rating", "radial_static_load_rating"),
@@ -62,6 +78,10 @@ class BearingGeometry:
         Dynamic load rating by ISO 281 with the estimated elements [N]; None without estimate.
     designation
         Designation in the table; None without.
+    row_distance
+        Distance of the rows of a rigid double-row bearing [m]; 0 for the others.
+    axial_clearance
+        Axial play between flanges of cylindrical rollers [m]; None without flanges.
     """
 
     kind: str
@@ -82,6 +102,8 @@ class BearingGeometry:
     static: float | None = None
     rated: float | None = None
     designation: str | None = None
+    row_distance: float = 0.0
+    axial_clearance: float | None = None
 
     @property
     def is_ball(self) -> bool:
@@ -91,7 +113,7 @@ class BearingGeometry:
     @property
     def aligns(self) -> bool:
         """Whether the rings tilt without resistance."""
-        return self.kind == "spherical_roller"
+        return self.kind in ("spherical_roller", "self_aligning_ball")
 
     @property
     def floats(self) -> bool:
@@ -116,20 +138,25 @@ def bearing_geometry(part: RollingBearing) -> BearingGeometry:
     if bought is None:
         return _given(part)
     angle = bought.angle if part.contact_angle is None else abs(part.contact_angle)
-    absorbs = _absorbs(part, bought.kind)
-    inner = inner_geometry(
-        bought.kind, bought.bore, bought.outside, bought.width, bought.dynamic, bought.static, angle
-    )
+    if bought.kind == "thrust_ball":
+        angle = 0.5 * math.pi
+    absorbs = _absorbs(part, bought)
+    kind, bore = bought.kind, bought.bore
+    if bought.raceway is not None:  # the inner ring only carries the raceway
+        kind, bore = "needle_roller_on_shaft", bought.raceway
+    inner = inner_geometry(kind, bore, bought.outside, bought.width, bought.dynamic, bought.static, angle)
     clearance, group = _clearance(part, bought)
+    size = part.element_diameter or inner.element_diameter
+    rigid = bought.kind == "double_row_angular_contact_ball"
     return BearingGeometry(
         kind=bought.kind,
         rows=inner.rows,
         elements=part.elements or inner.elements,
-        element_diameter=part.element_diameter or inner.element_diameter,
+        element_diameter=size,
         pitch_diameter=part.pitch_diameter or inner.pitch_diameter,
         contact_angle=-angle if absorbs == NEGATIVE else angle,
         effective_length=part.effective_length or inner.effective_length,
-        grooves=part.grooves or (GROOVES if bought.kind in BALL_TYPES else None),
+        grooves=part.grooves or _grooves(bought.kind, inner, angle),
         clearance=clearance,
         clearance_class=group,
         absorbs=absorbs,
@@ -140,7 +167,30 @@ def bearing_geometry(part: RollingBearing) -> BearingGeometry:
         static=bought.static,
         rated=inner.dynamic,
         designation=bought.designation or None,
+        row_distance=ROW_SPACING * size if rigid else 0.0,
+        axial_clearance=_axial_clearance(part, bought, absorbs),
     )
+
+
+def _grooves(kind: str, inner: InnerGeometry, angle: float) -> tuple[float, float] | None:
+    """Groove radii over the ball diameter; the outer one of a self-aligning bearing is a sphere."""
+    if kind not in BALL_TYPES:
+        return None
+    if kind == "thrust_ball":
+        return WASHERS
+    if kind == "self_aligning_ball":
+        around = inner.pitch_diameter / math.cos(angle) / inner.element_diameter
+        return INNER_SPHERE, 0.5 * (1.0 + around)
+    return GROOVES
+
+
+def _axial_clearance(part: RollingBearing, bought: Catalogued, absorbs: str) -> float | None:
+    """Axial play between the flanges of cylindrical rollers [m]; None without flanges."""
+    if bought.kind != "cylindrical_roller" or absorbs == FLOATING:
+        return None
+    if part.axial_clearance is not None:
+        return part.axial_clearance
+    return 0.5 * sum(axial_play(bought.bore)) if absorbs == BOTH else 0.0
 
 
 def _given(part: RollingBearing) -> BearingGeometry:
@@ -207,7 +257,7 @@ def _bought(part: RollingBearing) -> Catalogued | None:
         return found
     if part.type is None or part.type in GIVEN:
         return None
-    needed = (*BOUGHT, "contact_angle") if part.type in (*INCLINED, "spherical_roller") else BOUGHT
+    needed = (*BOUGHT, "contact_angle") if part.type in ANGLED else BOUGHT
     _together(part, needed, f" of a {part.type.replace('_', ' ')} bearing")
     values: Any = part
     if values.inner_diameter >= values.outer_diameter:
@@ -241,30 +291,45 @@ def _together(part: RollingBearing, names: tuple[str, ...], what: str) -> None:
         )
 
 
-def _absorbs(part: RollingBearing, kind: str) -> str:
+def _absorbs(part: RollingBearing, bought: Catalogued) -> str:
     """Axial forces that a bearing of the catalogue supports."""
+    kind = bought.kind
     asked = part.axial_force_absorption
     allowed: tuple[str, ...] = (BOTH, FLOATING)
+    usual: str | None = BOTH
     if kind in INCLINED:
-        allowed = (POSITIVE, NEGATIVE)
-        if asked is None and part.contact_angle is not None and part.contact_angle < 0.0:
-            asked = NEGATIVE
+        allowed, usual = (POSITIVE, NEGATIVE), None
+        if part.contact_angle is not None and part.contact_angle < 0.0:
+            usual = NEGATIVE
+    elif kind in NEEDLE_TYPES:
+        allowed, usual = (FLOATING,), FLOATING
     elif kind == "cylindrical_roller":
-        allowed = (FLOATING,)
-    if asked is None and len(allowed) == 2 and kind not in INCLINED:
-        return BOTH
-    asked = asked or (FLOATING if kind == "cylindrical_roller" else None)
+        allowed, usual = _flanges(bought)
+    asked = asked or usual
     if asked not in allowed:
-        bearings = f"{kind.replace('_', ' ')} bearings"
+        name = part.designation if kind == "cylindrical_roller" and part.designation else None
+        bearings = name or f"{kind.replace('_', ' ')} bearings"
         why = f"is required for {bearings}" if asked is None else f"does not apply to {bearings}"
         remedy = f"write {' or '.join(allowed)}"
-        if kind in INCLINED:
+        if POSITIVE in allowed:
             remedy += ": the axial force on the shaft that the bearing supports, along z of the bearing"
-        if kind == "cylindrical_roller":
-            why += ", whose flanges are not modelled"
-            remedy = "hold the shaft by another bearing, or add one of bearings with stiffness: {axial: ...}"
+        if allowed == (FLOATING,):
+            why += ", which has no flanges" if name else ", which have no flanges"
+            remedy = "use NJ (one direction) or NUP (both)" if name else "remove it"
+            remedy += ", or hold the shaft by another bearing"
         raise GeometryError(why, where="axial_force_absorption", value=asked, remedy=remedy)
     return asked
+
+
+def _flanges(bought: Catalogued) -> tuple[tuple[str, ...], str | None]:
+    """Possible and usual axial support of a cylindrical roller bearing, by its design if that is known."""
+    if not bought.designation:
+        return ABSORPTION, FLOATING
+    return (
+        ((FLOATING,), FLOATING),
+        ((POSITIVE, NEGATIVE, FLOATING), None),
+        ((BOTH, FLOATING), BOTH),
+    )[bought.flanges]
 
 
 def _clearance(part: RollingBearing, bought: Catalogued) -> tuple[float, str | None]:
@@ -276,7 +341,7 @@ def _clearance(part: RollingBearing, bought: Catalogued) -> tuple[float, str | N
             )
         if bought.kind not in CLASSED:
             raise GeometryError(
-                f"does not apply to {bought.kind.replace('_', ' ')} bearings, as they are set on mounting",
+                f"does not apply to {bought.kind.replace('_', ' ')} bearings, whose clearance has no classes",
                 where="clearance_class",
                 remedy="give clearance or preload",
             )

@@ -30,7 +30,11 @@ class Backlash(Component):
         "length", "circumferential backlash j_wt at the working pitch circle", None, one_of="gap"
     )
     factor: float | None = quantity(
-        "dimensionless", "backlash factor: circumferential backlash over normal module", None, one_of="gap"
+        "dimensionless",
+        "backlash factor: circumferential backlash over normal module",
+        None,
+        one_of="gap",
+        later=True,
     )
 
 

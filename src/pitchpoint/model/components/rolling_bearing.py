@@ -12,7 +12,7 @@ from pitchpoint.geometry.bearings.inner import TYPES
 from pitchpoint.geometry.materials import Material
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
-from pitchpoint.model.components.bearing_geometry import ABSORPTION, BearingGeometry, bearing_geometry
+from pitchpoint.model.components.bearing_geometry import ABSORPTION, GIVEN, BearingGeometry, bearing_geometry
 from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
 
 RINGS = (
@@ -31,32 +31,52 @@ class RollingBearing(Component):
     Give a designation, or type and catalogue data, or type and rolling elements.
     """
 
-    body: str | None = text(BODY, None, names="bodies", one_of="rings")
-    position: tuple[float, float, float] = quantities("length", POSITION, (0.0, 0.0, 0.0), length=(3, 3))
-    housing: str | None = end(HOUSING, None, needs="body")
+    body: str | None = text(BODY, None, names="bodies", one_of="rings", later=True)
+    position: tuple[float, float, float] = quantities(
+        "length", POSITION, (0.0, 0.0, 0.0), length=(3, 3), later=True
+    )
+    housing: str | None = end(HOUSING, None, needs="body", later=True)
     ends: tuple[str, str] | None = key("ends", RINGS, None, length=(2, 2), one_of="rings")
     designation: str | None = text(
         "designation with suffixes, such as 6308-2RS/C3 or NU 208 ECP; `pitchpoint check` lists the data",
         None,
+        later=True,
     )
     type: str | None = choice(
-        ("ball", "roller", *TYPES),
+        (*GIVEN, *TYPES),
         "ball, roller: given rolling elements with point or line contact; the others: catalogue data",
         None,
         display="that of designation, otherwise ball",
     )
-    inner_diameter: float | None = positive("length", "bore diameter d", None)
-    outer_diameter: float | None = positive("length", "outside diameter D", None)
-    width: float | None = positive("length", "width B; tapered bearings: overall width T", None)
-    radial_dynamic_load_rating: float | None = positive("force", "dynamic load rating C", None)
-    radial_static_load_rating: float | None = positive("force", "static load rating C0", None)
+    inner_diameter: float | None = positive("length", "bore diameter d", None, later=True)
+    outer_diameter: float | None = positive("length", "outside diameter D", None, later=True)
+    width: float | None = positive("length", "width B; tapered bearings: overall width T", None, later=True)
+    radial_dynamic_load_rating: float | None = positive("force", "dynamic load rating C", None, later=True)
+    radial_static_load_rating: float | None = positive("force", "static load rating C0", None, later=True)
+    axial_clearance: float | None = quantity(
+        "length",
+        "axial play of a cylindrical roller bearing with flanges: total (NUP), or displacement until the "
+        "flange touches (NJ)",
+        None,
+        minimum=0.0,
+        display="middle of the range of the catalogue (NUP), 0 (NJ)",
+        later=True,
+    )
+    flange_stiffness: float | None = positive(
+        "stiffness",
+        "axial stiffness of the flange contact of a cylindrical roller bearing",
+        None,
+        display="estimate from the rollers",
+        later=True,
+    )
     axial_force_absorption: str | None = choice(
         ABSORPTION,
         "axial force on the shaft that the bearing supports, along z of the bearing; no_direction: floating "
-        "bearing. Angular contact and tapered bearings: positive or negative",
+        "bearing. Angular contact, tapered and thrust bearings, NJ: positive or negative",
         None,
-        display="both_directions; no_direction for cylindrical rollers; with given elements by the sign of "
-        "contact_angle",
+        display="both_directions; NU, N, needles and cylindrical rollers by data: no_direction; with given "
+        "elements by the sign of contact_angle",
+        later=True,
     )
     elements: int | None = integer("number of rolling elements of one row", None, minimum=2, maximum=10000)
     element_diameter: float | None = positive("length", "diameter of a rolling element", None)
@@ -64,7 +84,7 @@ class RollingBearing(Component):
     contact_angle: float | None = quantity(
         "angle",
         "contact angle; > 0 supports an inner ring that is loaded in +z; of catalogue bearings without sign. "
-        "Tapered and spherical: arctan(e/1.5) of the catalogue",
+        "Tapered, spherical, self-aligning: arctan(e/1.5) of the catalogue",
         None,
         minimum=-1.5,
         maximum=1.5,
@@ -80,15 +100,20 @@ class RollingBearing(Component):
         CLASSES,
         "class of the radial internal clearance before mounting (ISO 5753-1)",
         None,
-        display="that of designation, otherwise CN: deep groove, cylindrical and spherical roller bearings",
+        display="that of designation, otherwise CN: all but angular contact, tapered and thrust bearings",
+        later=True,
     )
     preload: float | None = positive(
-        "force", "axial preload: axial force of the bearing as assembled, with the shaft in position", None
+        "force",
+        "axial preload: axial force of the bearing as assembled, with the shaft in position",
+        None,
+        later=True,
     )
     preload_distance: float | None = quantity(
         "length",
         "axial preload: displacement of the outer ring towards the shaft's load, with clearance < 0",
         None,
+        later=True,
     )
     grooves: tuple[float, float] | None = quantities(
         "dimensionless",
@@ -98,7 +123,7 @@ class RollingBearing(Component):
         minimum=0.5,
         above=True,
         sample="[0.52, 0.52]",
-        display="[0.52, 0.53] for catalogue bearings",
+        display="[0.52, 0.53] for catalogue bearings; thrust 0.54 each; self-aligning 0.53 and the sphere",
     )
     effective_length: float | None = positive("length", "roller: effective (load-carrying) length", None)
     slices: int = integer(
@@ -106,6 +131,7 @@ class RollingBearing(Component):
         21,
         minimum=1,
         maximum=1000,
+        later=True,
     )
     material: Material | str = key("material", "name in the material library, or the properties", "steel")
     stiffness: float | None = positive(
@@ -120,6 +146,12 @@ class RollingBearing(Component):
     faults: Mapping[str, BearingFault] = key(
         "components", "faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
+
+    @property
+    def former_values(self) -> dict[str, str | float]:
+        """Values of empty keys before there were bearings of a catalogue, for the hash of the model."""
+        given = self.designation is None and self.type in (None, *GIVEN)
+        return {"type": "ball", "contact_angle": 0.0, "clearance": 0.0} if given else {}
 
     @cached_property
     def geometry(self) -> BearingGeometry:
@@ -137,9 +169,11 @@ class RollingBearing(Component):
 class PlainBearing(Component):
     """Plain bearing: the journal moves freely within the clearance."""
 
-    body: str | None = text(BODY, None, names="bodies", one_of="rings")
-    position: tuple[float, float, float] = quantities("length", POSITION, (0.0, 0.0, 0.0), length=(3, 3))
-    housing: str | None = end(HOUSING, None, needs="body")
+    body: str | None = text(BODY, None, names="bodies", one_of="rings", later=True)
+    position: tuple[float, float, float] = quantities(
+        "length", POSITION, (0.0, 0.0, 0.0), length=(3, 3), later=True
+    )
+    housing: str | None = end(HOUSING, None, needs="body", later=True)
     ends: tuple[str, str] | None = key(
         "ends", "journal and bore, as for a rolling bearing", None, length=(2, 2), one_of="rings"
     )

@@ -18,6 +18,7 @@ from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.remarks.beams import ends_left_behind
+from pitchpoint.model.remarks.bores import bores_off_their_shafts
 from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
@@ -153,6 +154,8 @@ def flat_grooves(model: Model) -> tuple[Message, ...]:
     """A remark for every groove of a ball bearing whose radius exceeds that of its raceway."""
     found = []
     for name, bearing in model.rolling_bearings.items():
+        if bearing.geometry.aligns:  # the outer raceway is a sphere
+            continue
         for k, (ring, ratio) in enumerate(
             zip(("inner", "outer"), bearing.geometry.grooves or (), strict=False)
         ):
@@ -218,8 +221,8 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
 
 
 def remarks_of_file(model: Model) -> tuple[Message, ...]:
-    """Remarks on the text of the file, which runs do not repeat."""
-    return (*numbers_without_unit(model), *unused_parameters(model))
+    """Remarks on what the file says, which runs do not repeat."""
+    return (*numbers_without_unit(model), *unused_parameters(model), *bores_off_their_shafts(model))
 
 
 def warn_of_remarks(model: Model) -> None:

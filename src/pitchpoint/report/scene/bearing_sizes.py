@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dimensions of rolling bearings in a scene, and the cross-sections of their rings and rolling elements.
+"""Dimensions of rolling bearings in a scene; their surfaces are in `bearing_sections`.
 
 Rolling bearings of a model have the number, diameter, pitch diameter and contact angle of their elements;
 other dimensions follow from these in the proportions of catalogue bearings. Linear bearings have stiffnesses
@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.model.components.bearing_geometry import NEGATIVE, POSITIVE, BearingGeometry
 from pitchpoint.model.components.rolling_bearing import RollingBearing
-from pitchpoint.report.scene import shapes
 
 Array = NDArray[np.float64]
 
@@ -43,10 +43,6 @@ GAP = {"ball": 1.75, "roller": 1.25}
 """Spacing of the elements on the pitch circle relative to their diameter: 6210 has 10, NU 210 17."""
 RIM = {"ball": 0.29, "roller": 0.4}
 """Thickness of a ring behind its raceway, relative to the diameter of an element."""
-SHOULDER = 0.3
-"""Depth of the shoulders inside the pitch circle of balls, relative to their diameter."""
-GROOVE = 0.52
-"""Radius of a drawn groove relative to the diameter of a ball."""
 THINNEST = 0.06
 """Minimum thickness of a ring behind its raceway, relative to the diameter of an element."""
 
@@ -67,6 +63,13 @@ class BearingSize:
         Contact angle; positive supports an inner ring that is loaded along +z [rad].
     count, rows
         Number of elements of a row, and of rows next to each other.
+    form
+        plain; sphere: outer raceway about the centre of the bearing; apart: two rows with pressure centres
+        outside; thrust.
+    flanges
+        Cylindrical rollers: whether the inner ring has a flange at its lower and upper end.
+    bare
+        Without inner ring: the elements run on the shaft.
     """
 
     type: str
@@ -79,6 +82,9 @@ class BearingSize:
     angle: float
     count: int
     rows: int = 1
+    form: str = "plain"
+    flanges: tuple[bool, bool] = (False, False)
+    bare: bool = False
 
     @property
     def cage_ratio(self) -> float:
@@ -110,7 +116,7 @@ def size_of(part: RollingBearing, shaft: float | None) -> BearingSize:
     kind = "ball" if known.is_ball else "roller"
     d, pitch = known.element_diameter, known.pitch_diameter
     length = known.effective_length or d
-    angle = known.contact_angle if known.rows == 1 else 0.0
+    angle = known.contact_angle
     along, across = abs(math.sin(angle)), math.cos(angle)
     half = 0.5 * d if known.is_ball else 0.5 * (d * across + length * along)
     rim = RIM[kind] * d
@@ -134,7 +140,19 @@ def size_of(part: RollingBearing, shaft: float | None) -> BearingSize:
         angle=angle,
         count=known.elements,
         rows=known.rows,
+        form=_form(known),
+        flanges=tuple(
+            known.axial_clearance is not None and known.absorbs != other for other in (NEGATIVE, POSITIVE)
+        ),
+        bare=known.kind == "needle_roller_on_shaft",
     )
+
+
+def _form(known: BearingGeometry) -> str:
+    """Form of the raceways, as of `BearingSize`."""
+    if known.aligns:
+        return "sphere"
+    return "thrust" if known.kind == "thrust_ball" else "apart" if known.row_distance > 0.0 else "plain"
 
 
 def size_on(shaft: float, axial: bool) -> BearingSize:
@@ -171,106 +189,3 @@ def size_on(shaft: float, axial: bool) -> BearingSize:
         angle=0.0,
         count=int(math.pi * pitch / (GAP[kind] * element)),
     )
-
-
-def ring(size: BearingSize, inner: bool, sides: int = 48) -> shapes.Surface:
-    """Surface of a ring with its raceway, about the third axis, the middle of the elements at the origin.
-
-    Parameters
-    ----------
-    size
-        Dimensions of the bearing.
-    inner
-        The inner one.
-    sides
-        Number of corners of a circle.
-    """
-    h = 0.5 * size.width
-    seat = 0.5 * (size.bore if inner else size.outside)
-    race = raceway(size, inner)
-    ends = [(seat, -h), (seat, h)]
-    # counter-clockwise in the section: the seat of an inner ring is on the left
-    line = [ends[0], *race, ends[1]] if inner else [*ends, *race[::-1]]
-    return shapes.turned_profile([*line, line[0]], sides)
-
-
-def raceway(size: BearingSize, inner: bool) -> Array:
-    """Radius and height along the inside of a ring from its lower to its upper face, shape (n, 2) [m]."""
-    h, sign = 0.5 * size.width, -1.0 if inner else 1.0
-    middle, thin = 0.5 * size.pitch, THINNEST * size.element
-    seat = 0.5 * (size.bore if inner else size.outside)
-    if size.type == "ball":
-        # low shoulder on the side where balls with a contact angle are not supported
-        radius = GROOVE * size.element
-        bottom = middle + sign * 0.5 * size.element
-        centre = bottom - sign * radius
-        found = []
-        for side in (-1.0, 1.0):
-            open_side = size.angle * side * sign < 0.0
-            edge = middle + sign * (0.42 if open_side else SHOULDER) * size.element
-            most = math.acos(min(1.0, abs(edge - centre) / radius))
-            angles = np.linspace(0.0, most, 5)
-            arc = [(centre + sign * radius * math.cos(a), side * radius * math.sin(a)) for a in angles]
-            found.append([*arc, (edge, side * h)])
-        line = np.array([*found[0][::-1], *found[1][1:]])
-    else:
-        (r0, z0), (r1, z1) = roller_line(size, sign)
-        slope = (r1 - r0) / (z1 - z0)
-        line = np.array([(r0 + slope * (z - z0), z) for z in (-h, z0, z1, h)])
-        if not inner and size.angle == 0.0:
-            # ribs guide the rollers
-            rib = middle + 0.3 * size.element
-            line = np.array([(rib, -h), (rib, z0), (r0, z0), (r1, z1), (rib, z1), (rib, h)])
-    limit = seat - sign * thin
-    line[:, 0] = np.minimum(line[:, 0], limit) if not inner else np.maximum(line[:, 0], limit)
-    return line
-
-
-def roller_line(size: BearingSize, sign: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Ends of the contact line of a roller with the inner (-1) or outer (1) ring, lower end first: (r, z).
-
-    The cone of a roller and both raceways have a common apex on the axis of the bearing, as for pure rolling.
-    """
-    ends = []
-    for place in (-0.5 * size.rows, 0.5 * size.rows):
-        half = 0.5 * size.element * (1.0 - 2.0 * place * size.length / size.pitch * math.sin(size.angle))
-        r = 0.5 * size.pitch - place * size.length * math.sin(size.angle) + sign * half * math.cos(size.angle)
-        ends.append((r, place * size.length * math.cos(size.angle) + sign * half * math.sin(size.angle)))
-    return ends[0], ends[1]
-
-
-def element_surface(size: BearingSize, sides: int, row: int = 0) -> shapes.Surface:
-    """Surface of a ball or roller of a row, above the first axis."""
-    size_of_row = size.length if size.type == "roller" else size.element
-    place = (0.5 * size.pitch, 0.0, 1.04 * (row - 0.5 * (size.rows - 1)) * size_of_row)
-    if size.type == "ball":
-        return shapes.ball(0.5 * size.element, place, sides)
-    low, high = (
-        0.5 * size.element * (1.0 - 2.0 * s * size.length / size.pitch * math.sin(size.angle))
-        for s in (-0.5, 0.5)
-    )
-    edge, h = 0.04 * size.element, 0.5 * size.length
-    line = [(0.0, -h), (low - edge, -h), (low, edge - h), (high, h - edge), (high - edge, h), (0.0, h)]
-    direction = (-math.sin(size.angle), 0.0, math.cos(size.angle))
-    return shapes.moved(shapes.turned_profile(line, sides), place, shapes.across(direction))
-
-
-def spall(size: BearingSize, inner: bool, half: float, sides: int = 12) -> shapes.Surface:
-    """Patch over the width of a track around the first axis, over the angle 2 `half` [rad]."""
-    line = raceway(size, inner)
-    track = line[np.abs(line[:, 1]) <= 0.5 * (size.length if size.type == "roller" else 0.9 * size.element)]
-    if not inner:
-        track = track[track[:, 0] > 0.5 * size.pitch + 0.4 * size.element * math.cos(size.angle)]
-    raised = track[:, 0] - (-1.0 if inner else 1.0) * 0.015 * size.element
-    angles = np.linspace(-half, half, sides + 1)
-    rows, wide = sides + 1, len(track)
-    points = np.array(
-        [
-            (r * math.cos(a), r * math.sin(a), z)
-            for a in angles
-            for r, z in zip(raised, track[:, 1], strict=True)
-        ]
-    )
-    k = np.array([i * wide + j for i in range(rows - 1) for j in range(wide - 1)])
-    faces = np.concatenate([np.c_[k, k + wide, k + 1], np.c_[k + 1, k + wide, k + wide + 1]])
-    return points, faces if inner else faces[:, ::-1]

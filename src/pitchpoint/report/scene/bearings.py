@@ -18,7 +18,8 @@ from pitchpoint.model.checks.bearing_faults import element_angles, track_radius
 from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, Spall
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import rings_of
-from pitchpoint.report.scene.bearing_sizes import BearingSize, element_surface, ring, size_of, size_on, spall
+from pitchpoint.report.scene.bearing_sections import element_surface, ring, spall
+from pitchpoint.report.scene.bearing_sizes import BearingSize, size_of, size_on
 from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.modes import rest_axes
 from pitchpoint.report.scene.motion import Motion, kinematic
@@ -142,6 +143,7 @@ def _rolling(model: Model, at: Places, name: str, part: RollingBearing) -> list[
     found = [
         placed_solid(f"{name}, {word} ring", "bearing", seat, ring(size, word == "inner"), schematic=False)
         for word, seat in zip(("inner", "outer"), seats, strict=True)
+        if not (size.bare and word == "inner")
     ]
     faulty = {
         fault.element: f"spall on element {fault.element} ({label})"
@@ -155,7 +157,8 @@ def _rolling(model: Model, at: Places, name: str, part: RollingBearing) -> list[
     }
     for row in range(size.rows):
         marked = {**wide, **faulty} if row == 0 else {}
-        found.append(_elements(at, name, size, seats[1], element_angles(part), marked, False, row))
+        turns = element_angles(part) + row * math.pi / size.count
+        found.append(_elements(at, name, size, seats[1], turns, marked, False, row))
     for label, fault in part.faults.items():
         if isinstance(fault, Spall) and not isinstance(fault, ElementFault) and fault.severity > 0.0:
             inner = fault.form == "inner_race"

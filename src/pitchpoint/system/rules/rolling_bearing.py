@@ -13,6 +13,7 @@ from pitchpoint.contact.rolling import (
     POINT,
     Raceways,
     ball_bearing_stiffness,
+    flange_stiffness,
     in_series,
     roller_slices,
     roller_stiffness,
@@ -22,7 +23,7 @@ from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.bearing_fault import play
-from pitchpoint.model.components.bearing_geometry import NEGATIVE
+from pitchpoint.model.components.bearing_geometry import BOTH, NEGATIVE, ONE_SHOULDER
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing_fault import put_faults
@@ -51,6 +52,11 @@ def rolling_bearing_bank(places: Places) -> Bank:
         if found.effective_length is not None:
             slices = roller_slices(found.effective_length, found.element_diameter, part.slices)
             row["n_slices"], row["slices"] = part.slices, pool.add(slices)
+        row["one_sided"] = found.kind in ONE_SHOULDER
+        row["offset"] = 0.5 * found.row_distance
+        if found.axial_clearance is not None:
+            row["flange"] = part.flange_stiffness or _flange_stiffness(part)
+            row["flange_low"], row["flange_high"] = _flange_places(found.absorbs, found.axial_clearance)
         row["shift"] = _shift(part, row["stiffness"])
         if part.faults:
             put_faults(row, part, pool)
@@ -77,6 +83,21 @@ def _shift(part: RollingBearing, stiffness: float) -> float:
     return side * row.shift_for(part.preload)
 
 
+def _flange_places(absorbs: str, play: float) -> tuple[float, float]:
+    """Axial displacements of the inner ring at which flanges touch [m]."""
+    if absorbs == BOTH:
+        return -0.5 * play, 0.5 * play
+    return (-play, math.inf) if absorbs == NEGATIVE else (-math.inf, play)
+
+
+def _flange_stiffness(part: RollingBearing) -> float:
+    """Estimated stiffness of the flange contact [N/m]."""
+    found = part.geometry
+    return flange_stiffness(
+        found.elements, found.element_diameter, float(found.dynamic or 0.0), _compliance(part)
+    )
+
+
 def _untwisted(inner: Array, outer: Array) -> Array:
     """Rotation of the inner marker about its axis that removes its assembled twist to the outer marker.
 
@@ -92,8 +113,7 @@ def _stiffness(name: str, part: RollingBearing) -> float:
     """Constant K of one rolling element between both raceways."""
     if part.stiffness is not None:
         return part.stiffness
-    own = part.material if isinstance(part.material, Material) else material(part.material)
-    compliance = 2.0 * plane_strain_compliance(own.youngs_modulus, own.poisson_ratio)
+    compliance = _compliance(part)
     found = part.geometry
     if found.effective_length is not None:
         one = roller_stiffness(found.effective_length, compliance)
@@ -104,6 +124,12 @@ def _stiffness(name: str, part: RollingBearing) -> float:
         )
     missing = "grooves" if found.is_ball else "effective_length"
     raise CompileError(f"rolling_bearings.{name}: give {missing}, or stiffness")
+
+
+def _compliance(part: RollingBearing) -> float:
+    """Sum of (1 - nu^2)/E of rolling element and ring [1/Pa]."""
+    own = part.material if isinstance(part.material, Material) else material(part.material)
+    return 2.0 * plane_strain_compliance(own.youngs_modulus, own.poisson_ratio)
 
 
 def plain_bearing_bank(places: Places) -> Bank:
