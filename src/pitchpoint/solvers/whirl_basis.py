@@ -72,7 +72,8 @@ class WhirlModes:
         self.modes = lowest(linear, self.count)
         self.exact: dict[float, Found] = {}
         self.basis: Array | None = None
-        self.over_speed = None if linear.states or not self.modes.omega.size else _quadratic(linear, at, speeds)
+        changing = bool(linear.states) or not self.modes.omega.size
+        self.over_speed = None if changing else _quadratic(linear, at, speeds)
         self._in_basis: Quadratic | None = None
         self.at = at if self.over_speed is None else self.over_speed.at
         self.reducible = self.over_speed is not None

@@ -155,14 +155,17 @@ def crank(housing: bool) -> str:
     lines = ["gears:", f"  pinion: {wheel.replace('41', '23')}", *(f"  g_{w}: {wheel}" for w in wheels)]
     lines += ["bodies:", "  crank: {gears: [pinion], motion: planar, position: [0, 0, 0]}"]
     lines += [f"  {w}: {{gears: [g_{w}], motion: planar}}" for w in wheels]
-    lines += ["  housing: {mass: 90 kg, inertia: 2 kg m^2, transverse_inertia: 2 kg m^2, motion: free}"] * housing
+    lines += [
+        "  housing: {mass: 90 kg, inertia: 2 kg m^2, transverse_inertia: 2 kg m^2, motion: free}"
+    ] * housing
     lines += ["bearings:", f"  b_crank: {{body: crank, {stiff}{on}}}"]
     lines += [f"  b_{w}: {{body: {w}, {stiff}{on}}}" for w in wheels]
     feet = "stiffness: {radial: 5e7 N/m, axial: 5e7 N/m, tilt: 5e6 N m/rad, torsion: 5e6 N m/rad}"
     lines += [f"  feet: {{body: housing, {feet}}}"] * housing
+    law = "stiffness: {law: constant, value: 3e8 N/m}"
     lines += ["meshes:"]
     lines += [
-        f"  m_{w}: {{gears: [pinion, g_{w}], direction: {turn} deg, stiffness: {{law: constant, value: 3e8 N/m}}}}"
+        f"  m_{w}: {{gears: [pinion, g_{w}], direction: {turn} deg, {law}}}"
         for w, turn in zip(wheels, turns, strict=True)
     ]
     return "\n".join(lines) + "\n"
@@ -182,4 +185,6 @@ def test_a_pin_error_does_not_separate_the_translational_pairs() -> None:
     split = modes.frequency[pairs[1::2]] / modes.frequency[pairs[::2]] - 1.0
     assert split.max() > 4e-3
     words = "{} translational mode of planetary stage set ({})"
-    assert [modes.names[k] for k in pairs] == [words.format(ordinal(n), x) for n in (1, 2, 3, 4) for x in "ab"]
+    assert [modes.names[k] for k in pairs] == [
+        words.format(ordinal(n), x) for n in (1, 2, 3, 4) for x in "ab"
+    ]
