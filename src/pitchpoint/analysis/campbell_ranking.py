@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ranked critical speeds of a Campbell diagram: sidebands with their mesh order, selection of modes."""
+"""Critical speeds of a Campbell diagram by rank, with their sidebands; unstable modes; selection of modes."""
 
 from __future__ import annotations
 
@@ -114,6 +114,46 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
     return tuple(found)
 
 
+@dataclass(frozen=True)
+class UnstableRange:
+    """Range of speeds in which a mode grows without excitation.
+
+    Attributes
+    ----------
+    mode
+        Name of the mode.
+    low, high
+        Ends of the range [rad/s].
+    damping_ratio
+        Lowest damping ratio in it.
+    source
+        Component that feeds energy into the mode; "" if it diverges without oscillating.
+    """
+
+    mode: str
+    low: float
+    high: float
+    damping_ratio: float
+    source: str
+
+
+def unstable_ranges(diagram: xr.Dataset) -> tuple[UnstableRange, ...]:
+    """Unstable modes of a diagram, lowest damping first.
+
+    Parameters
+    ----------
+    diagram
+        Dataset of `solve_campbell`; files of versions without this result have none.
+    """
+    if "unstable_mode" not in diagram:
+        return ()
+    names = dict(zip(diagram["mode"].values.tolist(), _texts(diagram, "name"), strict=True))
+    keys = ("mode", "from", "to", "damping_ratio")
+    columns = [diagram[f"unstable_{key}"].values.tolist() for key in keys]
+    rows = zip(*columns, _texts(diagram, "unstable_source"), strict=True)
+    return tuple(UnstableRange(names[int(mode)], *more) for mode, *more in rows)
+
+
 def select_modes(
     diagram: xr.Dataset,
     modes: Sequence[int] | str | None = None,
@@ -153,7 +193,10 @@ def select_modes(
     if frequency is not None:
         at = diagram["crossing_frequency"].values
         inside &= (at >= frequency[0]) & (at <= frequency[1])
-    return chosen.isel(crossing=np.flatnonzero(inside))
+    chosen = chosen.isel(crossing=np.flatnonzero(inside))
+    if "unstable_mode" in chosen:
+        chosen = chosen.isel(unstable=np.flatnonzero(np.isin(diagram["unstable_mode"].values, numbers[keep])))
+    return chosen
 
 
 def _mesh_of(order: str) -> str:

@@ -81,7 +81,8 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     if options["csv"] is not None:
         files["csv"] = check_target(options["csv"], "analysis", [file])
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, files, options, quiet=quiet), {"critical_speeds": [], "modes": []}
+        lambda: compute(model, file, name, files, options, quiet=quiet),
+        {"critical_speeds": [], "unstable_modes": [], "modes": []},
     )
     if as_json:
         emit_json(summary)
@@ -115,7 +116,7 @@ def compute(
             body=options["body"],
             speeds=options["speeds"],
             points=options["points"],
-            orders=None if options["orders"] is None else options["orders"].split(","),
+            orders=options["orders"],
             count=count,
             frequency=options["frequency"],
             operating=options["operating"],
@@ -129,6 +130,7 @@ def compute(
         "operating_speed": data.attrs.get("operating_speed"),
         "ranking": data.attrs["ranking"],
         "critical_speeds": rows_of(data),
+        "unstable_modes": unstable_rows(data),
         "modes": mode_rows(data),
     }
     return summary, None
@@ -145,6 +147,15 @@ def rows_of(data: xr.Dataset) -> list[dict[str, Any]]:
         row["sidebands"] = None if math.isnan(row["sidebands"][0]) else list(row["sidebands"])
         rows.append(row)
     return rows
+
+
+def unstable_rows(data: xr.Dataset) -> list[dict[str, Any]]:
+    """Unstable modes of `campbell --json`, lowest damping first."""
+    from dataclasses import asdict
+
+    from pitchpoint.analysis.campbell_ranking import unstable_ranges
+
+    return [asdict(row) for row in unstable_ranges(data)]
 
 
 def mode_rows(data: xr.Dataset) -> list[dict[str, Any]]:
@@ -233,12 +244,12 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
             str(rank),
             _rpm(row["speed"]),
             shown(row["frequency"], "frequency", 5),
-            f"{100.0 * row['damping_ratio']:.3g} %" if row["damping_ratio"] >= 0.0 else "unstable",
+            f"{100.0 * row['damping_ratio']:.3g} %",
             row["order"],
             row["mode"],
             row["source"],
             f"{100.0 * row['participation']:.3g} %",
-            f"{row['amplification']:.4g}" if math.isfinite(row["amplification"]) else "∞",
+            _amplification(row),
             *([_separation(row["separation"])] if apart else []),
             NOTHING if row["sidebands"] is None else "–".join(f"{_number(s)}" for s in row["sidebands"]),
         ]
@@ -250,6 +261,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         table(title, heads, cells)
     else:
         show(f"{title}: none in this range of speeds and frequencies")
+    _print_unstable(summary)
     if quiet:
         return
     more = len(summary["critical_speeds"]) - len(cells)
@@ -273,6 +285,28 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     show_notes(summary["notes"])
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
+
+
+def _print_unstable(summary: dict[str, Any]) -> None:
+    """Print unstable modes, if there are any."""
+    rows = [
+        [
+            row["mode"],
+            f"{_number(row['low'])}–{_rpm(row['high'])}",
+            f"{100.0 * row['damping_ratio']:.3g} %",
+            row["source"] or NOTHING,
+        ]
+        for row in summary["unstable_modes"]
+    ]
+    if rows:
+        table("Unstable modes", ["mode", f"speed of {summary['body']}", "lowest damping", "driven by"], rows)
+
+
+def _amplification(row: dict[str, Any]) -> str:
+    """Amplification of a critical speed in words."""
+    if math.isfinite(row["amplification"]):
+        return f"{row['amplification']:.4g}"
+    return "unstable" if row["damping_ratio"] < 0.0 else "∞"
 
 
 def largest(shares: dict[str, float], count: int = 2, least: float = 0.1) -> str:

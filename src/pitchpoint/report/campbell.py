@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
+    from pitchpoint.solvers.excitation_orders import Chosen
 
 BEARINGS = "bearings"
 """Word for the orders of the faults of all rolling bearings."""
@@ -34,7 +34,7 @@ def campbell_of(
     body: str | None = None,
     speeds: tuple[float, float] | None = None,
     points: int = 41,
-    orders: Sequence[str] | None = None,
+    orders: Chosen | None = None,
     count: int | None = None,
     frequency: tuple[float, float] | None = None,
     operating: tuple[float, float] | None = None,
@@ -68,7 +68,7 @@ def campbell_of(
     from pitchpoint.report.statics import highest_speed, reference_body, speeds_of_scenarios
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
-    from pitchpoint.solvers.excitation_orders import USUAL
+    from pitchpoint.solvers.excitation_orders import USUAL, order_words
     from pitchpoint.solvers.linear_system import linearise, lowest
     from pitchpoint.system.compile import compile_model
 
@@ -91,7 +91,7 @@ def campbell_of(
             )
         speeds = (0.0, top)
     operating = operating or ((min(reached), max(reached)) if reached else None)
-    words = [word.strip() for word in (USUAL if orders is None else orders)]
+    words = order_words(USUAL if orders is None else orders)
     more = _bearing_orders(model, body) if BEARINGS in words else None
     found = follow_modes(
         system, np.linspace(*speeds, points), body, scenario, count=count, progress=progress, linear=linear
@@ -121,6 +121,12 @@ def _bearing_orders(model: Model, body: str) -> dict[str, float]:
     from pitchpoint.report.frequencies import frequencies_of, turning_speeds
 
     rows = frequencies_of(model, turning_speeds(model, {body: 1.0}))["rolling_bearings"]
+    if not rows:
+        raise SolverError(
+            "orders: bearings: the model has no rolling_bearings, whose elements give the fault frequencies; "
+            "add them, or omit bearings",
+            INCONSISTENT,
+        )
     return {
         f"{word} {name}": math.tau * abs(row[key])
         for name, row in rows.items()

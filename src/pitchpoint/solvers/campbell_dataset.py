@@ -15,9 +15,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
-from pitchpoint.solvers.excitation_orders import USUAL, Order, excitation_orders
+from pitchpoint.solvers.excitation_orders import USUAL, Chosen, Order, excitation_orders
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
 from pitchpoint.solvers.mode_energies import WAYS
+from pitchpoint.solvers.unstable_modes import UnstableMode, unstable_modes
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def solve_campbell(
     scenario: Scenario | str | None = None,
     *,
     count: int | None = None,
-    orders: Sequence[str] = USUAL,
+    orders: Chosen = USUAL,
     more_orders: Mapping[str, float] | None = None,
     operating: tuple[float, float] | None = None,
     progress: Progress = silent,
@@ -57,7 +58,7 @@ def solve_campbell(
         Number of modes, the lowest at rest. Default: all of up to 24, otherwise the lowest 16.
     orders
         `1x`, `2x` (shafts), `mesh`, `2mesh`, `sidebands` (one pair per gear at every mesh order),
-        `2sidebands`, numbers; default 1x, 2x, mesh, 2mesh, sidebands.
+        `2sidebands`, numbers, as a list or as text, `mesh,2`; default 1x, 2x, mesh, 2mesh, sidebands.
     more_orders
         Further orders per revolution of the body by name; `BPFO front` drives the rolling bearing `front`.
     operating
@@ -88,6 +89,9 @@ def solve_campbell(
     Over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
     (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
     crossing_amplification, and crossing_separation with `operating`.
+
+    Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
+    unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
@@ -100,7 +104,7 @@ def campbell_dataset(
     system: System,
     found: Campbell,
     *,
-    orders: Sequence[str] = USUAL,
+    orders: Chosen = USUAL,
     more_orders: Mapping[str, float] | None = None,
     operating: tuple[float, float] | None = None,
     began: float | None = None,
@@ -112,8 +116,9 @@ def campbell_dataset(
 
     began = time.perf_counter() if began is None else began
     listed = excitation_orders(system, found.motions, found.rates, orders, more_orders)
-    critical = critical_speeds(found, listed)
+    critical, unstable = critical_speeds(found, listed), unstable_modes(found)
     data = _of_modes(found) | _of_orders(found, listed) | _of_crossings(critical, operating)
+    data |= _of_unstable(unstable)
     coords = {
         "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {found.body}"}),
         "mode": np.arange(1, len(found.names) + 1),
@@ -124,6 +129,7 @@ def campbell_dataset(
         "mesh": list(found.orders),
         "excitation": [order.name for order in listed],
         "crossing": np.arange(1, len(critical) + 1),
+        "unstable": np.arange(1, len(unstable) + 1),
     }
     wall = time.perf_counter() - began
     attrs = attributes(system, "campbell", wall_s=wall, body=found.body)
@@ -192,6 +198,24 @@ def _of_orders(found: Campbell, listed: Sequence[Order]) -> Rows:
         ),
         "excitation_order": ("excitation", np.array([o.value for o in listed]), "1", per),
         "excitation_kind": ("excitation", np.array([o.kind for o in listed], dtype=object), "", "kind"),
+    }
+
+
+def _of_unstable(listed: Sequence[UnstableMode]) -> Rows:
+    """Variables over the unstable modes."""
+    one = "unstable"
+    sources = np.array([u.source for u in listed], dtype=object)
+    return {
+        "unstable_mode": (one, np.array([u.mode + 1 for u in listed], np.int64), "1", "number of the mode"),
+        "unstable_from": (one, np.array([u.low for u in listed]), "rad/s", "unstable from this speed"),
+        "unstable_to": (one, np.array([u.high for u in listed]), "rad/s", "unstable up to this speed"),
+        "unstable_damping_ratio": (
+            one,
+            np.array([u.damping_ratio for u in listed]),
+            "1",
+            "lowest damping ratio",
+        ),
+        "unstable_source": (one, sources, "", "component that feeds energy into the mode"),
     }
 
 

@@ -14,6 +14,14 @@ factor is 4 i (T + V)/omega:
   unfavourable one, as are the phases of several meshes of one frequency.
 
 Without gyroscopic effects T = V, and the amplification is the share of X over 2 zeta.
+
+The rank assumes a damping ratio of at least that of welded steel stacks, the lowest of structures in [1]_: a
+mode that the model hardly damps, or that is unstable, ranks by what excites it, not by what damping the model
+lacks. Unstable modes are listed apart (`unstable_modes`).
+
+References
+----------
+.. [1] EN 1991-1-4:2005, table F.2: logarithmic decrement of structural damping 0.012.
 """
 
 from __future__ import annotations
@@ -36,6 +44,7 @@ from pitchpoint.solvers.mode_energies import (
     whirl_words,
 )
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.unstable_modes import UNDAMPED
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
 UNBALANCE, MISALIGNMENT = "unbalance", "misalignment"
@@ -44,9 +53,11 @@ BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN)
 ROUNDS, EXACT = 6, 1e-9
 """Maximum number of corrections of a crossing, and its relative accuracy."""
 
+DAMPED = 0.012 / (2.0 * np.pi)
+"""Least damping ratio in the ranks, see the module."""
 RANKING = (
     "ranked by the amplification at resonance: energy of the mode where the order acts, over the kinetic and "
-    "strain energy of the mode times its damping ratio"
+    f"strain energy of the mode times its damping ratio, for the rank at least {100.0 * DAMPED:.2f} %"
 )
 """How crossings are ranked, for outputs."""
 
@@ -76,6 +87,8 @@ class CriticalSpeed:
         bearing fault) of the mode where the order acts, 0 to 1.
     amplification
         Amplification at resonance, see the module; infinite without damping or if the mode is unstable.
+    rank
+        Amplification with at least the damping ratio `DAMPED`.
     """
 
     speed: float
@@ -87,10 +100,11 @@ class CriticalSpeed:
     source: str
     participation: float
     amplification: float
+    rank: float
 
 
 def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalSpeed, ...]:
-    """Crossings of all branches and orders in the range of the speeds, largest amplification first."""
+    """Crossings of all branches and orders in the range of the speeds, in order of their rank."""
     forward = np.argsort(found.speed, kind="stable")
     solved = [
         (order, mode, *_solve(found, order.value, mode, at))
@@ -111,7 +125,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         _critical(found, order, mode, speed, value, (energies, k, words[k]))
         for k, (order, mode, speed, value, _) in enumerate(solved)
     ]
-    return tuple(sorted(listed, key=lambda c: (-c.amplification, -c.participation, c.speed)))
+    return tuple(sorted(listed, key=lambda c: (-c.rank, -c.participation, c.speed)))
 
 
 def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: int) -> list[tuple[int, int]]:
@@ -160,6 +174,7 @@ def _critical(
     """Crossing with what drives it; `about`: energies, index of the mode in them, whirl."""
     energies, k, whirl = about
     ratio = float(ratio_of(np.array([value]))[0])
+    ratio = ratio if abs(ratio) > UNDAMPED else 0.0
     source, share = driven_by(found.motions.groups, energies, k, order)
     share = float(np.clip(share, 0.0, 1.0))
     strain = float(energies.strain_ratio[k])  # V/T
@@ -175,6 +190,7 @@ def _critical(
         source=source,
         participation=share,
         amplification=gain,
+        rank=of_total / max(ratio, DAMPED),
     )
 
 
@@ -185,7 +201,7 @@ def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple
     * first order of a shaft: unbalance, kinetic energy of its forward whirl; or run-out of its gears, strain
       energy of their meshes;
     * higher orders of a shaft: misalignment, kinetic energy of its lateral motion; or run-out;
-    * other orders: strain energy of the component named by the order, as for bearing faults; otherwise 1.
+    * other orders: strain energy of the bearing named by the order, such as `BPFO front`; otherwise 1.
     """
     strain: Array = energies.strain[k]
     names = [name.partition(" ")[2] for name in groups.components]
@@ -201,7 +217,8 @@ def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple
             lateral += float(energies.backward[k, own].sum())
         word = UNBALANCE if order.harmonic == 1 else MISALIGNMENT
         return (word, lateral) if lateral >= teeth else (RUN_OUT, teeth)
-    named = [e for e, name in enumerate(groups.components) if order.name.endswith(f" {name.split(' ')[-1]}")]
+    bearing = f" bearing {order.name.partition(' ')[2]}"
+    named = [e for e, name in enumerate(groups.components) if f" {name}".endswith(bearing)]
     return (FAULT, float(strain[named].sum())) if named else (GIVEN, 1.0)
 
 

@@ -25,6 +25,8 @@ Array = NDArray[np.float64]
 USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands")
 """Default orders: once and twice per revolution of every shaft, mesh frequencies with one pair of sidebands
 per gear, and twice the mesh frequencies."""
+Chosen = Sequence[str | float] | str
+"""Orders: words and numbers, or one text with commas between them."""
 SHAFT, MESH, SIDEBAND, OTHER = "shaft", "mesh", "sideband", "other"
 EQUAL = 1e-9
 """Relative distance of orders that are one line."""
@@ -62,7 +64,7 @@ def excitation_orders(
     system: System,
     motions: Motions,
     rates: Array,
-    chosen: Sequence[str] = USUAL,
+    chosen: Chosen = USUAL,
     others: Mapping[str, float] | None = None,
 ) -> tuple[Order, ...]:
     """Orders in ascending order; equal ones of one kind are one.
@@ -75,7 +77,8 @@ def excitation_orders(
         Rates of all coordinates with the reference body at 1 rad/s.
     chosen
         `3x` for the third order of every shaft, `mesh` and `2mesh` for mesh harmonics, `sidebands` and
-        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, numbers.
+        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, numbers; a
+        sequence, or a text such as `mesh,2`.
     others
         Further orders by name, such as those of bearing faults.
 
@@ -106,11 +109,22 @@ def excitation_orders(
     return tuple(sorted((o for o in found if o.value > 0.0), key=lambda o: o.value))
 
 
-def _read(chosen: Sequence[str]) -> tuple[list[int], list[int], int, list[float]]:
+def order_words(chosen: Chosen) -> list[str]:
+    """Single orders of a sequence or of a text.
+
+    Examples
+    --------
+    >>> order_words("1x, mesh,2"), order_words(["mesh", 2])
+    (['1x', 'mesh', '2'], ['mesh', '2'])
+    """
+    return [str(word).strip() for word in (chosen.split(",") if isinstance(chosen, str) else chosen)]
+
+
+def _read(chosen: Chosen) -> tuple[list[int], list[int], int, list[float]]:
     """Shaft orders, mesh harmonics, pairs of sidebands, numbers."""
     shafts, meshes, more, bands = [], [], [], 0
-    for word in chosen:
-        found = re.fullmatch(r"(\d*)(x|mesh|sidebands?)", word.strip())
+    for word in order_words(chosen):
+        found = re.fullmatch(r"(\d*)(x|mesh|sidebands?)", word)
         number = int(found[1] or 1) if found else 0
         try:
             value = 0.0 if found else float(word)
@@ -128,7 +142,7 @@ def _read(chosen: Sequence[str]) -> tuple[list[int], list[int], int, list[float]
         else:
             raise SolverError(
                 f"orders: {word!r} is not an order; use 1x, 2x (shafts), mesh, 2mesh, sidebands, 2sidebands "
-                "or a number",
+                "or a number; fault frequencies: more_orders in Python, bearings in the command",
                 INCONSISTENT,
             )
     return sorted(set(shafts)), sorted(set(meshes)), bands, more

@@ -28,7 +28,7 @@ from pitchpoint.elements.kind import MESH
 from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.solvers.machine_groups import SHAFT
 from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
-from pitchpoint.solvers.planet_modes import planet_sets, type_of_mode
+from pitchpoint.solvers.planet_modes import PLANET, TRANSLATIONAL, planet_sets, type_of_mode
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -61,8 +61,8 @@ class _Named:
     """Name without number and direction.
 
     `ordinal`: the number is written also if it is 1; `plane`: direction of the lateral motion in body axes,
-    for modes that occur in pairs; `mark`: this direction in words; `multiple`: copies of one frequency
-    share a number; `omega` [rad/s].
+    for modes that occur in pairs, of which unequal planets or supports split the frequency; `mark`: this
+    direction in words; `multiple`: copies of one frequency share a number; `omega` [rad/s].
     """
 
     words: str
@@ -156,8 +156,8 @@ def ordinal(number: int) -> str:
 def _number(found: Sequence[_Named]) -> None:
     """Number the modes of each kind.
 
-    Two modes with different planes of motion share a number, and all copies of a multiple frequency of a
-    planetary set.
+    Two modes with different planes of motion share a number, as do translational modes of a planetary set,
+    and all copies of a multiple frequency of its planet modes.
     """
     kinds: dict[str, list[list[_Named]]] = {}
     for one in found:
@@ -208,7 +208,8 @@ class _Namer:
             kind, share = type_of_mode(planets, twist, wrench, kinetic)
             if kind and share >= MAIN:
                 words = f"{kind} mode of {planets.name}"
-                return _Named(words, True, multiple=kind != "rotational")
+                plane = self._plane_of(planets.central, twist, wrench) if kind == TRANSLATIONAL else None
+                return _Named(words, True, plane=plane, multiple=kind == PLANET)
         meshes = [e for e, word in enumerate(self.groups.kinds) if word == MESH]
         if meshes and strain[meshes].sum() >= MAIN:
             return _Named(f"mesh mode of {self._meshes(strain, meshes)}")
@@ -255,9 +256,14 @@ class _Namer:
             return _Named(f"axial mode of {name}")
         return self._lateral(part, strain, twist, wrench)
 
-    def _bodies(self, part: int) -> list[int]:
-        """Bodies that move with a part."""
-        return [b for b, own in enumerate(self.groups.carried) if own == part]
+    def _bodies(self, *parts: int) -> list[int]:
+        """Bodies that move with some parts."""
+        return [b for b, own in enumerate(self.groups.carried) if own in parts]
+
+    def _plane_of(self, parts: Sequence[int], twist: Complex, wrench: Complex) -> Array:
+        """Direction of the largest lateral motion of some parts."""
+        bodies = self._bodies(*parts)
+        return _main_direction(twist[bodies], (twist[bodies].conj() * wrench[bodies]).real)
 
     def _lateral(self, part: int, strain: Array, twist: Complex, wrench: Complex) -> _Named:
         """Bending of a shaft, or its translation or tilting."""

@@ -40,7 +40,7 @@ STILL = 1e-6
 """Share of sun, ring and carrier in the energy of the set up to which they are at rest."""
 PURE = 0.8
 """Share of one type in the energy of the set from which a mode has this type."""
-TYPES = ("rotational", "translational", "planet")
+ROTATIONAL, TRANSLATIONAL, PLANET = TYPES = ("rotational", "translational", "planet")
 """Types of modes of a planetary set."""
 
 
@@ -73,6 +73,9 @@ class PlanetSet:
 def planet_sets(system: System, groups: Groups, place: Array, axes: Array) -> tuple[PlanetSet, ...]:
     """Sets of three or more equal planets at equal angles around a central gear.
 
+    Planets have a carrier that rotates, or are in mesh with two central gears. Wheels on fixed axes around a
+    crankshaft gear are none.
+
     Parameters
     ----------
     system, groups
@@ -91,7 +94,24 @@ def planet_sets(system: System, groups: Groups, place: Array, axes: Array) -> tu
         angles = _angles(planets, body, place, axes) if len(planets) > 2 else None
         if angles is not None:
             found.setdefault(frozenset(planets), (planets, angles, []))[2].append(body)
-    return tuple(_set(system, groups, *about) for about in found.values())
+    sets = []
+    for planets, angles, central in found.values():
+        carriers = _carriers(system, planets, central)
+        turning = any(groups.rotates[groups.carried[b]] for b in carriers)
+        if turning or len(central) > 1:
+            sets.append(_set(system, groups, planets, angles, central, carriers))
+    return tuple(sets)
+
+
+def _carriers(system: System, planets: list[int], central: list[int]) -> list[int]:
+    """Carrier of planets: the parent of all, or a body connected to each of them."""
+    near = [{int(system.program["body"][p]["parent"])} for p in planets]
+    for records in system.records.values():
+        if {"i", "j"} <= set(records.dtype.names or ()):
+            for i, j in zip(records["i"].tolist(), records["j"].tolist(), strict=True):
+                for own, p in zip(near, planets, strict=True):
+                    own |= {j} if i == p else {i} if j == p else set()
+    return sorted(set.intersection(*near) - {0, *central})
 
 
 def _angles(planets: list[int], body: int, place: Array, axes: Array) -> Array | None:
@@ -104,15 +124,10 @@ def _angles(planets: list[int], body: int, place: Array, axes: Array) -> Array |
     return angles if alike and even else None
 
 
-def _set(system: System, groups: Groups, planets: list[int], angles: Array, central: list[int]) -> PlanetSet:
-    """Set with its carrier: the parent of all planets, or a body connected to each of them."""
-    near = [{int(system.program["body"][p]["parent"])} for p in planets]
-    for records in system.records.values():
-        if {"i", "j"} <= set(records.dtype.names or ()):
-            for i, j in zip(records["i"].tolist(), records["j"].tolist(), strict=True):
-                for own, p in zip(near, planets, strict=True):
-                    own |= {j} if i == p else {i} if j == p else set()
-    carriers = sorted(set.intersection(*near) - {0, *central})
+def _set(
+    system: System, groups: Groups, planets: list[int], angles: Array, central: list[int], carriers: list[int]
+) -> PlanetSet:
+    """Set with its central bodies and its name."""
     members = [*(b for b in central if b), *carriers]
     order = np.argsort(angles)
     around = groups.parts[groups.part[(carriers or members)[0]]]
@@ -158,6 +173,6 @@ def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: A
     found += (middle[1] + middle[2], middle[0], 0.0)
     whole = float(found.sum())
     if middle.sum() < STILL * whole:
-        return TYPES[2], whole
+        return PLANET, whole
     best = int(np.argmax(found))
     return TYPES[best] if found[best] >= PURE * whole else "", whole

@@ -15,7 +15,7 @@ References
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -72,8 +72,11 @@ class WhirlModes:
         self.modes = lowest(linear, self.count)
         self.exact: dict[float, Found] = {}
         self.basis: Array | None = None
-        simple = None if linear.states or not self.modes.omega.size else _quadratic(linear, at, speeds)
-        self.at, self.reducible = simple or at, simple is not None
+        changing = bool(linear.states) or not self.modes.omega.size
+        self.over_speed = None if changing else _quadratic(linear, at, speeds)
+        self._in_basis: Quadratic | None = None
+        self.at = at if self.over_speed is None else self.over_speed.at
+        self.reducible = self.over_speed is not None
         if self.reducible and len(speeds) > 6 and count is not None:
             for speed in (speeds[0], speeds[len(speeds) // 2], speeds[-1]):
                 self._whole(float(speed))
@@ -82,7 +85,7 @@ class WhirlModes:
         """Eigenvalues (n,) and shapes (n, nd) with modal mass 1 at a speed, in no particular order."""
         if speed in self.exact:
             return self.exact[speed]
-        found = None if self.basis is None else self._reduced(self.at(speed))
+        found = None if self.basis is None else self._reduced(speed)
         return self._whole(speed) if found is None else found
 
     def near(self, speed: float, value: complex, shape: Complex) -> tuple[complex, Complex]:
@@ -108,19 +111,24 @@ class WhirlModes:
         return values, z
 
     def _extend(self) -> None:
-        """Basis of all snapshots, orthonormal by the mass matrix; None if it is not worthwhile."""
+        """Basis of all snapshots, orthonormal in energy; None if it is not worthwhile.
+
+        In the norm of the masses, the omitted part could be small and still carry most of the residual: it
+        consists of motions of high frequency.
+        """
         rows = np.vstack(
             [
                 self.modes.shapes[self.modes.omega == 0.0],
                 *(part for _, z in self.exact.values() for part in (z.real, z.imag)),
             ]
         )
-        L = np.linalg.cholesky(self._free[1])
-        rows = np.linalg.solve(self._free[1], self._free[0].T @ self.linear.at_rest.M @ rows.T).T
-        _, sizes, basis = np.linalg.svd(rows @ L, full_matrices=False)
+        B, M = self._free
+        L = np.linalg.cholesky(self._energy)
+        rows = np.linalg.solve(M, B.T @ self.linear.at_rest.M @ rows.T).T @ L
+        _, sizes, basis = np.linalg.svd(rows, full_matrices=False)
         basis = np.linalg.solve(L.T, basis[sizes > KEPT * sizes[0]].T)
         fits = basis.shape[1] <= WORTHWHILE * len(L)
-        self.basis = self._free[0] @ basis if fits else None
+        self.basis, self._in_basis = B @ basis if fits else None, None
 
     @cached_property
     def _free(self) -> tuple[Array, Array]:
@@ -129,12 +137,27 @@ class WhirlModes:
         B = given if isinstance(given, np.ndarray) else given.toarray()
         return B, symmetric(B.T @ self.linear.at_rest.M @ B)
 
-    def _reduced(self, system: Linearised) -> Found | None:
+    @cached_property
+    def _energy(self) -> Array:
+        """Stiffness of the free directions at rest plus that of a shift, positive definite, (n, n)."""
+        B, M = self._free
+        shift = float(np.median(np.abs(self.modes.omega)) ** 2)
+        least = float(min(self.modes.omega.min(), 0.0) ** 2)  # negative for a stiffness that pushes away
+        return symmetric(B.T @ self.linear.at_rest.K @ B) + (shift + 2.0 * least) * M
+
+    def _projected(self, speed: float) -> tuple[Array, Array, Array]:
+        """Mass, damping and stiffness matrix at a speed in the basis, or in the free directions."""
+        assert self.over_speed is not None
+        if self._in_basis is None:
+            self._in_basis = self.over_speed.projected(self._free[0] if self.basis is None else self.basis)
+        return self._in_basis.matrices(speed)
+
+    def _reduced(self, speed: float) -> Found | None:
         """Modes in the basis; None if one of them is not accurate, or too few of them oscillate."""
         V = self.basis
         assert V is not None
         n, omega = V.shape[1], self.modes.omega
-        m, d, k = (V.T @ A @ V for A in (system.at_rest.M, system.D, system.K))
+        m, d, k = self._projected(speed)
         unit = max(float(np.sqrt(np.abs(k).max())), 1e-300)
         A = np.zeros((2 * n, 2 * n))
         A[:n, n:] = np.eye(n)
@@ -145,7 +168,7 @@ class WhirlModes:
         if int(upper.sum()) < count:
             return None  # overdamped modes are left to the whole system
         values, vectors = np.asarray(values[upper] * unit, np.complex128), vectors[:n, upper]
-        order = np.argsort(np.abs(values))[:count]
+        order, system = np.argsort(np.abs(values))[:count], self.at(speed)
         values, z = values[order], normalised((V @ vectors[:, order]).T, system.at_rest.M)
         if not self._accurate(system, values, z):
             return None
@@ -168,10 +191,9 @@ class WhirlModes:
         self, speed: float, value: complex, shape: Complex
     ) -> tuple[complex, Complex] | None:
         """Mode from a start close to it; None if it does not converge to that mode."""
-        system = self.at(speed)
-        B = self._free[0] if self.basis is None else self.basis
-        m, d, k = (B.T @ A @ B for A in (system.at_rest.M, system.D, system.K))
-        x = np.linalg.solve(m, B.T @ (system.at_rest.M @ shape))
+        B, M = self._free[0] if self.basis is None else self.basis, self.linear.at_rest.M
+        m, d, k = self._projected(speed)
+        x = np.linalg.solve(m, B.T @ (M @ shape))
         start = x
         for _ in range(ITERATIONS):
             try:
@@ -187,12 +209,50 @@ class WhirlModes:
         alike = abs(np.vdot(start, m @ x)) ** 2 / (np.vdot(start, m @ start) * np.vdot(x, m @ x)).real
         if alike < OWN or value.imag <= 0.0:
             return None
-        return value, normalised((B @ x)[None], system.at_rest.M)[0]
+        return value, normalised((B @ x)[None], M)[0]
 
 
-def _quadratic(
-    linear: Linearised, at: Callable[[float], Linearised], speeds: Array
-) -> Callable[[float], Linearised] | None:
+@dataclass(frozen=True, eq=False)
+class Quadratic:
+    """The linear system as quadratic function of the speed.
+
+    Parameters
+    ----------
+    linear
+        The system about its operating point.
+    low, high
+        Lowest and highest speed [rad/s].
+    M
+        Mass matrix, shape (n, n).
+    D, K
+        Damping and stiffness matrices at the lowest, mean and highest speed, shape (3, n, n).
+    """
+
+    linear: Linearised
+    low: float
+    high: float
+    M: Array
+    D: Array
+    K: Array
+
+    def matrices(self, speed: float) -> tuple[Array, Array, Array]:
+        """M, D and K at a speed [rad/s]: interpolation between three speeds."""
+        x = (speed - self.low) / (self.high - self.low)
+        shares = np.array([(2.0 * x - 1.0) * (x - 1.0), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)])
+        return self.M, np.tensordot(shares, self.D, axes=1), np.tensordot(shares, self.K, axes=1)
+
+    def at(self, speed: float) -> Linearised:
+        """The linear system at a speed [rad/s]."""
+        _, D, K = self.matrices(speed)
+        return replace(self.linear, D=D, K=K)
+
+    def projected(self, basis: Array) -> Quadratic:
+        """The same in the columns of a basis (nd, n)."""
+        M, D, K = (basis.T @ A @ basis for A in (self.M, self.D, self.K))
+        return replace(self, M=M, D=D, K=K)
+
+
+def _quadratic(linear: Linearised, at: Callable[[float], Linearised], speeds: Array) -> Quadratic | None:
     """The linear system as quadratic function of the speed; None if it is not one.
 
     Gyroscopic terms grow with the speed, centrifugal ones with its square. Laws of bearings and motors may
@@ -205,23 +265,17 @@ def _quadratic(
     if not all(_same_inertia(linear, node) for node in nodes):
         return None
     D, K = (np.array([getattr(node, name) for node in nodes]) for name in "DK")
-
-    def between(speed: float) -> Linearised:
-        """Interpolation between three speeds."""
-        x = (speed - low) / (high - low)
-        shares = np.array([(2.0 * x - 1.0) * (x - 1.0), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)])
-        return replace(linear, D=np.tensordot(shares, D, axes=1), K=np.tensordot(shares, K, axes=1))
-
+    found = Quadratic(linear, low, high, linear.at_rest.M, D, K)
     for share in (0.23, 0.81):
         speed = low + share * (high - low)
-        given, found = at(speed), between(speed)
+        given, between = at(speed), found.at(speed)
         for name, nodes_of in (("D", D), ("K", K)):
             exact = getattr(given, name)
             change = float(np.abs(exact - nodes_of[0]).max())
             least = QUADRATIC * change + ROUNDING * float(np.abs(exact).max())
-            if np.abs(exact - getattr(found, name)).max() > least:
+            if np.abs(exact - getattr(between, name)).max() > least:
                 return None
-    return between
+    return found
 
 
 def _same_inertia(one: Linearised, two: Linearised) -> bool:
@@ -234,5 +288,5 @@ def _same_inertia(one: Linearised, two: Linearised) -> bool:
 
 def normalised(z: Complex, M: Array) -> Complex:
     """Complex shapes (n, nd) with modal mass 1."""
-    mass = np.einsum("ni,ij,nj->n", z.conj(), M, z).real
+    mass = ((z.conj() @ M) * z).sum(axis=1).real
     return np.asarray(z / np.sqrt(np.maximum(mass, 1e-300))[:, None])

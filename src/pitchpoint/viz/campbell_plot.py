@@ -10,25 +10,28 @@ import numpy as np
 
 from pitchpoint.analysis.campbell_ranking import SIDEBAND, ranked_speeds
 from pitchpoint.viz import theme
-from pitchpoint.viz.labels import spread
+from pitchpoint.viz.labels import around, spread
 from pitchpoint.viz.quantities import Array, Scale, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
-HEIGHT, BOTTOM, LEGEND = 560, 48, 34
-"""Height of the figure without labels above the plot, margin below, height of the legend [pixels]."""
+HEIGHT, BOTTOM, LEGEND, ROW = 560, 48, 34, 26
+"""Height of the figure without labels above the plot, margin below, height of the legend of one row, and of
+each further row [pixels]."""
+SAMPLE = 52
+"""Width of an entry of the legend without its text [pixels]."""
 WIDTH = 560
 """Width of the plot on narrow pages, for the distance of labels above it [pixels]."""
 LINE, LETTER = 14, 6.3
 """Distance of two labels and mean width of a letter at 11 points [pixels]."""
 LEADER = 22
 """Length of the leader lines from curves to their names [pixels]."""
-NUMBERED = 10
+NUMBERED = 12
 """Number of critical speeds marked with their rank."""
-APART = 20
-"""Least distance of two ranks in the plot [pixels]."""
+RANK = 13
+"""Size of a rank, and its distance from its circle [pixels]."""
 WAYS = {
     "forward": (theme.RED, "forward whirl"),
     "backward": (theme.BLUE, "backward whirl"),
@@ -74,7 +77,7 @@ def plot_campbell(
     _operating(figure, diagram, place)
     _critical(figure, diagram, place)
     right = _at_the_right(figure, at_right, place)
-    top = _above(figure, above)
+    top = _above(figure, above) + _more_rows(figure)
     figure.update_layout(
         height=HEIGHT + top,
         margin={"l": 64, "r": right, "t": LEGEND + top, "b": BOTTOM},
@@ -200,41 +203,73 @@ def _operating(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
 
 
 def _critical(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
-    """Circles at critical speeds; the first ranks as numbers where there is room."""
-    ranked = [c for c in ranked_speeds(diagram) if place.inside(c.speed, c.frequency)]
+    """Circles at critical speeds; the first ranks as numbers, with leader lines where circles are close."""
+    ranked = [
+        (str(rank), c)
+        for rank, c in enumerate(ranked_speeds(diagram), start=1)
+        if place.inside(c.speed, c.frequency)
+    ]
     if not ranked:
         return
-    texts, taken = [], np.zeros((0, 2))
-    for rank, c in enumerate(ranked_speeds(diagram), start=1):
-        if not place.inside(c.speed, c.frequency):
+    room = WIDTH, HEIGHT - BOTTOM - LEGEND
+    points = np.array([[place.along(c.speed), place.across(c.frequency)] for _, c in ranked]) * room
+    # ranks keep clear of all circles, also of those without a number
+    first = sum(int(rank) <= NUMBERED for rank, _ in ranked)
+    shown = around(points, RANK, room)[:first]
+    texts, positions = [""] * len(ranked), ["top left"] * len(ranked)
+    for k, way in enumerate(shown):
+        if np.abs(way).max() <= RANK:
+            texts[k], positions[k] = ranked[k][0], _beside(way)
             continue
-        here = np.array(
-            [place.along(c.speed) * WIDTH, place.across(c.frequency) * (HEIGHT - BOTTOM - LEGEND)]
+        figure.add_annotation(
+            x=ranked[k][1].speed * place.revolutions.factor,
+            y=ranked[k][1].frequency * place.pitch.factor,
+            ax=float(way[0]),
+            ay=float(-way[1]),
+            text=ranked[k][0],
+            showarrow=True,
+            arrowhead=0,
+            arrowwidth=0.8,
+            arrowcolor=theme.LIGHT["ink"],
+            startstandoff=0,
+            standoff=5,
+            borderpad=0,
+            font={"size": 11},
         )
-        clear = rank <= NUMBERED and not (np.abs(taken - here) < APART).all(axis=1).any()
-        texts.append(str(rank) if clear else "")
-        taken = np.vstack([taken, here]) if clear else taken
     figure.add_scatter(
-        x=[c.speed * place.revolutions.factor for c in ranked],
-        y=[c.frequency * place.pitch.factor for c in ranked],
+        x=[c.speed * place.revolutions.factor for _, c in ranked],
+        y=[c.frequency * place.pitch.factor for _, c in ranked],
         mode="markers+text",
         name="critical speeds",
         text=texts,
-        textposition="top left",
+        textposition=positions,
         textfont={"size": 11},
         marker={
             "color": theme.LIGHT["ink"],
-            "size": [9 if k < NUMBERED else 6 for k in range(len(ranked))],
+            "size": [9 if k < first else 6 for k in range(len(ranked))],
             "symbol": "circle-open",
             "line": {"width": 1.5},
         },
         customdata=[
             f"{c.order} × {c.mode}<br>{c.source}, participation {number(100.0 * c.participation, 3)} %, "
             f"damping ratio {number(100.0 * c.damping_ratio, 3)} %"
-            for c in ranked
+            for _, c in ranked
         ],
         hovertemplate="%{customdata}<br>%{x:.5g}, %{y:.5g}<extra></extra>",
     )
+
+
+def _beside(way: Array) -> str:
+    """Position of a text in a direction, in words."""
+    down = {1: "top", 0: "middle", -1: "bottom"}[int(np.sign(way[1]))]
+    return f"{down} {({1: 'right', 0: 'center', -1: 'left'})[int(np.sign(way[0]))]}"
+
+
+def _more_rows(figure: go.Figure) -> int:
+    """Height of the legend beyond its first row [pixels]."""
+    entries = [str(trace.name) for trace in figure.data if trace.showlegend is not False]
+    wide = sum(SAMPLE + LETTER * len(text) for text in entries)
+    return ROW * int(wide // WIDTH)
 
 
 def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], place: _Places) -> int:

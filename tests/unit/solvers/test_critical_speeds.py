@@ -12,6 +12,7 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.analysis.campbell_ranking import ranked_speeds, select_modes
 from pitchpoint.core.errors import SolverError
+from pitchpoint.report.campbell import campbell_of
 from pitchpoint.solvers.campbell import at_speeds, follow_modes
 from pitchpoint.solvers.critical_speeds import critical_speeds, separation
 from pitchpoint.solvers.eigen import ratio_of
@@ -271,3 +272,64 @@ def test_modes_and_campbell_have_one_frequency(geared):
     assert data["damping_ratio"].attrs == modes["damping_ratio"].attrs
     assert list(data["name"].values) == list(modes["name"].values[:n])
     assert data["frequency"].values[0] == pytest.approx(modes["frequency"].values[:n], rel=1e-7, abs=1e-6)
+
+
+def test_orders_as_text_are_those_of_the_command(rotor):
+    """`mesh,2` in one text, as a list, and with numbers; single letters are no orders."""
+    texts = ("1x, 2x,3", ["1x", "2x", "3"], ["1x", "2x", 3])
+    found = [pp.solve_campbell(rotor, [100.0, 200.0], "disc", orders=orders) for orders in texts]
+    for data in found:
+        assert data["excitation"].values.tolist() == ["1× disc", "2× disc", "3×"]
+    with pytest.raises(SolverError, match="'bearings' is not an order; .* more_orders"):
+        pp.solve_campbell(rotor, [100.0, 200.0], "disc", orders="1x,bearings")
+
+
+BALLS = (9, 8e-3, 39e-3)
+BEARINGS = f"""\
+bodies:
+  rotor: {{motion: free, mass: 3, inertia: 0.006, transverse_inertia: 0.012}}
+rolling_bearings:
+  front: {{body: rotor, position: [0, 0, -40 mm], type: ball, elements: {BALLS[0]}, contact_angle: 0 deg,
+    element_diameter: {BALLS[1]}, grooves: [0.52, 0.52], pitch_diameter: {BALLS[2]}, damping: 200}}
+  rear: {{body: rotor, position: [0, 0, 40 mm], designation: NU 205 ECP, damping: 200}}
+bearings: {{end: {{body: rotor, stiffness: {{axial: 1e8}}}}}}
+torsion_springs: {{front: {{bodies: [rotor], stiffness: 5000, damping: 0.5}}}}
+loads: {{weight: {{body: rotor, force: [0, -2 kN, 0]}}}}
+"""
+
+
+def test_orders_of_bearing_faults():
+    """BPFO and BPFI are n/2 (1 -+ d/D) per revolution, and drive modes through their bearing.
+
+    A torsion spring of the same name is not the bearing: its mode has no strain energy there.
+    """
+    data = campbell_of(
+        compiled(BEARINGS)[0], body="rotor", speeds=(10.0, 3000.0), points=12, orders="bearings"
+    )
+    orders = dict(zip(data["excitation"].values, data["excitation_order"].values, strict=True))
+    n, d, pitch = BALLS
+    for word, sign in (("BPFO", -1.0), ("BPFI", 1.0)):
+        assert orders[f"{word} front"] == pytest.approx(0.5 * n * (1.0 + sign * d / pitch), rel=1e-9)
+    assert {name.split()[1] for name in orders} == {"front", "rear"}
+    ranked = ranked_speeds(data, least=0.0)
+    torsion = [c for c in ranked if c.mode == "torsion of rotor against ground" and c.order == "BPFO front"]
+    assert [c.participation for c in torsion] == pytest.approx([0.0], abs=1e-6)
+    axial = next(c for c in ranked if c.mode == "axial mode of rotor" and c.order == "BPFO front")
+    share = data["strain_share"].sel(component="rolling bearing front")
+    expected = share.values[:, list(data["name"].values).index("axial mode of rotor")].mean()
+    assert (axial.source, axial.participation) == ("bearing fault", pytest.approx(expected, rel=0.02))
+    assert expected > 0.03
+    with pytest.raises(SolverError, match="no rolling_bearings"):
+        campbell_of(compiled(ROTOR)[0], body="disc", speeds=(10.0, 300.0), orders="bearings")
+
+
+def test_finely_divided_shafts_need_few_solutions_of_the_whole_system(geared):
+    """The basis is complete in energy, not only in mass: its modes at other speeds have small residuals."""
+    fine = pp.load_model(EXAMPLE)
+    for shaft in ("rotor", "drive"):
+        fine = fine.replace(f"shafts.{shaft}.largest_piece", "55 mm")
+    found = follow_modes(pp.compile_model(fine, "fast"), np.linspace(300.0, 7200.0, 30) * RPM, "rotor")
+    assert found.shape.shape[2] == 132
+    assert len(found.modes.exact) < 9
+    exact = damped_modes(at_speeds(found.modes.linear, found.speed[7] * found.rates), found.modes.modes)[0]
+    assert found.eigenvalue[7, 1:] == pytest.approx(_matched(found.eigenvalue[7, 1:], exact), rel=1e-8)

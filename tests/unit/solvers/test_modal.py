@@ -290,7 +290,7 @@ scenarios:
 """
 
 
-def whirl_roots():
+def whirl_roots(speed=SPEED):
     """Roots of the lateral motion of `TWO_ROTORS` by hand, in w = x + i y and the tilt t = t_y - i t_x.
 
     A marker at height h moves by w + h t; the axis of a rotor turns t, its moment I_t t'' - i I_p W t'. The
@@ -298,14 +298,14 @@ def whirl_roots():
     """
     height = {"a1": (-0.1, None), "a2": (0.1, None), "b1": (None, 0.1), "c": (Z_C, Z_C - Z_B)}
     M = np.diag([3.0, 0.013, 2.0, 0.008]).astype(complex)
-    D = np.diag([0.0, -0.004j * SPEED, 0.0, -0.003j * SPEED])
+    D = np.diag([0.0, -0.004j * speed, 0.0, -0.003j * speed])
     K = np.zeros((4, 4), complex)
     for name, (on_a, on_b) in height.items():
         k, d = (1e6, D_C) if name == "c" else (2e6, 20.0)
         row = np.array([*((0.0, 0.0) if on_a is None else (1.0, on_a))] * 2)
         row[2:] = (0.0, 0.0) if on_b is None else (1.0, on_b)
         row[2:] *= -1.0 if name == "c" else 1.0
-        K += (k - (1j * SPEED * d if name == "c" else 0.0)) * np.outer(row, row)
+        K += (k - (1j * speed * d if name == "c" else 0.0)) * np.outer(row, row)
         D = D + d * np.outer(row, row)
     tilt = np.array([0.0, 1.0, 0.0, -1.0])
     K += 1e3 * np.outer(tilt, tilt)

@@ -144,3 +144,47 @@ def test_planets_of_a_stage_and_their_bearings_have_the_names_of_the_file() -> N
     assert "1st rotational mode of planetary stage set" in modes.names
     assert {"bearing planet_1-bearing", "bearing spline"} < set(modes.groups.components)
     assert not any(component.startswith("coupling") for component in modes.groups.components)
+
+
+def crank(housing: bool) -> str:
+    """A crankshaft gear with three wheels around it, on bearings to ground or in a housing."""
+    wheel = "{number_of_teeth: 41, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}"
+    on = ", housing: housing" if housing else ""
+    wheels, turns = ("one", "two", "three"), (0, 120, 240)
+    stiff = "stiffness: {radial: 2e8 N/m}"
+    lines = ["gears:", f"  pinion: {wheel.replace('41', '23')}", *(f"  g_{w}: {wheel}" for w in wheels)]
+    lines += ["bodies:", "  crank: {gears: [pinion], motion: planar, position: [0, 0, 0]}"]
+    lines += [f"  {w}: {{gears: [g_{w}], motion: planar}}" for w in wheels]
+    lines += [
+        "  housing: {mass: 90 kg, inertia: 2 kg m^2, transverse_inertia: 2 kg m^2, motion: free}"
+    ] * housing
+    lines += ["bearings:", f"  b_crank: {{body: crank, {stiff}{on}}}"]
+    lines += [f"  b_{w}: {{body: {w}, {stiff}{on}}}" for w in wheels]
+    feet = "stiffness: {radial: 5e7 N/m, axial: 5e7 N/m, tilt: 5e6 N m/rad, torsion: 5e6 N m/rad}"
+    lines += [f"  feet: {{body: housing, {feet}}}"] * housing
+    law = "stiffness: {law: constant, value: 3e8 N/m}"
+    lines += ["meshes:"]
+    lines += [
+        f"  m_{w}: {{gears: [pinion, g_{w}], direction: {turn} deg, {law}}}"
+        for w, turn in zip(wheels, turns, strict=True)
+    ]
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("housing", [False, True])
+def test_wheels_around_a_crank_are_no_planets(housing: bool) -> None:
+    """Three wheels on fixed axes are no planetary set, also if one housing carries them."""
+    names = find_modes(compile_model(loads_model(crank(housing)))).names
+    assert not [name for name in names if "planet" in name]
+
+
+def test_a_pin_error_does_not_separate_the_translational_pairs() -> None:
+    """The loads of the planets split the frequencies of the pairs by up to 0.5 %: both keep one number."""
+    modes = find_modes(compile_model(load_model(EXAMPLES / "planetary-set" / "model.yaml")))
+    pairs = [k for k, name in enumerate(modes.names) if "translational" in name]
+    split = modes.frequency[pairs[1::2]] / modes.frequency[pairs[::2]] - 1.0
+    assert split.max() > 4e-3
+    words = "{} translational mode of planetary stage set ({})"
+    assert [modes.names[k] for k in pairs] == [
+        words.format(ordinal(n), x) for n in (1, 2, 3, 4) for x in "ab"
+    ]

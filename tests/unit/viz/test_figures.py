@@ -79,6 +79,25 @@ def test_names_of_a_campbell_diagram_never_overlap() -> None:
     assert figure.layout.margin.r > 60
 
 
+def test_every_rank_of_close_critical_speeds_is_shown() -> None:
+    """Circles a few pixels apart: the first twelve keep their numbers, clear of each other and of circles."""
+    modes = {f"bending {k}": 400.0 + 6.0 * k for k in range(4)} | {"mesh mode": 1200.0, "torsion": 1210.0}
+    orders = {"1× a": (8.0, "shaft"), "mesh a": (20.0, "mesh"), "mesh b": (20.5, "mesh")}
+    figure = plot_campbell(campbell(modes, orders))
+    critical = next(t for t in figure.data if t.name == "critical speeds")
+    led = [a for a in figure.layout.annotations if a.x != 1 and a.text and a.textangle is None]
+    assert sorted(map(int, [t for t in critical.text if t] + [a.text for a in led])) == list(range(1, 13))
+    scale = np.array([560.0, 478.0])
+    low = np.array([figure.layout.xaxis.range[0], figure.layout.yaxis.range[0]])
+    span = np.array([figure.layout.xaxis.range[1], figure.layout.yaxis.range[1]]) - low
+    places = np.array([(np.array([a.x, a.y]) - low) / span * scale + (a.ax, -a.ay) for a in led])
+    circles = (np.column_stack([critical.x, critical.y]) - low) / span * scale
+    assert len(led) > 6
+    for k, place in enumerate(places):
+        for others in (circles, np.delete(places, k, axis=0)):
+            assert np.abs(others - place).max(axis=1).min() >= 13.0 - 1e-6
+
+
 def test_orders_outside_a_campbell_diagram_are_omitted() -> None:
     orders = {"low": (1.0, "shaft"), "mesh stage": (50.0, "mesh"), "mesh stage + 1× low": (51.0, "sideband")}
     figure = plot_campbell(campbell({"high": 2000.0}, orders), frequency=(1500.0, 2100.0))

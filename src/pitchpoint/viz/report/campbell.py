@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.analysis.campbell_ranking import RankedSpeed, ranked_speeds
+from pitchpoint.analysis.campbell_ranking import RankedSpeed, UnstableRange, ranked_speeds, unstable_ranges
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report.page import Section, keep_height
@@ -40,14 +40,29 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset]) -> Section:
             section.add(_table(ranked, "crossing_separation" in data))
             more = len(ranked) - LISTED
             section.add(f"<p>{more} more in the result of pitchpoint campbell.</p>" if more > 0 else "")
+        unstable = unstable_ranges(data)
+        if unstable:
+            section.add("<p>Unstable modes grow without excitation:</p>" + _unstable_table(unstable))
     return section
+
+
+def _unstable_table(listed: tuple[UnstableRange, ...]) -> str:
+    """Table of unstable modes."""
+    rows = []
+    for u in listed:
+        low, high = (scale("rad/s").text(x) for x in (u.low, u.high))
+        damping = f"{number(100.0 * u.damping_ratio, 3)} %".replace("-", "−")
+        cells = [f'<td class="num">{x}</td>' for x in (f"{low} – {high}", damping)]
+        cells.append(f"<td>{escape(u.source or '–')}</td>")
+        rows.append(f'<tr><th scope="row">{escape(u.mode)}</th>{"".join(cells)}</tr>')
+    return plain_table(("mode", "speed", "lowest damping", "driven by"), rows)
 
 
 def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
     """Table of the first critical speeds."""
     rows = []
     for rank, c in enumerate(ranked[:LISTED], start=1):
-        damping = f"{number(100.0 * c.damping_ratio, 3)} %" if c.damping_ratio >= 0.0 else "unstable"
+        damping = f"{number(100.0 * c.damping_ratio, 3)} %".replace("-", "−")
         cells = [
             scale("rad/s").text(c.speed),
             scale("Hz", [c.frequency]).text(c.frequency),
@@ -55,7 +70,9 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
             escape(c.order),
             escape(c.mode),
             f"{escape(c.source)} {number(100.0 * c.participation, 3)} %",
-            number(c.amplification, 3) if math.isfinite(c.amplification) else "∞",
+            number(c.amplification, 3)
+            if math.isfinite(c.amplification)
+            else ("unstable" if c.damping_ratio < 0.0 else "∞"),
         ]
         if apart:
             known = np.isfinite(c.separation)

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modes that grow without excitation: their speeds, and the components from which the energy comes.
+
+The amplitude grows if the damping ratio is negative. Energy flows into a mode from forces that are not
+symmetric in the coordinates. The component e with the matrices K_e and D_e at speed feeds the mean power
+
+    P_e = -omega/2 (Im(z^H K_e z) + omega Re(z^H D_e z))
+
+into the mode z of the frequency omega, since its force is -(K_e + i omega D_e) z and the velocity i omega z
+[1]_. A damper that rotates with a shaft feeds its forward whirl above the critical speed [1]_, a torque that
+follows a tilting axis its forward or backward whirl according to its sign [2]_.
+
+References
+----------
+.. [1] M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees: Dynamics of Rotating Machines, Cambridge
+   University Press 2010, chapter 7.
+.. [2] E. S. Zorzi, H. D. Nelson: The dynamics of rotor-bearing systems with axial torque, Journal of
+   Mechanical Design 102 (1980) 158-161.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.campbell import Campbell, at_speeds
+from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
+from pitchpoint.solvers.stiffness_parts import element_list
+
+UNDAMPED = 1e-7
+"""Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
+ROUNDS, EXACT = 12, 1e-6
+"""Maximum number of corrections of a limit of stability, and its accuracy over the range of speeds."""
+
+
+@dataclass(frozen=True)
+class UnstableMode:
+    """Range of speeds in which a mode is unstable.
+
+    Parameters
+    ----------
+    mode
+        Index of the branch.
+    low, high
+        Ends of the range [rad/s].
+    damping_ratio
+        Lowest damping ratio at the computed speeds in the range.
+    source
+        Component that feeds the largest power into the mode there; "" if it does not oscillate.
+    """
+
+    mode: int
+    low: float
+    high: float
+    damping_ratio: float
+    source: str
+
+
+def unstable_modes(found: Campbell) -> tuple[UnstableMode, ...]:
+    """Unstable modes in the range of the speeds, lowest damping first."""
+    order = np.argsort(found.speed, kind="stable")
+    ratio = found.damping_ratio[order]
+    listed = []
+    for mode in range(ratio.shape[1]):
+        for first, last in _runs(ratio[:, mode] < -UNDAMPED):
+            worst = int(order[first + int(np.argmin(ratio[first : last + 1, mode]))])
+            low, high = (
+                float(found.speed[order[at]])
+                if not 0 <= beyond < len(order)
+                else _limit(found, mode, int(order[at]), int(order[beyond]))
+                for at, beyond in ((first, first - 1), (last, last + 1))
+            )
+            least = float(found.damping_ratio[worst, mode])
+            listed.append(UnstableMode(mode, low, high, least, _source(found, mode, worst)))
+    return tuple(sorted(listed, key=lambda u: (u.damping_ratio, u.mode)))
+
+
+def _runs(wanted: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each run of true values."""
+    steps = np.diff(np.concatenate([[False], wanted, [False]]).astype(np.int8))
+    first, after = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
+    return list(zip(first.tolist(), (after - 1).tolist(), strict=True))
+
+
+def _limit(found: Campbell, mode: int, inside: int, outside: int) -> float:
+    """Speed at which the damping changes its sign: the Illinois form of the rule of false position."""
+    near, away = float(found.speed[inside]), float(found.speed[outside])
+    value, shape = complex(found.eigenvalue[inside, mode]), found.shape[inside, mode]
+    here, there = value.real, float(found.eigenvalue[outside, mode].real)
+    if value.imag <= 0.0 or there >= 0.0:  # divergence, or rounding: no limit to solve for
+        return near
+    for _ in range(ROUNDS):
+        speed = near - here * (near - away) / (here - there)
+        value, shape = found.modes.near(speed, value, shape)
+        done = min(abs(speed - near), abs(speed - away)) <= EXACT * abs(near - away)
+        if value.real > 0.0:
+            near, here, there = speed, value.real, 0.5 * there
+        else:
+            away, there, here = speed, value.real, 0.5 * here
+        if done or value.real == 0.0:
+            return speed
+    return near
+
+
+def _source(found: Campbell, mode: int, at: int) -> str:
+    """Component that feeds the largest power into a mode at one of the speeds."""
+    omega = float(found.eigenvalue[at, mode].imag)
+    if omega <= 0.0:
+        return ""
+    rates = found.speed[at] * found.rates
+    linear = at_speeds(found.modes.linear, rates)
+    system, state, z = linear.system, linear.state.copy(), found.shape[at, mode]
+    state.v = rates
+    groups, parts = found.motions.groups, found.motions.parts
+    component = {name: groups.components[e] for name, e in zip(parts.elements, groups.component, strict=True)}
+    power: dict[str, float] = {}
+    listed = element_list(system)
+    for (_, _, label), (blocks, D, K) in zip(
+        listed, stiffness_by_element(system, state, [(kind, k) for kind, k, _ in listed]), strict=True
+    ):
+        damping, stiffness = (share_of_blocks(system, blocks, A) for A in (D, K))
+        x, y = z[damping.places], z[stiffness.places]
+        fed = omega * (x.conj() @ damping.matrix @ x).real + (y.conj() @ stiffness.matrix @ y).imag
+        name = component.get(label, label)
+        power[name] = power.get(name, 0.0) - 0.5 * omega * float(fed)
+    return max(power, key=power.__getitem__) if power and max(power.values()) > 0.0 else ""

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Unstable modes of a Campbell diagram: limit speeds and growth by hand, and what feeds energy in."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import pitchpoint as pp
+from pitchpoint.analysis.campbell_ranking import ranked_speeds, select_modes, unstable_ranges
+from pitchpoint.solvers.critical_speeds import DAMPED
+from tests.support.machines import compiled
+from tests.unit.solvers.test_modal import TWO_ROTORS, whirl_roots
+
+EXAMPLE = Path(__file__).parents[3] / "examples" / "geared-rotor" / "model.yaml"
+RPM = math.pi / 30.0
+I_P, I_T, K_TILT = 0.006, 0.012, 4e4
+DISC = f"""\
+bodies:
+  disc: {{motion: free, mass: 3, inertia: {I_P}, transverse_inertia: {I_T}}}
+bearings:
+  support: {{body: disc, stiffness: {{radial: 2e6, axial: 1e8, tilt: {K_TILT}, torsion: 1}}}}
+"""
+
+
+def test_internal_damping_is_unstable_above_a_limit_speed():
+    """The damper of the coupling rotates: above the speed at which the largest real part by hand is zero."""
+    limit = brentq(lambda speed: whirl_roots(speed).real.max(), 100.0, 1500.0)
+    system = compiled(TWO_ROTORS, "s")[1]
+    data = pp.solve_campbell(system, np.linspace(0.0, 1500.0, 11), "a", "s")
+    (found,) = unstable_ranges(data)
+    assert found.low == pytest.approx(limit, rel=1e-6)
+    assert found.high == 1500.0
+    assert found.source == "coupling c"
+    assert "forward" in found.mode
+    roots = whirl_roots(1500.0)
+    worst = roots[np.argmax(roots.real)]
+    assert found.damping_ratio == pytest.approx(-worst.real / abs(worst), rel=1e-6)
+    assert unstable_ranges(data.isel(speed=slice(0, 1)).drop_vars("unstable_mode")) == ()
+    others = [n for n in data["mode"].values if data["name"].values[n - 1] != found.mode]
+    assert unstable_ranges(select_modes(data, others)) == ()
+
+
+def test_modes_without_damping_are_not_unstable():
+    data = pp.solve_campbell(compiled(DISC)[1], np.linspace(0.0, 3000.0, 21), "disc", orders=["1x"])
+    assert np.abs(data["damping_ratio"].values).max() < 1e-9
+    assert unstable_ranges(data) == ()
+    assert all(math.isinf(c.amplification) for c in ranked_speeds(data))
+
+
+def test_undamped_modes_rank_by_what_excites_them():
+    """The fan torque of 20 N m feeds the forward whirl of the disc, -0.006 %: it is told as unstable.
+
+    Unbalance at 1x of the rotor ranks first, since it drives nearly the whole mode; 2x of the drive does not.
+    """
+    system = pp.compile_model(pp.load_model(EXAMPLE), "fast")
+    speeds = np.linspace(300.0, 18000.0, 21) * RPM
+    data = select_modes(pp.solve_campbell(system, speeds, "rotor"), frequency=(0.0, 240.0))
+    ranked = ranked_speeds(data, least=0.0)
+    assert (ranked[0].mode, ranked[0].order) == ("1st bending of rotor (forward)", "1× rotor")
+    assert math.isinf(ranked[0].amplification)
+    ranks = {(c.mode, c.order): k for k, c in enumerate(ranked)}
+    weak = ranks["1st bending of rotor (forward)", "2× drive"]
+    assert ranks["torsion of rotor against drive", "2× rotor"] < weak
+    assert DAMPED == pytest.approx(0.0019, abs=1e-4)
+    (found,) = unstable_ranges(data)
+    assert (found.mode, found.source) == ("1st bending of rotor (forward)", "torque fan")
+    assert -1e-4 < found.damping_ratio < -5e-5
