@@ -45,7 +45,7 @@ def test_squared_envelope_spectrum_of_impacts_shows_their_rate() -> None:
     since = np.arange(400) / RATE
     lines = np.fft.rfft(10.0 * np.exp(-700.0 * since) * np.sin(TAU * 4200.0 * since)) * 2.0 / 400.0
     lines = lines[int(np.ceil(low / 50.0)) : int(np.floor(high / 50.0)) + 1]
-    # noise adds 2 Re(x_a n*) of power 2 * 3.1 * 0.21 over +-1040 Hz, in impacts, thus in phase with the lines:
+    # noise adds 2 Re(x_a n*), power 2 * 3.1 * 0.21 over +-1040 Hz, in impacts, so in phase with the lines:
     # 2 sqrt(1.3/1040 * 1.5 * 0.25) = 0.043 in a line of the Hann window
     for k in (1, 2, 3):
         expected = 2.0 * abs(np.sum(lines[k:] * np.conj(lines[:-k])))
