@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import time
 
 import numpy as np
@@ -74,7 +73,6 @@ def test_cut_and_changed_foreign_hdf5(good, name, edits, cut):
     read_or_refused(folder, name, changed(contents[name], edits, cut))
 
 
-@pytest.mark.skipif(importlib.util.find_spec("pyuff") is None, reason="extra uff")
 @given(edits=EDITS, cut=st.one_of(st.just(1.0), st.floats(0.0, 1.0)))
 def test_cut_and_changed_universal_files(tmp_path_factory, edits, cut):
     folder = tmp_path_factory.getbasetemp()

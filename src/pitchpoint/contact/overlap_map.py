@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pitchpoint.contact.mesh_cycle import mesh_cycle
-from pitchpoint.contact.stiffness.description import Array
+from pitchpoint.contact.cycle_pieces import variations
+from pitchpoint.contact.stiffness.description import Array, PairShape
 
 STEP = 0.01
 """Step of the search for the best overlap ratio."""
@@ -80,8 +80,8 @@ def overlap_map(eps_alpha: Array, eps_beta: Array, S_R: float = 0.8, T_R: float 
     [1.0, 0.4285714, 0.0]
     """
     across, up = np.asarray(eps_alpha, dtype=np.float64), np.asarray(eps_beta, dtype=np.float64)
-    values = [[mesh_cycle(float(a), float(b), S_R, T_R, 2).peak_to_peak for a in across] for b in up]
-    found = np.array(values)
+    shape = PairShape(c_prime=1.0, S_R=S_R, T_R=T_R)
+    found = np.stack([variations(shape, float(a), up) for a in across], axis=1)
     return OverlapMap(across, up, np.where(found < EQUAL, 0.0, found), S_R, T_R)
 
 

@@ -26,11 +26,14 @@ def test_rates_are_those_of_the_normal_distribution() -> None:
     found = detection_curves(0.0 * FAULT, FAULT, {"matched": matched}, snr=ratios, seeds=999)
     sigma = 10.0 ** (-ratios / 20.0)
     expected = stats.norm.sf(stats.norm.isf(0.05) - 8.0 / sigma)
-    # threshold and rate both scatter by about 1/sqrt(1000) of a normal distribution
-    np.testing.assert_allclose(found.rate[0], expected, atol=0.07)
-    np.testing.assert_allclose(found.threshold[0], sigma / 8.0 * stats.norm.isf(0.05), rtol=0.12)
-    # 0.0069 each from the threshold and from the count: three standard deviations
-    assert found.false_alarm_rate[0] == pytest.approx(0.05, abs=0.03)
+    # the quantile of n values scatters by sqrt(a (1 - a)/n) over the density there, here by 0.067 sigma/8
+    z, n = stats.norm.isf(0.05), 999
+    of_threshold = np.sqrt(0.05 * 0.95 / n) / stats.norm.pdf(z)
+    assert np.all(np.abs(found.threshold[0] / (sigma / 8.0) - z) < 3.0 * of_threshold)
+    # a rate has the scatter of its count, and that of the threshold times the density of the faulty values
+    for rate, p, shift in ((found.rate[0], expected, 8.0 / sigma), (found.false_alarm_rate[0], 0.05, 0.0)):
+        deviation = np.hypot(np.sqrt(p * (1.0 - p) / n), stats.norm.pdf(z - shift) * of_threshold)
+        assert np.all(np.abs(rate - p) < 3.0 * deviation)
     assert np.all(found.rate_low <= found.rate)
     assert np.all(found.rate <= found.rate_high)
 

@@ -27,8 +27,15 @@ def test_level_belongs_to_the_alternating_part(decibel: float, ratio: float) -> 
 def test_noise_is_white_and_gaussian() -> None:
     noise = with_white_noise(SIGNAL, signal_to_noise=0.0, seed=3).noise
     density = power_spectral_density(noise, 1000.0, segment=1000).density[1:-1]
-    # 399 half-overlapping segments: each line scatters by about 6 %
-    np.testing.assert_allclose(density, 4.5 / 500.0, rtol=0.35)
+    # 399 half-overlapping Hann segments, correlated by (1/6)^2 in power (P. D. Welch, 1967): a line scatters
+    # by 5.1 %; one line in 500 exceeds 4.75 deviations once in a thousand draws
+    deviation = np.sqrt((1.0 + 2.0 / 36.0) / 399.0)
+    ratio = density / (4.5 / 500.0)
+    np.testing.assert_allclose(ratio, 1.0, atol=4.75 * deviation)
+    # neighbours of a Hann window are correlated by (2/3)^2, next ones by (1/6)^2 in power: mean and deviation
+    # of all lines are as uncertain as those of n/1.94 and n/1.40 independent ones
+    assert np.mean(ratio) == pytest.approx(1.0, abs=3.0 * deviation * np.sqrt(1.94 / ratio.size))
+    assert np.std(ratio) == pytest.approx(deviation, rel=3.0 * np.sqrt(1.40 / (2.0 * ratio.size)))
     assert abs(np.mean(noise)) < 4.0 * 2.12 / np.sqrt(noise.size)
     assert np.mean(noise**4) / np.mean(noise**2) ** 2 == pytest.approx(
         3.0, abs=4.0 * np.sqrt(24 / noise.size)

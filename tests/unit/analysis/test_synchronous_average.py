@@ -74,7 +74,11 @@ def test_clockwise_turns_count_forward() -> None:
 
 
 def test_noise_falls_with_the_root_of_the_averages() -> None:
-    """White noise of 512 samples per turn, a quarter of its band kept: rms σ/(2√N), within 3/√(2·128)."""
+    """White noise of 512 samples per turn, a quarter of its band kept: rms σ/(2√N), within 3/√(2·128).
+
+    The lines are those of the plain mean of all turns, times the response of the spline: 1 at samples and
+    (23 cos(w/2) + cos(3w/2))/(8 (2 + cos w)) half-way between two (cubic cardinal spline).
+    """
     angle = turns(1024)
     noise = np.random.default_rng(5).standard_normal(angle.size)
     for n in (4, 16, 64, 256, 1024):
@@ -82,8 +86,19 @@ def test_noise_falls_with_the_root_of_the_averages() -> None:
         mean = synchronous_average(noise[cut], angle[cut], samples_per_turn=128)
         assert mean.averages == n
         assert rms(mean.values) == pytest.approx(0.5 / np.sqrt(n), rel=0.19)
-    # the spline lets 93 % of the rms of white noise through at twice the rate
-    assert mean.scatter == pytest.approx(1.0, abs=0.08)
+        plain = np.fft.rfft(noise[: n * 512].reshape(n, 512).mean(axis=0))[:64] / 512
+        expected = plain * 0.5 * (1.0 + between(TURN * np.arange(64) / 512))
+        # the ends of the record alone differ: a few samples of n turns
+        np.testing.assert_allclose(np.fft.rfft(mean.values)[:64] / 128, expected, atol=2e-3 / n)
+    # white noise through the spline at twice the rate, less the mean; the rms of n values scatters by 1/√(2n)
+    kept = 0.5 * (1.0 + np.mean(between(TURN * (np.arange(1000) + 0.5) / 1000) ** 2))
+    scatter = np.sqrt(kept * (1.0 - 1.0 / 1024))
+    assert mean.scatter == pytest.approx(scatter, rel=3.0 / np.sqrt(2.0 * 1024 * 512))
+
+
+def between(w: np.ndarray) -> np.ndarray:
+    """Response of a cubic spline half-way between samples, w radians per sample."""
+    return (23.0 * np.cos(0.5 * w) + np.cos(1.5 * w)) / (8.0 * (2.0 + np.cos(w)))
 
 
 def test_fault_of_the_shaft_stays_and_of_its_mate_falls_with_the_root_of_the_averages() -> None:

@@ -93,7 +93,8 @@ def _hdf5(path: Path, table: Table) -> None:
 
 
 def _uff(path: Path, table: Table) -> None:
-    pyuff = pytest.importorskip("pyuff")
+    import pyuff
+
     data = {
         "type": 58, "func_type": 1, "rsp_node": 1, "rsp_dir": 1, "ref_node": 0, "ref_dir": 0, "binary": 0,
         "data": table["acc"], "x": table["time"], "id1": "acc", "rsp_ent_name": "acc",

@@ -57,7 +57,6 @@ def test_the_source_tree_has_a_folder_of_examples() -> None:
 
 
 def test_a_wheel_brings_the_examples_and_everything_else_that_is_no_code(tmp_path: Path) -> None:
-    pytest.importorskip("hatchling", reason="hatchling, which builds the wheel, is not installed")
     root = examples.examples_folder().parent
     command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
     subprocess.run(command, cwd=root, check=True, capture_output=True)

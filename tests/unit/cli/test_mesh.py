@@ -106,7 +106,7 @@ def test_a_mesh_without_contact_for_a_while_has_no_least_stiffness_of_round_off(
 ) -> None:
     found = mesh_of(f"--eps-alpha 0.5 --stiffness-ratio 0{options}", capsys)
     assert found["minimum"] == 0.0 and min(found["stiffness_ratio"]) == 0.0
-    assert found["peak_to_peak"] == found["maximum"] > 0.5
+    assert found["peak_to_peak"] == found["maximum"] >= 0.5  # equal for long ramps: half their height
 
 
 def test_torsional_and_single_pair_stiffness(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

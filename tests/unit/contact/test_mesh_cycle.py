@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pitchpoint.contact.cycle_pieces import Pieces, cycle_pieces, variations
 from pitchpoint.contact.mesh_cycle import mesh_cycle, pair_cycle, phase_cycle
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core.errors import ModelError
@@ -139,3 +140,39 @@ def test_prescribed_waves():
 def test_impossible_ratios_are_refused(eps_alpha, eps_beta):
     with pytest.raises(ModelError, match="eps_"):
         mesh_cycle(eps_alpha, eps_beta)
+
+
+@given(eps_alphas, st.floats(0.0, 0.999), st.integers(1, 4), shares, shares)
+def test_whole_periods_of_overlap_add_the_mean(eps_alpha, part, whole, S_R, T_R):
+    """k(psi) = (N k_mean + f k_f(psi - N/2))/(N + f), and the same with the extremes."""
+    shape = PairShape(c_prime=1.0, S_R=S_R, T_R=T_R)
+    psi = np.linspace(0.013, 0.987, 40)
+    less, more = (cycle_pieces(shape, eps_alpha, part + n) for n in (0, whole))
+    f = (part + whole) - whole  # as the sum is rounded
+    expected = (whole * less.mean() + f * less.at(psi - 0.5 * whole)) / (part + whole)
+    assert more.at(psi) == pytest.approx(expected, abs=1e-9)
+    assert more.mean() == pytest.approx(less.mean(), rel=1e-12)
+
+
+@given(st.lists(st.floats(-1.0, 1.0), min_size=5, max_size=5), st.integers(0, 4))
+def test_extremes_of_a_quartic_are_those_at_the_roots_of_its_derivative(coefficients, degree):
+    """NumPy's roots (eigenvalues of a companion matrix) as the reference; also where leading terms vanish."""
+    c = np.array(coefficients)
+    c[degree + 1 :] = 0.0
+    polynomial = np.polynomial.Polynomial(c)
+    roots = polynomial.deriv().trim(1e-14).roots().real
+    values = polynomial(
+        np.concatenate([[-1.0, 1.0], roots[np.abs(roots) < 1.0], np.linspace(-1.0, 1.0, 101)])
+    )
+    low, high = Pieces(np.zeros(1), np.ones(1), c[None, :]).extremes()
+    assert (low[0], high[0]) == pytest.approx((values.min(), values.max()), abs=1e-12)
+
+
+def test_many_overlap_ratios_at_once_are_those_of_single_cycles(monkeypatch):
+    """Zero, tiny, whole and others together, also in parts: none depends on its neighbours."""
+    up = np.array([0.0, 1e-13, 0.2, 0.5, 0.7, 1.0, 1.3, 2.0, 2.999999999999])
+    for shape in (PairShape(c_prime=1.0, S_R=0.8, T_R=0.4), PairShape(c_prime=1.0, table=TABLE)):
+        single = [pair_cycle(shape, 1.3, b).peak_to_peak for b in up.tolist()]
+        assert variations(shape, 1.3, up) == pytest.approx(single, abs=1e-14)
+        monkeypatch.setattr("pitchpoint.contact.cycle_pieces.MOST_AT_ONCE", 1)
+        assert variations(shape, 1.3, up) == pytest.approx(single, abs=1e-14)

@@ -169,7 +169,6 @@ def test_a_result_without_signals_over_time(tmp_path):
 
 
 def test_damaged_universal_files(tmp_path):
-    pytest.importorskip("pyuff", reason="extra uff")
     path = tmp_path / "a.uff"
     files.write_uff(path)
     text = path.read_text()

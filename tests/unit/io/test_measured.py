@@ -184,7 +184,6 @@ def test_other_widths_of_wav(tmp_path):
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # pyuff leaves a file open
 @pytest.mark.parametrize("binary", [0, 1])
 def test_universal_files(tmp_path, binary):
-    pytest.importorskip("pyuff", reason="extra uff")
     path = tmp_path / "a.uff"
     files.write_uff(path, binary)
     data = read_measured(path)

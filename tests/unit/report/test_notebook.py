@@ -217,8 +217,9 @@ def test_registering_tells_ipython_by_name_only(monkeypatch: pytest.MonkeyPatch)
 
 def test_a_real_ipython_shows_them(result: xr.Dataset) -> None:
     """The display of IPython itself; what it keeps for text stays that of the objects."""
-    formatters = pytest.importorskip("IPython.core.formatters", reason="IPython is not installed here")
-    formatter = formatters.DisplayFormatter()
+    from IPython.core.formatters import DisplayFormatter
+
+    formatter = DisplayFormatter()
     for (module, name), function in notebook.shown().items():
         formatter.formatters["text/html"].for_type_by_name(module, name, function)
     for thing in (result, loads_model(SHORT)):

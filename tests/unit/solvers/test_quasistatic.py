@@ -9,7 +9,9 @@ import re
 import numpy as np
 import pytest
 
+from pitchpoint.contact.cycle_pieces import cycle_pieces
 from pitchpoint.contact.mesh_cycle import mesh_cycle
+from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.quasistatic.roll import roll_through, solve_quasistatic, statistics, tables
 from tests.support.machines import R_B1, STAGES, compiled, pair
@@ -57,25 +59,11 @@ def test_stiffness_is_that_of_the_mesh_cycle(beta, relief):
     for stiffness in (channel(system, roll, "mesh_stiffness[stage]"), roll.meshes["stage"].tangent_stiffness):
         ratio = stiffness / (record["c_prime"] * geometry.b_w)
         assert ratio == pytest.approx(np.interp(psi, cycle.phase, cycle.stiffness_ratio), abs=1e-4)
-        exact = [at(geometry, relief, p) for p in psi]
+        shape = PairShape(c_prime=1.0, S_R=0.8, T_R=relief)
+        exact = cycle_pieces(shape, geometry.eps_alpha_form, geometry.eps_beta).at(psi)
         assert ratio == pytest.approx(exact, rel=1e-9)
     share = roll.meshes["stage"].share
     assert share.sum(axis=1) == pytest.approx(np.ones(len(psi)), rel=1e-12)
-
-
-def at(geometry, relief, psi):
-    """Total stiffness at one phase, from the exact pieces of the mesh cycle instead of its samples."""
-    from pitchpoint.contact.mesh_cycle import _line, _pieces
-    from pitchpoint.contact.stiffness.description import PairShape
-
-    pieces = _pieces(
-        _line(PairShape(c_prime=1.0, S_R=0.8, T_R=relief), geometry.eps_alpha_form), geometry.eps_beta
-    )
-    for piece in pieces:
-        for turn in (psi, psi + 1.0):
-            if piece.start <= turn < piece.end:
-                return float(piece.at(turn))
-    raise AssertionError(psi)
 
 
 def test_unloaded_error_shows_tip_relief_only_where_it_is_alone():
