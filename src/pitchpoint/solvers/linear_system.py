@@ -268,11 +268,12 @@ def _rounding(linear: Linearised, listed: Array, omega: Array, shapes: Array) ->
     if not np.any((listed != 0.0) & (np.abs(listed) < limit)):
         return ()
     shape = shapes[int(np.argmax(omega))]
-    at = linear.system.layout.coordinates[int(np.argmax(np.abs(shape * (linear.at_rest.M @ shape))))]
+    energy = np.abs(shape * (linear.at_rest.M @ shape))
+    at = linear.system.layout.coordinates[int(np.argmax(energy))]
     below, above = (format_quantity(x / math.tau, "frequency", 3) for x in (limit, highest))
     return (
-        f"natural frequencies below {below} have rounding errors of more than {100.0 * ACCURATE:g} %, because "
-        f"{at} vibrates at {above}; give it more mass or density",
+        f"natural frequencies below {below} have rounding errors of more than {100.0 * ACCURATE:g} %, "
+        f"because {at} vibrates at {above}; give it more mass or density",
     )
 
 

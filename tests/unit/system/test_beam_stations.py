@@ -108,7 +108,7 @@ def test_a_mass_on_a_spring_at_a_station_vibrates_on_both_springs():
 
 
 def test_rounding_errors_of_beams_without_mass_are_told():
-    """At 1e-5 kg/m^3 the frequency of the mass on its spring is 2.4 % wrong: 4e8 Hz are in the same system."""
+    """At 1e-5 kg/m^3 the frequency of the mass on its spring is 2.4 % wrong: the highest one is 4e8 Hz."""
     body = "  load: {mass: 3, inertia_tensor: [1, 1, 1, 0, 0, 0]}\n"
     more = (
         "joints:\n  way: {type: prismatic, bodies: [ground, load], position: [0.3, 0, 0.6], "
