@@ -15,9 +15,10 @@ carrier on fixed axes the springs are in parallel: F_n = K (u - e_n'), sum F_n =
     F_n = T/(N r_b) + K (mean(e') - e_n'),   e' = 2 e cos alpha (a pin that runs ahead of the carrier in the
     direction in which the sun drives loses load),
 
-as in A. Singh, Load sharing behavior in epicyclic gears, Mech. Mach. Theory 45 (2010) 632. A sun that floats
-has no net force: for N = 3 the three forces are equal (statically determinate); for N = 4 only opposite
-planets are equal, and the part of the errors with alternating sign, K (e_1 - e_2 + e_3 - e_4)/4, remains.
+the springs of A. Singh, Epicyclic load sharing map - application as a design tool, Gear Solutions. A sun
+that floats has no net force: for N = 3 the three forces are equal (statically determinate); for N = 4 only
+opposite planets are equal, and the part of the errors with alternating sign, K (e_1 - e_2 + e_3 - e_4)/4,
+remains.
 
 Tolerances: the errors of 20 and 40 µm are 3e-4 rad of the circle of 90 mm; a sun that moves by 4/3 of them
 turns its lines of action by as much: 1e-3 of the mean force.

@@ -6,6 +6,7 @@ Used by `modal`, `campbell` and `frequency_response`; `modal` describes the matr
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.core.units import format_quantity
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.cycle_means import shift
@@ -42,6 +44,8 @@ SPARSE = 0.3
 
 MAX_COORDINATES = 20_000
 """Largest number of coordinates of a linear system; each matrix then takes three gigabytes."""
+ACCURATE = 1e-4
+"""Relative rounding error of a natural frequency above which it is noted."""
 
 
 @dataclass(frozen=True)
@@ -249,7 +253,28 @@ def lowest(linear: Linearised, count: int | None = None) -> Undamped:
         return Undamped(*found, total, notes, None)
     basis = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()
     omega, shapes = undamped(parts.M, parts.K, basis, rigid)
+    notes = (*notes, *_rounding(linear, omega[:wanted], omega, shapes))
     return Undamped(omega[:wanted], shapes[:wanted], total, notes, (omega, shapes))
+
+
+def _rounding(linear: Linearised, listed: Array, omega: Array, shapes: Array) -> tuple[str, ...]:
+    """Note on frequencies that are inaccurate because parts of almost no mass vibrate far above them.
+
+    The rounding error of an eigenvalue is that of the largest one, `eps` omega_max^2: relative to the
+    frequency omega it is eps (omega_max/omega)^2/2.
+    """
+    highest = float(omega.max(initial=0.0))
+    limit = highest * math.sqrt(0.5 * np.finfo(float).eps / ACCURATE)
+    if not np.any((listed != 0.0) & (np.abs(listed) < limit)):
+        return ()
+    shape = shapes[int(np.argmax(omega))]
+    energy = np.abs(shape * (linear.at_rest.M @ shape))
+    at = linear.system.layout.coordinates[int(np.argmax(energy))]
+    below, above = (format_quantity(x / math.tau, "frequency", 3) for x in (limit, highest))
+    return (
+        f"natural frequencies below {below} have rounding errors of more than {100.0 * ACCURATE:g} %, "
+        f"because {at} vibrates at {above}; give it more mass or density",
+    )
 
 
 def _sparse(basis: Any) -> Any:

@@ -12,6 +12,7 @@ from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts, solve_contacts_on_shafts
 from pitchpoint.solvers.contact_analysis.torque_balance import torque_of_train
 from tests.support.contact_trains import double_helical, planets, two_stages
+from tests.support.planet_stages import stage_file
 
 N = 8
 
@@ -77,6 +78,16 @@ def test_load_sharing_of_planets():
     assert lost[2] / lost[1] == pytest.approx(2.0, rel=0.05)
     for share in shares[1:]:
         assert share[1:] == pytest.approx(-0.5 * share[0], rel=0.02)
+
+
+def test_a_planet_without_load_is_omitted_for_its_pin_error():
+    """A pin that is 0.1 mm ahead; loads on both sides of its meshes would not change it."""
+    contact = "contact: {level: rigid, stiffness: 3e8 N/m, planes: 1}, backlash: {normal: 0.4 mm}"
+    text = stage_file("planets: 3\npin_errors: {planet_1: {tangential: 100 um}}", mesh=contact)
+    found = solve_contacts_on_shafts(loads_model(text), positions=4)
+    assert "sun-planet_2" in found.meshes
+    assert found.omitted.keys() == {"sun-planet_1", "planet_1-ring"}
+    assert all("errors of the pins exceed" in reason for reason in found.omitted.values())
 
 
 def test_a_failure_keeps_the_other_meshes(gearbox, monkeypatch):

@@ -107,6 +107,30 @@ def test_a_mass_on_a_spring_at_a_station_vibrates_on_both_springs():
     assert found == pytest.approx(1.0 / (math.tau * math.sqrt(mass * (1.0 / stiffness + across))), rel=1e-5)
 
 
+def test_rounding_errors_of_beams_without_mass_are_told():
+    """At 1e-5 kg/m^3 the frequency of the mass on its spring is 2.4 % wrong: the highest one is 4e8 Hz."""
+    body = "  load: {mass: 3, inertia_tensor: [1, 1, 1, 0, 0, 0]}\n"
+    more = (
+        "joints:\n  way: {type: prismatic, bodies: [ground, load], position: [0.3, 0, 0.6], "
+        "axes: {z: [1, 0, 0]}}\nsprings:\n  s: {ends: [arm.4, load], stiffness: 2e5}\n"
+    )
+    across, _ = compliance(0.6, 0.6)
+    exact = 1.0 / (math.tau * math.sqrt(3.0 * (1.0 / 2e5 + across)))
+    told = {}
+    for density in ("0.1", "1e-5"):
+        text = cantilever((0.0, 0.0, 1.0), more, material=LIGHT.replace("0.1 kg", f"{density} kg"))
+        if density != "0.1":
+            text = text.replace("0.1 mg", "1e-11 kg").replace("1e-10", "1e-14")
+        modes = find_modes(compile_model(loads_model(text.replace("beams:", body + "beams:"))))
+        wrong = abs(np.sort(modes.frequency)[0] / exact - 1.0)
+        told[density] = wrong, [note for note in modes.notes if "rounding errors of more than" in note]
+    assert told["0.1"][0] < 1e-5
+    assert not told["0.1"][1]
+    assert told["1e-5"][0] > 1e-3
+    (note,) = told["1e-5"][1]
+    assert "give it more mass or density" in note
+
+
 ELEMENTS = {
     "springs": "{ends: [arm.3, mass.side], stiffness: 1e5, damping: 10}",
     "maxwells": "{ends: [mass.side, arm.3], stiffness: 1e5, damping: 1e3}",

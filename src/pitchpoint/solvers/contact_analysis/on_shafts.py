@@ -44,6 +44,11 @@ Array = NDArray[np.float64]
 
 IDLE = "it carries no load; load the bodies on both sides of the mesh"
 """Reason of a mesh without load."""
+RELIEVED = (
+    "it carries no load, as errors of the pins exceed the deflection of the other planets; increase the "
+    "torque or reduce the errors"
+)
+"""Reason of the mesh of a planet without load where others carry load."""
 ROUNDING = 1e-13
 """Approach of the flanks from contact that is rounding of the positions of the shafts [m]."""
 BOTH = 1e-6
@@ -209,6 +214,10 @@ def solve_contacts_on_shafts(
             break
     found = replace(found, meshes={name: found.meshes[name] for name in names if name in found.meshes})
     idle = [name for name, reason in found.failed.items() if reason == IDLE]
+    loaded = {model.meshes[name].stage for name in found.meshes} - {None}
+    for name in idle:
+        if model.meshes[name].stage in loaded:
+            found.failed[name] = RELIEVED
     if meshes is None and len(idle) < len(names):
         for name in idle:
             found.omitted[name] = found.failed.pop(name)
