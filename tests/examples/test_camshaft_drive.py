@@ -12,12 +12,14 @@ import numba
 import numpy as np
 import pytest
 
+from pitchpoint import plot
 from pitchpoint.analysis.amplification import amplification_factor
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
+from pitchpoint.sweep.cases import cases_dataset, run_cases
 from pitchpoint.sweep.speed import run_sweep
 from pitchpoint.system.compile import compile_model
 
@@ -77,6 +79,26 @@ def test_without_backlash_contact_is_never_lost():
     _, t, channel = signals("release-backlash.yaml", "release", duration=0.4)
     assert np.all(channel("contact_state[gap_000]") != 0.0)
     assert np.mean(channel("contact_state[gap_043]")[t > 0.1] == 0.0) > 0.35
+
+
+def test_frequency_over_torque_as_in_figure_4_6():
+    """A study over a parameter gives f_n pi/(pi + r) and r/(pi + r) as numbers of every case, and pictures.
+
+    The damper takes 0.1 % of the amplitude in 0.9 s, which lowers the frequency by up to 1e-4. The window is
+    no whole number of the five to seven periods: a tenth of the share.
+    """
+    torques = (5.0, 60.0, 1500.0)
+    cases = run_cases(
+        load_model(FOLDER / "release.yaml"), [{"parameters.torque": T} for T in torques], "release"
+    )
+    study = cases_dataset(cases)
+    r = 0.15e-3 * 1.0e5 * BASE_RADIUS / np.array(torques)
+    natural = math.sqrt(1.0e5 * BASE_RADIUS**2 / INERTIA) / (2.0 * math.pi)
+    frequency = study["contact_frequency[stage]"].values
+    assert frequency == pytest.approx(natural * math.pi / (math.pi + r), rel=2e-4)
+    assert study["contact_loss_share[stage]"].values == pytest.approx(r / (math.pi + r), rel=0.1)
+    figure = plot(study, "contact_frequency")
+    assert figure.data[0].y == pytest.approx(frequency) and figure.data[0].x == pytest.approx(torques)
 
 
 @pytest.mark.study

@@ -181,8 +181,8 @@ def _largest(
     if over_mean:
         channel = found[f"{quantity}[{name}]"]
         mean = abs((channel.statistics or {"mean": float(channel.values[window].mean())})["mean"])
-        known = RIPPLE * mean < sizes[name] < 10.0 * mean
-        text += f", {number(sizes[name] / mean, 3)} times its mean" if known else ""
+        shown = RIPPLE * mean < sizes[name] < 10.0 * mean
+        text += f", {number(sizes[name] / mean, 3)} times its mean" if shown else ""
     return text
 
 
