@@ -203,6 +203,11 @@ def test_a_needle_bearing_floats():
         ),
         ("designation: 3206, preload: 100 N", "preload", "takes no axial preload"),
         ("type: self_aligning_ball, inner_diameter: 40 mm", "", "has no outer_diameter"),
+        (
+            "inner_diameter: 30 mm, width: 16 mm",
+            "",
+            "gives inner_diameter, width without type; add type (deep_gr",
+        ),
     ],
 )
 def test_messages(keys, where, message):

@@ -16,6 +16,7 @@ from pitchpoint.geometry.bearings.inner import (
     INNER_SPHERE,
     NEEDLE_TYPES,
     ROW_SPACING,
+    TYPES,
     WASHERS,
     InnerGeometry,
     inner_geometry,
@@ -255,6 +256,13 @@ def _bought(part: RollingBearing) -> Catalogued | None:
                 "designation",
             )
         return found
+    if part.type is None and part.elements is None:
+        given = [name for name in BOUGHT if getattr(part, name) is not None]
+        if given:
+            raise GeometryError(
+                f"gives {', '.join(given)} without type",
+                remedy=f"add type ({', '.join(TYPES)}), or give designation",
+            )
     if part.type is None or part.type in GIVEN:
         return None
     needed = (*BOUGHT, "contact_angle") if part.type in ANGLED else BOUGHT

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
+from pitchpoint.model.frames import body_frame
 from pitchpoint.model.rings import rings_of
 from pitchpoint.model.shafts import section_at
 
@@ -25,8 +26,10 @@ def bores_off_their_shafts(model: Model) -> tuple[Message, ...]:
         shaft = model.shafts.get(ring.body)
         if bore is None or shaft is None or ring.place is None:
             continue
-        body = model.bodies[ring.body]
-        middle = float((ring.place - body.position) @ ring.axes[:, 2])
+        origin, axes = body_frame(model, ring.body)
+        if origin is None:
+            continue
+        middle = float((ring.place - origin) @ axes[:, 2])
         half = 0.5 * (part.geometry.width or 0.0)
         there = [section_at(shaft, middle + x)[0] for x in (-half, 0.0, half)]
         if not min(there) / APART < bore < max(there) * APART:

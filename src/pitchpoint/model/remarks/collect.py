@@ -221,7 +221,7 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
 
 
 def remarks_of_file(model: Model) -> tuple[Message, ...]:
-    """Remarks on what the file says, which runs do not repeat."""
+    """Remarks on the values in the file, which runs do not repeat."""
     return (*numbers_without_unit(model), *unused_parameters(model), *bores_off_their_shafts(model))
 
 

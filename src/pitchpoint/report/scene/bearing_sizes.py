@@ -129,6 +129,7 @@ def size_of(part: RollingBearing, shaft: float | None) -> BearingSize:
         half + THINNEST * d
     ):
         bore = 2.0 * shaft
+    flanged = known.axial_clearance is not None
     return BearingSize(
         type=kind,
         bore=max(bore, 0.1 * pitch),
@@ -141,9 +142,7 @@ def size_of(part: RollingBearing, shaft: float | None) -> BearingSize:
         count=known.elements,
         rows=known.rows,
         form=_form(known),
-        flanges=tuple(
-            known.axial_clearance is not None and known.absorbs != other for other in (NEGATIVE, POSITIVE)
-        ),
+        flanges=(flanged and known.absorbs != NEGATIVE, flanged and known.absorbs != POSITIVE),
         bare=known.kind == "needle_roller_on_shaft",
     )
 
