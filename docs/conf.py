@@ -81,3 +81,5 @@ html_context = {"default_mode": "auto"}
 
 # notebooks call the commands of this environment
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+# and show their results, not their progress
+os.environ["TTY_INTERACTIVE"] = "0"

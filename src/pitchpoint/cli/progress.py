@@ -116,6 +116,7 @@ class ProgressDisplay:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
+            console = Console(stderr=True)
             self._bar = Progress(
                 TextColumn("{task.description}"),
                 BarColumn(),
@@ -123,9 +124,10 @@ class ProgressDisplay:
                 TextColumn("{task.fields[rate]}"),
                 TextColumn("{task.fields[remaining]}"),
                 TextColumn("{task.fields[note]}"),
-                console=Console(stderr=True),
+                console=console,
                 auto_refresh=False,
                 transient=True,
+                disable=not console.is_interactive,  # as with TTY_INTERACTIVE=0, for pages of documentation
             )
             self._task = self._bar.add_task(self.title, total=total, rate="", remaining="", note="")
             self._bar.start()

@@ -65,7 +65,7 @@ def plot_campbell(
     names = [str(name) for name in diagram["name"].values]
     moving = curves.max(axis=0, initial=0.0) > RIGID * max(float(curves.max(initial=0.0)), 1e-300)
     curves, names = curves[:, moving], [n for n, m in zip(names, moving, strict=True) if m]
-    wide = speed or (float(omega.min(initial=0.0)), float(omega.max(initial=1.0)))
+    wide = speed or ((float(omega[0]), float(omega[-1])) if omega.size else (0.0, 1.0))
     high = frequency or (0.0, 1.06 * float(curves.max(initial=1.0)))
     revolutions, pitch = scale("rad/s"), scale("Hz", [high[1]])
     figure = theme.figure(

@@ -60,7 +60,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
 RINGS = (1.0, 2.2, 3.4, 4.6)
 """Distances of a label from its point, over the least one."""
 OWN = 1.6
-"""Least distance of a label beside its point from all other points, over that from its own."""
+"""Least distance of a label next to its point from all other points, over that from its own."""
 TURNS = (135, 90, 45, 180, 0, 225, 315, 270)
 """Directions of a label from its point [deg], the preferred one first."""
 
@@ -80,7 +80,7 @@ def around(points: Array, size: float, room: tuple[float, float]) -> Array:
     Returns
     -------
     ndarray
-        Centres of the labels relative to their points, shape (n, 2): in one of eight directions, beside the
+        Centres of the labels relative to their points, shape (n, 2): in one of eight directions, next to the
         point, or further away where other points are close; these need a leader line.
 
     Examples

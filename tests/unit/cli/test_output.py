@@ -201,6 +201,19 @@ def test_what_comes_before_the_work_is_told_too(
     ]
 
 
+@pytest.mark.parametrize("interactive", ["0", "1"])
+def test_no_bar_where_nothing_moves(interactive: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """TTY_INTERACTIVE=0: pages of documentation record no bars."""
+    clock = Clock()
+    monkeypatch.setattr(progress.time, "monotonic", clock.monotonic)
+    monkeypatch.setenv("TTY_INTERACTIVE", interactive)
+    with progress.ProgressDisplay("run") as display:
+        display._terminal = True
+        clock.now += 4.0
+        display(2.0, 8.0)
+        assert display._bar.disable is (interactive == "0")
+
+
 def test_terminals_show_it_beside_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
     monkeypatch.setattr(progress.time, "monotonic", clock.monotonic)

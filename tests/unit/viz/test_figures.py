@@ -98,6 +98,11 @@ def test_every_rank_of_close_critical_speeds_is_shown() -> None:
             assert np.abs(others - place).max(axis=1).min() >= 13.0 - 1e-6
 
 
+def test_a_campbell_diagram_shows_the_speeds_of_the_data() -> None:
+    data = campbell({"high": 2000.0}).isel(speed=slice(10, None))
+    assert plot_campbell(data).layout.xaxis.range[0] == pytest.approx(200.0 * 30.0 / np.pi)
+
+
 def test_orders_outside_a_campbell_diagram_are_omitted() -> None:
     orders = {"low": (1.0, "shaft"), "mesh stage": (50.0, "mesh"), "mesh stage + 1× low": (51.0, "sideband")}
     figure = plot_campbell(campbell({"high": 2000.0}, orders), frequency=(1500.0, 2100.0))
