@@ -59,7 +59,7 @@ def frequencies(angle=0.0, outer_turns=False):
 
 
 def push(fault, kind="ball", ends="rotor, ground", loads="", duration="4.2 s"):
-    """Force x + i y on the inner ring in the world [N], 4 s at 40 kHz after it has settled."""
+    """Force x + i y on the inner ring in the world [N], at 40 kHz after 0.2 s to settle."""
     faults = "{}" if fault is None else "{f: {" + FAULTS[fault] + "}}"
     text = MODEL.format(ends=ends, kind=KINDS[kind][0], faults=faults, loads=loads, duration=duration)
     run = solve_time(compile_model(loads_model(text), "s"))
@@ -79,7 +79,7 @@ def power_spectrum(signal):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_lines_of_a_fault_are_those_of_its_frame(fault, kind, outer_turns):
-    """99.9 % of the power within three lines (0.75 Hz) of the predicted ones; by chance it would be 1 to 2 %.
+    """99.9 % of the power within three lines (1.5 Hz) of the predicted ones; by chance it would be 2 to 4 %.
 
     Most of the rest lies above half of the sample rate and shows at wrong frequencies: with 20 kHz it is ten
     times as large.
@@ -92,12 +92,12 @@ def test_lines_of_a_fault_are_those_of_its_frame(fault, kind, outer_turns):
         "element": (ftf, bsf),
         "cage": (ftf, 9.0 * ftf),
     }[fault]
-    z = push(fault, kind, "ground, rotor" if outer_turns else "rotor, ground")
+    z = push(fault, kind, "ground, rotor" if outer_turns else "rotor, ground", duration="2.2 s")
     f, power = power_spectrum(z)
     off = np.abs((f - first + 0.5 * step) % step - 0.5 * step)
-    assert power[off < 0.75].sum() > 0.999 * power.sum()
+    assert power[off < 1.5].sum() > 0.999 * power.sum()
     largest = f[np.argmax(power)]
-    assert largest == pytest.approx(first + step * np.round((largest - first) / step), abs=0.25)
+    assert largest == pytest.approx(first + step * np.round((largest - first) / step), abs=0.5)
 
 
 def test_frequencies_of_a_loaded_bearing_to_a_thousandth():

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.contact.stiffness.description import Array, PairShape, refuse
 
@@ -153,7 +153,7 @@ class _Anchors:
     def start(self) -> Array:
         return self.kink + self.side + self.n
 
-    def of(self, which: Array | slice) -> _Anchors:
+    def of(self, which: NDArray[np.bool_] | slice) -> _Anchors:
         return _Anchors(self.kink[which], self.side[which], self.n[which], self.half[which])
 
 
@@ -194,7 +194,7 @@ def _helical(line: _Line, at: _Anchors, tau: Array) -> Array:
     return np.asarray(total, dtype=np.float64).reshape(tau.shape)
 
 
-def _pieces(line: _Line, part: Array) -> tuple[Pieces, Array]:
+def _pieces(line: _Line, part: Array) -> tuple[Pieces, NDArray[np.intp]]:
     """Pieces of the cycles with overlap ratios below 1, shape (m,); index of the first piece of each."""
     half = 0.5 * np.where(part < SMALLEST_OVERLAP, 0.0, part)[:, None]
     kink = np.repeat(line.kinks, 2)[None, :] + 0.0 * half
@@ -210,7 +210,8 @@ def _pieces(line: _Line, part: Array) -> tuple[Pieces, Array]:
     total = np.empty_like(tau)
     for law, rows in ((_spur, at.half == 0.0), (_helical, at.half > 0.0)):
         total[rows] = law(line, at.of(rows), tau[rows])
-    first = np.append(0, np.cumsum(is_piece.sum(axis=1))[:-1])
+    count = is_piece.sum(axis=1)
+    first = np.cumsum(count) - count
     return Pieces(at.start, width, total @ _TO_POLYNOMIAL.T), first
 
 

@@ -266,7 +266,8 @@ class ClampedTooth:
         """
         (y, c, s), (y_2, c_2, s_2) = self.arms(rho), self.arms(rho_load)
         lower = y <= y_2
-        J0, J1, J2, S = np.where(lower, self.integrals(y), self.integrals(y_2))
+        below = self.integrals(y)
+        J0, J1, J2, S = below if rho is rho_load else np.where(lower, below, self.integrals(y_2))
         bending = 12.0 * c * c_2 * (y * y_2 * J0 - (y + y_2) * J1 + J2)
         straight = (2.4 / (1.0 - nu) * c * c_2 + s * s_2) * S
         return np.asarray((1.0 - nu * nu) / E * self.cos_beta * (bending + straight))

@@ -203,12 +203,17 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     It is the reference for damping ratios, time steps and the mesh cycle; the forces follow from the contact
     problem.
     """
+    return _shape_of(pair, _slices(contact, gears), contact.correction)
+
+
+@lru_cache(maxsize=64)
+def _shape_of(pair: GearPair, parts: tuple[GearSlice, GearSlice], correction: float) -> PairShape:
+    """`flexible_shape` of two slices; planets, both uses of a compilation, and all cases share it."""
     # a path that reaches a base circle has finite radii of curvature in the local contact, too
     least = LEAST_ROLL * pair.p_et
     end = math.inf if pair.is_internal else pair.T1T2 - least
     place = np.clip(np.linspace(pair.T1A, pair.T1E, _ON_PATH), least, end)
-    found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
-    stiffness = contact.correction * found.stiffness
+    stiffness = correction * pair_slice(pair, place, LINE_LOAD, parts).stiffness
     top = float(stiffness.max())
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
