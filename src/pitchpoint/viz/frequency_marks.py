@@ -96,7 +96,7 @@ def mark_frequencies(
 
 
 def _extent(words: str, share: float) -> tuple[str, tuple[float, float], bool]:
-    """Anchor and ends of a name in the narrowest plot [pixels], and whether it stands beside its line.
+    """Anchor and ends of a name in the narrowest plot [pixels], and whether it is next to its line.
 
     A name without room on either side of its line ends at the end of the axis.
     """

@@ -85,7 +85,7 @@ def plot_modes(
         barmode="stack",
         bargap=0.3,
         showlegend=False,
-        # a legend would be as narrow as the axis beside the names of the modes
+        # the legend of the library would be as narrow as the axis, next to the names of the modes
         title={
             **theme.title_above(legend),
             "x": 0,

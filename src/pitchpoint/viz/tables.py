@@ -246,8 +246,8 @@ def value_html(value: str) -> str:
 
     Examples
     --------
-    >>> value_html("20 deg"), value_html("generalized_alpha"), value_html("d_in")
-    ('20°', 'generalized alpha', 'd<sub>in</sub>')
+    >>> value_html("20 deg"), value_html("generalized_alpha"), value_html("d_in"), value_html("din3990")
+    ('20°', 'generalized alpha', 'd<sub>in</sub>', 'DIN 3990')
     """
     return " ".join(_word_html(word) for word in printed(value).split(" "))
 
@@ -275,12 +275,15 @@ def _word_html(word: str) -> str:
     """Word of a model file: a symbol such as `v_eps` with its subscript, else plain words."""
     if word in _GREEK:
         return _GREEK[word]
+    if word in _STANDARDS:
+        return _STANDARDS[word]
     if re.fullmatch(r"[A-Za-z]_[A-Za-z0-9]+", word):
         letter, _, index = word.partition("_")
         return symbol_html(f"{letter}_{_GREEK.get(index, index)}")
     return escape(word.replace("_", " "))
 
 
+_STANDARDS = {"din3990": "DIN 3990"}
 _GREEK = {"mu": "µ", "eps": "ε", "alpha": "α", "beta": "β", "zeta": "ζ", "nu": "ν"}
 
 

@@ -89,7 +89,7 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
             head.append(shown.title(_words(name, statistic)))
     body = []
     for case in cases[:MAX_ROWS]:
-        # units stay beside their numbers
+        # no line break between number and unit
         given = [escape(printed(case["values"].get(p, "–")).replace(" ", "\u00a0")) for p in paths]
         cells = [f'<th scope="row">{text}</th>' for text in given[:1]]
         cells += [f"<td>{text}</td>" for text in given[1:]]
