@@ -20,7 +20,7 @@ def plate_points(sides: Sequence[float]) -> NDArray[np.float64]:
 
     The weights sum to 1, so that a contact law is that of the whole plate. Gauss points of cells integrate a
     linear penetration and its moments exactly while the whole plate is in contact. The corners have no
-    weight: they are the points with the smallest gap.
+    weight: they are the points with the smallest gap. Derivation: docs/theory/contacts.md, "Surfaces".
 
     Parameters
     ----------
