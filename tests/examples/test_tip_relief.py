@@ -28,6 +28,7 @@ def forces(model):
     return np.array(TORQUES) / model.pairs["stage"].gear1.r_b
 
 
+@pytest.mark.study  # tests/unit/solvers/test_relief_design.py has the same closed form for two variables
 def test_constant_stiffness():
     model = load_model(FOLDER / "rigid.yaml")
     load = forces(model)
@@ -55,6 +56,7 @@ def test_flexible_teeth(name, printed):
     assert 1e6 * peaks == pytest.approx(printed, rel=5e-3)
 
 
+@pytest.mark.study  # the worst of deviations in small: `tolerances` in test_relief_design.py
 def test_tolerances():
     """The worst of the drawing values: a plan whose bounds are these, and their start."""
     model = load_model(FOLDER / "relieved.yaml")
