@@ -56,7 +56,6 @@ def test_flexible_teeth(name, printed):
     assert 1e6 * peaks == pytest.approx(printed, rel=5e-3)
 
 
-@pytest.mark.study  # the worst of deviations in small: `tolerances` in test_relief_design.py
 def test_tolerances():
     """The worst of the drawing values: a plan whose bounds are these, and their start."""
     model = load_model(FOLDER / "relieved.yaml")
