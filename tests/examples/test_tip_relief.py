@@ -28,6 +28,7 @@ def forces(model):
     return np.array(TORQUES) / model.pairs["stage"].gear1.r_b
 
 
+@pytest.mark.study  # tests/unit/solvers/test_relief_design.py has the same closed form for two variables
 def test_constant_stiffness():
     model = load_model(FOLDER / "rigid.yaml")
     load = forces(model)

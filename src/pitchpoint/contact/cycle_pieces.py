@@ -151,9 +151,11 @@ class _Anchors:
 
     @property
     def start(self) -> Array:
+        """Phases, shape (r,)."""
         return self.kink + self.side + self.n
 
     def of(self, which: NDArray[np.bool_] | slice) -> _Anchors:
+        """Some of them."""
         return _Anchors(self.kink[which], self.side[which], self.n[which], self.half[which])
 
 

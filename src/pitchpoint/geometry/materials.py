@@ -127,6 +127,8 @@ def material(name: str) -> Material:
     >>> material("en-gjs-400").youngs_modulus, material("POM").density
     (169000000000.0, 1410.0)
     """
+    if name in LIBRARY:
+        return LIBRARY[name]
     plain = {_plain(known): known for known in LIBRARY}
     found = plain.get(_plain(name))
     if found is None:

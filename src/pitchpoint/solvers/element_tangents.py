@@ -115,13 +115,12 @@ def tangents(
 ) -> tuple[Array, Array]:
     """Damping and stiffness matrix of some records, without the inertia of the bodies, as blocks."""
     found = []
-    for factors in ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
-        parts = []
-        for what in (on, {}):
-            with switched(system, what):
-                parts.append(evaluate.blocks(system, state, *factors))
-        found.append(parts[0] - parts[1])
-    return found[0], found[1]
+    for what in (on, {}):
+        with switched(system, what):
+            damping = evaluate.blocks(system, state, 0.0, 1.0, 0.0)
+            found.append((damping, evaluate.blocks(system, state, 0.0, 0.0, 1.0)))
+    (damping, stiffness), (bare_damping, bare_stiffness) = found
+    return damping - bare_damping, stiffness - bare_stiffness
 
 
 def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:

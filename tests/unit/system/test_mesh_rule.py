@@ -6,13 +6,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.contact.compliance.pair import pair_slice
 from pitchpoint.core.errors import SolverError
-from pitchpoint.io.yaml_model import load_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from tests.support.contact_trains import planets
 from tests.support.machines import compiled
 
 PAIR = """\
@@ -117,3 +119,22 @@ def test_a_users_stiffness_that_fails_later_is_named_with_the_time(tmp_path):
     state.t = 2e-3
     with pytest.raises(SolverError, match=r"k .*\(t = 0.002 s, x = "):
         evaluate.residual(system, state)
+
+
+def test_equal_pairs_share_the_stiffness_of_their_flexible_teeth(monkeypatch):
+    """Three planets with sun and ring: two kinds of pairs, each computed once and kept."""
+    from pitchpoint.system.rules import flank_contact
+
+    found = []
+
+    def counted(pair, *rest):
+        found.append(pair.gear2.z)
+        return pair_slice(pair, *rest)
+
+    flank_contact._shape_of.cache_clear()
+    monkeypatch.setattr(flank_contact, "pair_slice", counted)
+    text = planets(0.0)
+    assert len(loads_model(text).meshes) == 6
+    for _ in range(2):
+        compile_model(loads_model(text))
+    assert len(found) == len(set(found)) == 2

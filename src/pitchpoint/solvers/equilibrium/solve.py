@@ -151,7 +151,7 @@ def find_equilibrium(
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
     idle = unsettled_states(system, state, free)
-    free = np.setdiff1d(free, idle)
+    free = np.setdiff1d(free, idle) if idle.size else free
     if is_looped(system):
         mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
         if words := broken_tooth(system, mechanism.state):

@@ -130,7 +130,10 @@ def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> N
     free
         Coordinates that may change.
     """
-    found = np.intersect1d(signal_states(system), free)
+    found = signal_states(system)
+    if not found.size:
+        return found
+    found = np.intersect1d(found, free)
     if not found.size:
         return found
     loose = _without_limits(system)
@@ -152,7 +155,11 @@ def _without_limits(system: System) -> System:
 def step_on(system: System, state: State, free: NDArray[np.int64], step: NDArray[np.float64]) -> State:
     """Copy of a state after a step of the free coordinates; for element states the rates change."""
     found = state.copy()
-    holds = np.isin(free, system.states)
+    states = system.states
+    if not states.size:
+        found.q[free] += step
+        return found
+    holds = np.isin(free, states)
     found.q[free[~holds]] += step[~holds]
     found.v[free[holds]] += step[holds]
     return found

@@ -177,13 +177,9 @@ def _slices(contact: FlexibleContact, gears: Sequence[Gear]) -> tuple[GearSlice,
     """Slices of both gears in plane strain."""
     one, two = (
         gear_slice(
-            gear.geometry,
-            material=gear.material_data,
-            blank=blank_of(gear),
-            body=contact.body,
-            clamp=contact.clamp,
+            g.geometry, material=g.material_data, blank=blank_of(g), body=contact.body, clamp=contact.clamp
         )
-        for gear in gears
+        for g in gears
     )
     return one, two
 
@@ -200,8 +196,7 @@ def blank_of(gear: Gear) -> Blank:
 def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gear]) -> PairShape:
     """Stiffness of a flexible tooth pair alone in the mesh over its path, at the line load `LINE_LOAD`.
 
-    It is the reference for damping ratios, time steps and the mesh cycle; the forces follow from the contact
-    problem.
+    Reference of damping ratios, time steps and the mesh cycle; the forces follow from the contact problem.
     """
     return _shape_of(pair, _slices(contact, gears), contact.correction)
 
