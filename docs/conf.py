@@ -53,6 +53,8 @@ autosummary_generate = False  # docs/make_api.py writes these pages
 autodoc_typehints = "none"  # numpydoc sections state what a parameter is, with its unit
 autodoc_member_order = "bysource"
 autodoc_preserve_defaults = True
+# annotations and attributes name classes and values without their module, which several modules may have
+suppress_warnings = ["ref.python"]
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 napoleon_use_ivar = True
