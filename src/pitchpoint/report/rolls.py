@@ -32,6 +32,8 @@ MAX_PERIODS, MAX_TURNS = 12, 60
 """Maximum number of rolled periods: for interacting meshes, and for gears with single-tooth deviations."""
 MAX_MESHES = 20
 """Maximum number of rolled meshes, the first ones of the file."""
+WHOLE = 0.99
+"""Periods that count as one whole period, up to the deflection of the teeth."""
 SAME = 1e-3
 """Relative tolerance for equal periods, and for equal stiffness under load and by the law."""
 ROUND_OFF = 1e-10
@@ -279,7 +281,9 @@ def _own_periods(position: Array, phase: Array) -> Array:
     return own
 
 
-def without_given(cycles: dict[str, MeshCycleData], rolls: dict[str, Any]) -> dict[str, MeshCycleData]:
-    """Mesh cycles without the transmission errors of meshes with a given roll."""
-    given = {mesh for roll in rolls.values() for mesh in (roll.mesh, *roll.curves)}
+def without_given(cycles: dict[str, MeshCycleData], rolls: dict[str, RollData]) -> dict[str, MeshCycleData]:
+    """Mesh cycles without the transmission errors of meshes with at least one period in a given roll."""
+    given = {roll.mesh for roll in rolls.values()}
+    for roll in rolls.values():
+        given |= {mesh for mesh, (periods, _) in roll.curves.items() if np.ptp(periods) >= WHOLE}
     return {name: replace(c, errors={}) if name in given else c for name, c in cycles.items()}

@@ -16,8 +16,15 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
-from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat, points_to_roll
+from pitchpoint.report.rolls import (
+    given_roll,
+    periods_to_roll,
+    periods_until_repeat,
+    points_to_roll,
+    without_given,
+)
 from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.viz.report.build import MeshCycleData, RollData
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -171,9 +178,20 @@ def test_a_roll_that_is_given_is_drawn_over_all_its_periods(
     np.testing.assert_allclose(np.asarray(roll.curves["second"][0])[-1], 2.0, atol=0.02)
     np.testing.assert_allclose(errors["without load"], rolled["unloaded_transmission_error[first]"].values)
     assert [name.startswith("mesh force ") for name in errors] == [False, True]
-    # the curve of the file is in the place of one computed anew
-    assert not found.mesh_cycles["first"].errors
-    assert found.mesh_cycles["second"].errors
+    # the curves of the file are in the place of ones computed anew
+    assert not found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
+
+
+def test_a_mesh_of_which_a_roll_has_less_than_a_period_keeps_its_own_curve() -> None:
+    error = {"without load": np.array([0.0, 1e-6])}
+    cycles = {mesh: MeshCycleData(errors=error) for mesh in ("rolled", "whole", "part")}
+    curves = {mesh: (np.array([0.0, end]), error) for mesh, end in (("whole", 1.0), ("part", 0.4))}
+    kept = without_given(cycles, {"roll": RollData(curves=curves, mesh="rolled")})
+    assert {mesh: bool(cycle.errors) for mesh, cycle in kept.items()} == {
+        "rolled": False,
+        "whole": False,
+        "part": True,
+    }
 
 
 def test_a_roll_without_load_has_one_curve() -> None:

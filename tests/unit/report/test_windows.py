@@ -64,3 +64,14 @@ def test_one_window_and_the_same_numbers(tmp_path: Path, capsys: pytest.CaptureF
         line = next(line for line in said.splitlines() if line.strip().startswith(terminal))
         printed = numbers(re.findall(rf"({NUMBER}) {re.escape(unit)}", line))
         assert printed == pytest.approx(expected, rel=DIGITS)
+
+
+def test_a_note_of_a_run_is_on_the_page_once(tmp_path: Path) -> None:
+    """In the remarks of the summary, not again above the curves or in the provenance."""
+    file, run = tmp_path / "pair.yaml", tmp_path / "run.h5"
+    file.write_text(TEXT.replace("sample_rate: 4.15 kHz", "sample_rate: 4.15 kHz, step: 7 us"))
+    assert run_command(["run", str(file), "-s", "steady", "-o", str(run), "--quiet"]) == 0
+    page = pp.write_report(file, tmp_path / "page.html", run).read_text(encoding="utf-8")
+    assert page.count("steps divide the sample period") == 1
+    summary = page[page.index('<section id="summary"') : page.index('<section id="time"')]
+    assert "<h3>Remarks</h3>" in summary and "steps divide the sample period" in summary
