@@ -133,4 +133,4 @@ def test_a_torsional_connection_of_distant_axes_is_told_with_the_distance(group:
         f"{group}.joint.bodies: motor and pump have parallel axes 120 mm apart, and the torque between them "
         "acts without a force; correct the positions, or connect them by a mesh or a ratio"
     )
-    assert told(text.replace("PLACE", "600 mm, 0.5 mm, 800 mm")) == ()  # a misalignment
+    assert told(text.replace("PLACE", "600 mm, 5 mm, 800 mm")) == ()  # a misalignment

@@ -21,8 +21,8 @@ Span = tuple[str, str, Array, Array, float, float]
 """Body, gear, position and axis of the body, axial start and end of the gear [m]."""
 TURNING = ("torsion_springs", "torsion_maxwells", "clutches")
 """Sections whose torques act at the origin of a body, which is the start of a shaft."""
-ALIGNED = 1e-3
-"""Distance of two axes that a torsional connection may bridge as misalignment [m]."""
+ALIGNED = 0.01
+"""Distance of two axes that a coupling, such as an Oldham coupling, may bridge as misalignment [m]."""
 SAME = 1e-6
 """Distance of two axes, relative to the tip diameter, up to which they coincide."""
 
@@ -114,7 +114,7 @@ def _distant_axes(model: Model) -> Iterator[Message]:
     """Couplings and torsional elements between bodies on parallel axes that are apart."""
     for group in ("couplings", *TURNING):
         for name, part in getattr(model, group).items():
-            if len(part.bodies) < 2:
+            if len(part.bodies) < 2 or not getattr(part, "carries_torque", True):
                 continue
             (at, axes), (other, way) = (body_frame(model, body) for body in part.bodies)
             if at is None or other is None or abs(axes[:, 2] @ way[:, 2]) < 1.0 - SAME:
