@@ -91,10 +91,10 @@ class Pieces:
         slope = np.arange(1, 5)[:, None, None] * c[1:]
         edges = np.sort(np.concatenate([-np.ones_like(c[0]), _turns(slope), np.ones_like(c[0])], axis=-1))
         low, high = edges[:, :-1], edges[:, 1:]
-        falling = _values(slope, low) > 0.0
+        rising = _values(slope, low) > 0.0
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
-            before = (_values(slope, middle) > 0.0) == falling
+            before = (_values(slope, middle) > 0.0) == rising
             low, high = np.where(before, middle, low), np.where(before, high, middle)
         values = _values(c, np.concatenate([edges, low], axis=-1))
         return values.min(axis=-1), values.max(axis=-1)
