@@ -40,14 +40,22 @@ def remarks_of(warnings: Iterable[str], notes: Iterable[str]) -> list[str]:
     --------
     >>> remarks_of(["x is low."], ["run: x is low", "case 1: 2.5 mm deep", "case 2: 3 mm deep"])
     ['x is low.', 'case 1: 2.5 mm deep (and 1 similar note)']
+    >>> remarks_of([], ["a is deep; check it.", "a is deep: check it"])
+    ['a is deep; check it.']
     """
     known = list(dict.fromkeys(warnings))
-    plain = tuple(text.rstrip(".") for text in known)
-    kinds: dict[str, list[str]] = {}
-    for note in dict.fromkeys(notes):
-        if not note.rstrip(".").endswith(plain):
-            kinds.setdefault(re.sub(r"\d+(\.\d+)?", "#", note), []).append(note)
-    return known + [f"{first}{_similar(len(others))}" for first, *others in kinds.values()]
+    plain = tuple(map(_plain, known))
+    kinds: dict[str, dict[str, str]] = {}
+    for note in notes:
+        text = _plain(note)
+        if not text.endswith(plain):
+            kinds.setdefault(re.sub(r"\d+(\.\d+)?", "#", text), {}).setdefault(text, note)
+    return known + [f"{next(iter(own.values()))}{_similar(len(own) - 1)}" for own in kinds.values()]
+
+
+def _plain(text: str) -> str:
+    """Text without the punctuation in which the same note differs between a result and a message."""
+    return re.sub(r"[.;:](?=\s|$)", "", text)
 
 
 def _similar(count: int) -> str:
