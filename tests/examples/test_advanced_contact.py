@@ -18,9 +18,9 @@ from pitchpoint.system.compile import compile_model
 from tests.support.advanced_contact import EXAMPLE, folder_with_table
 
 NUMBERS = {
-    "rigid": (18.6e-6, 3.72e-6, 5921.0),
-    "flexible": (17.8e-6, 2.04e-6, 5919.0),
-    "precomputed": (17.9e-6, 2.04e-6, 5914.0),
+    "rigid": (18.6e-6, 3.72e-6, 5922.0),
+    "flexible": (17.8e-6, 2.03e-6, 5920.0),
+    "precomputed": (17.9e-6, 2.04e-6, 5915.0),
 }
 
 
