@@ -41,7 +41,9 @@ def test_extremes_are_reached(eps_alpha, eps_beta, S_R, T_R):
     """Sampling closely around the breakpoints and in between comes as near as the sampling allows."""
     cycle = mesh_cycle(eps_alpha, eps_beta, S_R, T_R)
     near = [0.0] if eps_beta > 0.0 else [-1e-9, 1e-9]
-    phases = np.concatenate([np.linspace(0, 1, 2001), *(cycle.breakpoints + d for d in near)])
+    # spur gears of a whole eps_alpha: at psi = 0 alone one pair enters as another one leaves, both count
+    grid = np.linspace(0, 1, 2001) if eps_beta > 0.0 else np.linspace(0, 1, 2001)[1:-1]
+    phases = np.concatenate([grid, *(cycle.breakpoints + d for d in near)])
     L = PairShape(c_prime=1.0, T_R=T_R).ramp_length(eps_alpha)
     kernel = width_moments(phases, eps_beta, 1.0, eps_alpha, S_R, L)[0]
     steep = 1e-6 * (1.0 + 1.0 / max(L, 1e-3))
