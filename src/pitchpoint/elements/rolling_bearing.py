@@ -77,7 +77,7 @@ RECORD = np.dtype(
         ("rows", "i8"),  # 0, 1: single-row; 2: double-row
         ("aligns", "i8"),  # 1: self-aligning, one raceway is a sphere about the centre
         ("floats", "i8"),  # 1: no axial force
-        ("one_sided", "i8"),  # 1: balls have a shoulder on one side only (angular contact, thrust)
+        ("one_sided", "i8"),  # 1: balls have a shoulder on one side only, towards their axial force
         ("offset", "f8"),  # distance of either row from the centre [m]
         ("flange", "f8"),  # stiffness of the flanges, 0: none [N/m]
         ("flange_low", "f8"),

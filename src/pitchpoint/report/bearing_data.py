@@ -7,6 +7,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.geometry.bearings.designation import by_designation
 from pitchpoint.model.components.bearing_geometry import ELEMENTS
 
 if TYPE_CHECKING:
@@ -54,6 +55,11 @@ def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
             notes.append(
                 f"{name}: flanges with an axial clearance of "
                 f"{format_quantity(found.axial_clearance, 'length', 3)}, stiffness {words}"
+            )
+        if part.contact_angle is None and part.designation and by_designation(part.designation).by_maker:
+            notes.append(
+                f"{name}: contact angle of {format_quantity(found.contact_angle, 'angle', 4)}, that of NSK; "
+                "it differs between makers: give contact_angle, or the suffix A (SKF), B or BD (FAG)"
             )
         if found.rated is not None and found.dynamic is not None and found.static is not None:
             notes.append(

@@ -144,6 +144,23 @@ SAME = {
 }
 
 
+@pytest.mark.parametrize(
+    ("bearing", "loaded"),
+    [
+        ("designation: 6205", False),
+        ("designation: 6205, clearance: -20 um", True),
+        ("designation: 30205, axial_force_absorption: positive, preload: 300 N", True),
+        ("designation: 30205, axial_force_absorption: positive, preload_distance: 5 um", True),
+    ],
+)
+def test_a_preloaded_bearing_of_a_fixed_axis_has_a_force(bearing: str, loaded: bool) -> None:
+    """It has no effect on the motion, but its preload (of elements around it, for a negative clearance)."""
+    model = model_of(rest=f"rolling_bearings: {{c: {{body: one, {bearing}}}}}")
+    (found,) = keys_without_effect(model)
+    assert found.where == "rolling_bearings.c"
+    assert found.text.startswith("has no effect: " if loaded else "has no effect and no force at any load: ")
+
+
 @pytest.mark.parametrize("name", SAME)
 def test_keys_without_effect_are_named_and_have_none(name: str) -> None:
     idle, without, where = SAME[name]

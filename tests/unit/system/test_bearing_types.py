@@ -5,12 +5,16 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
+from scipy.optimize import brentq
 from scipy.special import beta
 
+from pitchpoint.contact.rolling import POINT, Raceways
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.remarks.collect import remarks_of_file
+from pitchpoint.report.bearing_data import bearing_lines
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -19,14 +23,14 @@ ROTOR = """\
 bodies:
   rotor: {motion: free, mass: 2 kg, inertia: 2e-3, transverse_inertia: 2e-3, position: [0.1, 0, 0],
     axes: {z: AXIS}}
-loads: {weight: {body: rotor, force: FORCE, along: world}}
+loads: {weight: {body: rotor, force: FORCE, along: world, position: [0, 0, ABOVE]}}
 bearings: {turning: {body: rotor, stiffness: HELD}}
 rolling_bearings:
 """
 
 
-def model(bearings, force="[0, 0, 0]", axis="[0, 0, 1]", held="{torsion: 100}"):
-    text = ROTOR.replace("FORCE", force).replace("AXIS", axis).replace("HELD", held)
+def model(bearings, force="[0, 0, 0]", axis="[0, 0, 1]", held="{torsion: 100}", above="0 mm"):
+    text = ROTOR.replace("FORCE", force).replace("AXIS", axis).replace("HELD", held).replace("ABOVE", above)
     return loads_model(text + bearings)
 
 
@@ -75,10 +79,13 @@ def test_self_aligning_bearings_do_not_resist_tilting(designation):
 
 @pytest.mark.parametrize("axis", ["[0, 0, 1]", "[0, 1, 0]", "[0, 0, -1]"])
 def test_a_double_row_bearing_is_two_single_ones(axis):
-    """3208 against two rows of its balls at the distance of its rows, in O arrangement, under forces."""
-    whole, (record,) = rest(
-        "  a: {body: rotor, designation: 3208, clearance: -20 um}\n", force="[800 N, 300 N, 500 N]", axis=axis
-    )
+    """3208 against two rows of its balls at the distance of its rows, in O arrangement.
+
+    The force is 40 mm above the centre: it displaces and tilts the shaft. An X arrangement tilts several
+    times as much.
+    """
+    load = {"force": "[800 N, 300 N, 500 N]", "axis": axis, "above": "40 mm"}
+    whole, (record,) = rest("  a: {body: rotor, designation: 3208, clearance: -20 um}\n", **load)
     e = float(record["offset"])
     found = model("  a: {body: rotor, designation: 3208}\n").rolling_bearings["a"].geometry
     assert found.row_distance == pytest.approx(2.0 * e)
@@ -86,20 +93,90 @@ def test_a_double_row_bearing_is_two_single_ones(axis):
         f"{{body: rotor, type: ball, elements: {found.elements}, element_diameter: {found.element_diameter}, "
         f"pitch_diameter: {found.pitch_diameter}, grooves: [0.52, 0.53], clearance: -20 um, "
     )
-    parts, _ = rest(
-        f"  low: {row}position: [0, 0, {-e}], contact_angle: 25 deg}}\n"
-        f"  high: {row}position: [0, 0, {e}], contact_angle: -25 deg}}\n",
-        force="[800 N, 300 N, 500 N]",
-        axis=axis,
+    parts, crossed = (
+        rest(
+            f"  low: {row}position: [0, 0, {-e}], contact_angle: {angle} deg}}\n"
+            f"  high: {row}position: [0, 0, {e}], contact_angle: {-angle} deg}}\n",
+            **load,
+        )[0]
+        for angle in (25, -25)
     )
-    for name in ("fx", "fy", "fz"):
-        both = sum(parts[f"bearing_force[{part}.{name}]"] for part in ("low", "high"))
-        assert whole[f"bearing_force[a.{name}]"] == pytest.approx(both, abs=1e-3)
     for name in "xyz":
         # the balls of the second row are half a spacing further in the double-row bearing
         assert whole[f"displacement[rotor.{name}]"] == pytest.approx(
             parts[f"displacement[rotor.{name}]"], rel=0.03, abs=2e-8
         )
+    tilts = [
+        math.hypot(*(seen[f"displacement[rotor.r{way}]"] for way in "xy")) for seen in (whole, parts, crossed)
+    ]
+    assert tilts[0] == pytest.approx(tilts[1], rel=0.03)
+    assert tilts[2] > 2.0 * tilts[0]
+    # moments of the two rows about the centre, with those of their forces, whose points move by up to 7 um
+    for name, across, arm in (("mx", "fy", -e), ("my", "fx", e)):
+        both = sum(
+            parts[f"bearing_force[{part}.{name}]"] + side * arm * parts[f"bearing_force[{part}.{across}]"]
+            for part, side in (("low", -1.0), ("high", 1.0))
+        )
+        assert whole[f"bearing_force[a.{name}]"] == pytest.approx(both, abs=1e3 * 7e-6)
+
+
+ONE_BEARING = {
+    "designation: 7208B, axial_force_absorption: SIDE": "angular contact",
+    "type: ball, grooves: [0.52, 0.53], contact_angle: SIGN40 deg": "given elements",
+    "type: ball, grooves: [0.52, 0.53], contact_angle: 40 deg, axial_force_absorption: SIDE": "with side",
+}
+
+
+@pytest.mark.parametrize("side", ["positive", "negative"])
+@pytest.mark.parametrize("keys", ONE_BEARING, ids=ONE_BEARING.values())
+def test_an_angular_contact_bearing_has_one_shoulder_in_any_spelling(keys, side):
+    """500 N on the side that it supports, all carried; against it, the rings come apart: no force."""
+    sign = 1.0 if side == "positive" else -1.0
+    found = (
+        model("  a: {body: rotor, designation: 7208B, axial_force_absorption: positive}\n")
+        .rolling_bearings["a"]
+        .geometry
+    )
+    text = "  a: {body: rotor, " + keys.replace("SIDE", side).replace("SIGN", "" if sign > 0.0 else "-")
+    if "type: ball" in keys:
+        text += (
+            f", elements: {found.elements}, element_diameter: {found.element_diameter}, "
+            f"pitch_diameter: {found.pitch_diameter}"
+        )
+    held = "{torsion: 100, radial: 1e7, tilt: 1e4, axial: 1e3}"
+    seen, (record,) = rest(text + "}\n", force=f"[0, 0, {sign * 500} N]", held=held)
+    z = sign * seen["displacement[rotor.z]"]
+    row = Raceways(
+        found.elements, float(record["stiffness"]), POINT, found.contact_angle, 0.0, found.groove_distance
+    )
+    assert z == pytest.approx(row.shift_for(500.0 - 1e3 * z), rel=1e-5)
+    seen, _ = rest(text + "}\n", force=f"[0, 0, {-sign * 20} N]", held=held)
+    assert seen["bearing_force[a.axial]"] == 0.0
+    assert seen["displacement[rotor.z]"] == pytest.approx(-sign * 0.02, rel=1e-6)
+
+
+def test_a_ball_bearing_with_two_shoulders_holds_both_ways():
+    """both_directions, with given elements or a designation: a deep groove ball bearing."""
+    for keys in (
+        "type: ball, grooves: [0.52, 0.53], elements: 9, element_diameter: 15 mm, pitch_diameter: 65 mm",
+        "designation: 6308, clearance: 10 um",
+    ):
+        for side in (1.0, -1.0):
+            seen, _ = rest(
+                f"  a: {{body: rotor, {keys}}}\n",
+                force=f"[0, 0, {side * 500} N]",
+                held="{torsion: 100, radial: 1e7, tilt: 1e4}",
+            )
+            assert seen["bearing_force[a.axial]"] == pytest.approx(-side * 500.0, rel=1e-6)
+
+
+def test_check_says_whose_contact_angle_a_double_row_bearing_has():
+    """Without a suffix it is that of the table; a suffix or contact_angle decides otherwise."""
+    for keys, said in (("3208-2RS", True), ("3208 A", False), ("3208, contact_angle: 32 deg", False)):
+        notes = bearing_lines(model(f"  a: {{body: rotor, designation: {keys}}}\n"))[1]
+        found = [note for note in notes if "contact angle" in note]
+        assert len(found) == said
+        assert not said or "a: contact angle of 25 deg, that of NSK; it differs between makers" in found[0]
 
 
 def test_tilting_of_a_double_row_bearing():
@@ -201,6 +278,27 @@ def test_a_needle_bearing_floats():
             "clearance",
             "does not apply to a thrust bearing",
         ),
+        (
+            "designation: 51106, axial_force_absorption: positive, contact_angle: 60 deg",
+            "contact_angle",
+            "60 deg does not apply to thrust ball bearings; remove it: it is 90 deg",
+        ),
+        (
+            "designation: NU208E, contact_angle: 10 deg",
+            "contact_angle",
+            "10 deg does not apply to cylindrical",
+        ),
+        (
+            "designation: NJ208E, axial_force_absorption: positive, contact_angle: 10 deg",
+            "contact_angle",
+            "does not apply to cylindrical roller bearings; remove it: it is 0",
+        ),
+        ("designation: NA4905, contact_angle: 10 deg", "contact_angle", "does not apply to needle roller"),
+        (
+            "designation: 6208, contact_angle: 10 deg",
+            "contact_angle",
+            "does not apply to deep groove ball bearings; remove it: it follows from the clearance",
+        ),
         ("designation: 3206, preload: 100 N", "preload", "takes no axial preload"),
         ("type: self_aligning_ball, inner_diameter: 40 mm", "", "has no outer_diameter"),
         (
@@ -236,9 +334,12 @@ def test_a_bore_that_does_not_fit_the_shaft():
 
 @pytest.mark.parametrize("slices", [1, 21])
 def test_an_o_arrangement_is_stiffer_in_tilting_than_an_x_arrangement(slices):
-    """Closed form of one slice, Z k (e cos(a) +- d_m/2 sin(a))^2 for both bearings, k = P K d^(P-1).
+    """Closed form Z (k (e cos(a) +- d_m/2 sin(a))^2 + c) of both bearings, with k and c of one roller.
 
-    The load of each roller has no line of its own to turn with, so that there is no further term.
+    k is the sum of the slopes P K/n_s d_s^(P-1) of its slices and c that of slope x xi^2, the tilting of the
+    roller about its middle, 0 for one slice. d_s is the approach less the profile of ISO/TS 16281, and the
+    preload is the sum of K/n_s d_s^P. The profile is even, so that there is no mixed term. The load of each
+    roller has no line of its own to turn with, so that there is no further term.
     """
     found = {}
     for first, second in (("positive", "negative"), ("negative", "positive")):
@@ -251,13 +352,22 @@ def test_an_o_arrangement_is_stiffer_in_tilting_than_an_x_arrangement(slices):
         )
         record = system.records["rolling_bearing"][1]
         found[first] = evaluate.linearize(system, system.initial_state())[2][3, 3]
-        if slices == 1:
-            angle, P = abs(float(record["angle"])), float(record["exponent"])
-            depth = 800.0 / record["n"] / math.sin(angle) / record["stiffness"]
-            slope = P * record["stiffness"] * (depth ** (1.0 / P)) ** (P - 1.0)
-            side = 1.0 if first == "positive" else -1.0
-            lever = 0.03 * math.cos(angle) + side * 0.5 * record["pitch"] * math.sin(angle)
-            assert found[first] == pytest.approx(record["n"] * slope * lever**2, rel=1e-3)
+        geometry = system.model.rolling_bearings["low"].geometry
+        angle, P = abs(geometry.contact_angle), 10.0 / 9.0
+        half = ((np.arange(slices) + 0.5) / slices - 0.5) * 2.0  # 2 xi/L_we
+        profile = 0.00035 * geometry.element_diameter * np.log(1.0 / (1.0 - half**2))
+        one = float(record["stiffness"]) / slices
+
+        def excess(depth, one=one, profile=profile, angle=angle, P=P, n=int(record["n"])):
+            return n * math.sin(angle) * one * np.sum(np.maximum(depth - profile, 0.0) ** P) - 800.0
+
+        left = brentq(excess, 0.0, 1e-3, xtol=1e-16) - profile
+        slopes = np.where(left > 0.0, P * one * np.abs(left) ** (P - 1.0), 0.0)
+        about_middle = np.sum(slopes * (0.5 * half * geometry.effective_length) ** 2)
+        side = 1.0 if first == "positive" else -1.0
+        lever = 0.03 * math.cos(angle) + side * 0.5 * geometry.pitch_diameter * math.sin(angle)
+        expected = geometry.elements * (np.sum(slopes) * lever**2 + about_middle)
+        assert found[first] == pytest.approx(expected, rel=1e-3)
     assert found["positive"] > 2.0 * found["negative"]
 
 
@@ -291,28 +401,33 @@ WEIGHTS = {"input": 17.04, "output": 52.3}
     ],
 )
 def test_bearing_forces_of_a_helical_pair(fixed, floating, axes):
-    """Vertical and horizontal shafts: the axial force of the mesh and the weight are on the fixed bearing.
+    """Vertical and horizontal shafts: the axial force of the mesh is on the fixed bearing.
 
-    Sums over both bearings of a shaft: T/r_b in the transverse plane of action, F_a = T/r_b tan(beta_b), and
-    the weights.
+    Sums over both bearings of a shaft, as vectors with its weight: T/r_b in the transverse plane of action
+    and F_a = T/r_b tan(beta_b) along the axis.
     """
     text = PAIR.replace("AXES", axes)
     for shaft, size in (("input", "06"), ("output", "08")):
         for name, place, kind in (("fixed", 20, fixed), ("floating", 120, floating)):
             text += f"  {shaft}_{name}: {{body: {shaft}, position: [0, 0, {place} mm], "
             text += f"designation: {kind.format(size)}}}\n"
-    seen = solve_equilibrium(compile_model(loads_model(text)))
+    system = compile_model(loads_model(text))
+    seen = solve_equilibrium(system)
     alpha_t = math.atan(math.tan(math.radians(20.0)) / math.cos(math.radians(15.0)))
     base_radius = 0.5 * 23 * 3e-3 / math.cos(math.radians(15.0)) * math.cos(alpha_t)
     normal = 200.0 / base_radius  # in the transverse plane of action
     axial = normal * math.tan(math.radians(15.0)) * math.cos(alpha_t)
-    for shaft, sign in (("input", 1.0), ("output", -1.0)):
-        weight = WEIGHTS[shaft]
-        held = seen[f"bearing_force[{shaft}_fixed.axial]"].item()
+    for k, (shaft, sign) in enumerate((("input", 1.0), ("output", -1.0))):
+        turned = system.records["rolling_bearing"][2 * k]["A_j"]  # axes of the outer ring in the world
+        down = np.array([0.0, 0.0, -WEIGHTS[shaft]]) @ turned
         assert seen[f"bearing_force[{shaft}_floating.axial]"].item() == 0.0
-        assert held == pytest.approx(-sign * axial + (0.0 if axes else weight), rel=2e-3)
-        x, y = (
-            sum(seen[f"bearing_force[{shaft}_{name}.{way}]"].item() for name in ("fixed", "floating"))
-            for way in ("fx", "fy")
+        held = np.array(
+            [
+                sum(seen[f"bearing_force[{shaft}_{name}.{way}]"].item() for name in ("fixed", "floating"))
+                for way in ("fx", "fy", "fz")
+            ]
         )
-        assert math.hypot(x, y) == pytest.approx(normal, abs=1e-3 * normal + (weight if axes else 0.0))
+        mesh = -(held + down)
+        assert abs(down[2]) == pytest.approx(0.0 if axes else WEIGHTS[shaft], abs=1e-9)
+        assert mesh[2] == pytest.approx(sign * axial, rel=2e-3)
+        assert math.hypot(*mesh[:2]) == pytest.approx(normal, rel=2e-3)

@@ -22,10 +22,10 @@ OFFERED = 4
 """Number of similar designations in a message."""
 MAKERS = "SKF|FAG|INA|NSK|NTN|SNR|KOYO|JTEKT|NACHI|TIMKEN|URB|ZVL|ZKL|NKE|HR"
 # suffixes without effect on stiffness or clearance
-_SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
+_SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?1?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
 _CAGES = (
     r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABS\d]?|P|PH|J\d?|XJ?|A|"
-    r"BE[PJYM]?|BD|CA?M?"
+    r"BE[PJYM]?|CA?M?"
 )
 _OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|V[AL]\d+|MT33|HT|LHT|GJN|WT|G\d+"
 _WORD = rf"(?:{_SEALS}|{_CAGES}|{_OTHERS})"
@@ -53,10 +53,17 @@ _OTHER_TYPES = (
     (r"20[234]\d\d", "a barrel roller bearing, which is not available", ""),
 )
 """Beginning of designations that the table lacks, their type, and what to do."""
-_NUMBER = re.compile(r"(?:(NUP|NU|NJ|N)-?(\d{3,4})|(R?NA)-?(4[89]\d\d|4[89]-\d\d)|(\d{4,5}))-?")
+_SMALL = re.compile(r"6\d\d(?!\d)|MR-?\d")
+"""Ball bearings with a bore of less than 10 mm."""
+_NUMBER = re.compile(r"(?:(NUP|NU|NJ|N)-?(\d{3,4})|(R?NA)-?(4[89]\d\d|4[89]-\d\d)|(\d{3,5}))-?")
 _ANGLES = (("ACD", "A5"), ("AC", "A5"), ("A5", "A5"), ("A", "A"), ("B", "B"), ("C", "C"))
 """Beginning of the suffix of angular contact bearings, and the suffix of the table: 25, 25, 25, 30, 40, 15
 deg."""
+_DOUBLE_ROW = re.compile(r"(BD|A|B)-?|(DN|D(?!D)|E)")
+"""Beginning of the suffix of double-row angular contact bearings: those of `_DOUBLE_ROW_ANGLES`, and those of
+filling slots (E) and of two inner rings (D), whose angle differs between makers."""
+_DOUBLE_ROW_ANGLES = {"A": 30.0, "B": 25.0, "BD": 30.0}
+"""Contact angle by suffix [deg]: A of SKF, B and BD of FAG."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +88,9 @@ class Catalogued:
         Number of flanges that take axial forces (cylindrical rollers): 1 NJ, 2 NUP; 0 the others.
     raceway
         Raceway diameter F_w of the inner ring [m], if the table has it (needle rollers).
+    by_maker
+        Whether the contact angle is that of the maker of the table because the designation has no suffix of
+        it, and others differ (double-row angular contact bearings).
     """
 
     designation: str
@@ -94,6 +104,7 @@ class Catalogued:
     group: str | None = None
     flanges: int = 0
     raceway: float | None = None
+    by_maker: bool = False
 
 
 @cache
@@ -144,6 +155,8 @@ def by_designation(text: str) -> Catalogued:
     ('NU208E', 'C3')
     >>> by_designation("6308-2RS").bore
     0.04
+    >>> [round(math.degrees(by_designation(name).angle)) for name in ("3208", "3208 A", "3208-B-TVH")]
+    [25, 30, 25]
     """
     plain = re.sub(r"[\s/,._-]+", "-", str(text).upper().strip()).strip("-")
     plain = re.sub(rf"^(?:(?:{MAKERS})-)+", "", plain)
@@ -163,6 +176,8 @@ def by_designation(text: str) -> Catalogued:
         raise _unknown(text, name)
     if needle == "NA":
         found = replace(found, raceway=catalogue()[f"R{name}"].bore)
+    if found.kind == "double_row_angular_contact_ball":
+        found, rest = _double_row(text, found, rest)
     found = replace(found, flanges={"NJ": 1, "NUP": 2}.get(design or "", 0))
     return replace(found, group=_group(text, rest, found))
 
@@ -195,6 +210,21 @@ def _numbered(text: str, digits: str, rest: str) -> tuple[str, str]:
         value=str(text),
         remedy=f"write one of {angles}; B is the usual one, and A (30 deg) is not written by all makers",
     )
+
+
+def _double_row(text: str, found: Catalogued, rest: str) -> tuple[Catalogued, str]:
+    """Double-row angular contact bearing with the contact angle of its suffix, and the remaining suffixes."""
+    match = _DOUBLE_ROW.match(rest)
+    if match is None:
+        return replace(found, by_maker=True), rest
+    letters, differs = match.groups()
+    if differs is not None:
+        raise GeometryError(
+            f"has the suffix {differs}, with which the contact angle differs between makers",
+            value=str(text),
+            remedy=f"write {found.designation}, and give contact_angle",
+        )
+    return replace(found, angle=math.radians(_DOUBLE_ROW_ANGLES[letters])), rest[match.end() :]
 
 
 def _group(text: str, rest: str, found: Catalogued) -> str | None:
@@ -235,10 +265,12 @@ def _unknown(text: str, plain: str) -> GeometryError:
             other = "use bearings with the stiffness of the catalogue"
             return GeometryError(f"is {what}", value=str(text), remedy=remedy or other)
     near = nearest(plain, catalogue(), OFFERED)
+    meant = f"did you mean {' or '.join(near)}? " if near else ""
+    if _SMALL.match(plain):
+        meant = "with a bore below 10 mm it has 603 to 609, 623 to 629 and 694 to 699; "
     return GeometryError(
         "is not in the table of bearings",
         value=str(text),
-        remedy=(f"did you mean {' or '.join(near)}? " if near else "")
-        + "other bearings: give type, inner_diameter, outer_diameter, width, radial_dynamic_load_rating and "
-        "radial_static_load_rating of the catalogue",
+        remedy=f"{meant}other bearings: give type, inner_diameter, outer_diameter, width, "
+        "radial_dynamic_load_rating and radial_static_load_rating of the catalogue",
     )

@@ -31,13 +31,16 @@ GIVEN = ("ball", "roller")
 """Types whose rolling elements are given."""
 INCLINED = ("angular_contact_ball", "tapered_roller", "thrust_ball")
 """Types with one contact angle: they support axial forces in one direction and do not float."""
-ONE_SHOULDER = ("angular_contact_ball", "double_row_angular_contact_ball", "thrust_ball")
-"""Types whose balls have a shoulder on one side only."""
 ANGLED = (
     *("angular_contact_ball", "double_row_angular_contact_ball", "self_aligning_ball"),
     *("tapered_roller", "spherical_roller"),
 )
 """Types whose contact angle is one of their catalogue data."""
+UPRIGHT = {
+    "deep_groove_ball": "it follows from the clearance; with a nominal angle, use type: angular_contact_ball",
+    "thrust_ball": "it is 90 deg; with another angle, use type: angular_contact_ball",
+}
+"""Contact angle of ball bearings in which it cannot be given, and what to use instead."""
 BOUGHT = (
     *("inner_diameter", "outer_diameter", "width"),
     *("radial_dynamic_load_rating", "radial_static_load_rating"),
@@ -112,6 +115,21 @@ class BearingGeometry:
         return self.kind == "ball" or self.kind in BALL_TYPES
 
     @property
+    def one_shoulder(self) -> bool:
+        """Whether the balls of a row have a shoulder on one side only and come apart in the other direction.
+
+        Examples
+        --------
+        >>> from pitchpoint.model.components.rolling_bearing import RollingBearing
+        >>> RollingBearing(designation="7208B", axial_force_absorption="positive").geometry.one_shoulder
+        True
+        >>> RollingBearing(designation="6208").geometry.one_shoulder
+        False
+        """
+        one_way = self.absorbs in (POSITIVE, NEGATIVE) or self.kind == "double_row_angular_contact_ball"
+        return self.is_ball and one_way
+
+    @property
     def aligns(self) -> bool:
         """Whether the rings tilt without resistance."""
         return self.kind in ("spherical_roller", "self_aligning_ball")
@@ -138,6 +156,14 @@ def bearing_geometry(part: RollingBearing) -> BearingGeometry:
     bought = _bought(part)
     if bought is None:
         return _given(part)
+    if part.contact_angle is not None and bought.kind not in ANGLED:
+        why = UPRIGHT.get(bought.kind, "it is 0; with an angle, use type: tapered_roller")
+        raise GeometryError(
+            f"does not apply to {bought.kind.replace('_', ' ')} bearings",
+            where="contact_angle",
+            value=f"{math.degrees(part.contact_angle):.6g} deg",
+            remedy=f"remove it: {why}",
+        )
     angle = bought.angle if part.contact_angle is None else abs(part.contact_angle)
     if bought.kind == "thrust_ball":
         angle = 0.5 * math.pi

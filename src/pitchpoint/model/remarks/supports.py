@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
     from pitchpoint.model.components.bushing import Bushing
     from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
     from pitchpoint.model.model import Model
 
 #: Directions in which a body can move, as columns of a 6x6 matrix (x, y, z, rx, ry, rz).
@@ -57,11 +58,11 @@ def idle_supports(model: Model) -> Iterator[Message]:
         for name, part in getattr(model, group).items():
             bodies = [b for b in ring_bodies(part) if b != GROUND]
             if all(b in model.bodies and model.bodies[b].moves in ("torsion", "fixed") for b in bodies):
+                force = "" if _preloaded(part) else " and no force at any load"
                 both, move = " and ".join(bodies), "move" if bodies[1:] else "moves"
                 yield remark(
                     f"{group}.{name}",
-                    f"has no effect and no force at any load: {both} {move} neither along nor across the "
-                    "axis of rotation",
+                    f"has no effect{force}: {both} {move} neither along nor across the axis of rotation",
                     f"give {both} motion: free or planar, or use an elastic shaft",
                 )
     for name, coupling in model.couplings.items():
@@ -71,6 +72,13 @@ def idle_supports(model: Model) -> Iterator[Message]:
                 f"has no effect and no force at any load: it acts in no direction in which "
                 f"{' or '.join(coupling.bodies)} moves",
             )
+
+
+def _preloaded(part: RollingBearing | PlainBearing) -> bool:
+    """Whether a bearing has a force without motion and load."""
+    if part.clearance is not None and part.clearance < 0.0:
+        return True
+    return any(getattr(part, key, None) is not None for key in ("preload", "preload_distance"))
 
 
 def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:

@@ -23,7 +23,7 @@ from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.bearing_fault import play
-from pitchpoint.model.components.bearing_geometry import BOTH, NEGATIVE, ONE_SHOULDER
+from pitchpoint.model.components.bearing_geometry import BOTH, NEGATIVE
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing_fault import put_faults
@@ -52,7 +52,7 @@ def rolling_bearing_bank(places: Places) -> Bank:
         if found.effective_length is not None:
             slices = roller_slices(found.effective_length, found.element_diameter, part.slices)
             row["n_slices"], row["slices"] = part.slices, pool.add(slices)
-        row["one_sided"] = found.kind in ONE_SHOULDER
+        row["one_sided"] = found.one_shoulder
         row["offset"] = 0.5 * found.row_distance
         if found.axial_clearance is not None:
             row["flange"] = part.flange_stiffness or _flange_stiffness(part)
