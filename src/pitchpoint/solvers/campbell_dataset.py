@@ -15,7 +15,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
-from pitchpoint.solvers.excitation_orders import USUAL, Orders, Order, excitation_orders
+from pitchpoint.solvers.excitation_orders import USUAL, Order, Orders, excitation_orders
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
 from pitchpoint.solvers.mode_energies import WAYS
 from pitchpoint.solvers.unstable_modes import UnstableMode, unstable_modes
