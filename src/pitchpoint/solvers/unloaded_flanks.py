@@ -21,13 +21,15 @@ from pitchpoint.solvers.null_space import connected, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import TorquePath, spins_of, torque_paths, turning
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_records
+from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record, mesh_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
 TOUCH = 1e-9
 """Penetration assumed for an unloaded flank [m]."""
+BOTH = 2.0
+"""Contact state of a mesh with both flanks in contact."""
 
 
 def pressed_flanks(system: System, loose: Sequence[int], touching: Mapping[int, int]) -> dict[int, int]:
@@ -130,6 +132,21 @@ def _add_signs(
         found.update({m: int(np.sign(pressed[m]) * sense) for m in new})
 
 
+def _pressed(system: System, values: Array, mesh: int, name: str) -> tuple[bool, int]:
+    """Whether an observed mesh is loaded, and its only flank in contact: 1 front, -1 back, 0 none or both.
+
+    Force over stiffness counts, not the penetration at mid-face: tilted gears may touch at one end of the
+    face only. Without backlash both flanks of an unloaded mesh are in contact by round-off.
+    """
+    record = mesh_record(system, mesh)
+    touching, force, stiffness = (
+        float(values[system.layout.channel(f"{quantity}[{name}]")])
+        for quantity in ("contact_state", "normal_force", "mesh_stiffness")
+    )
+    loaded = touching != 0.0 and force >= TOUCH * stiffness * float(record["contact"]["normal"])
+    return loaded, int(touching) if touching != BOTH and record["now"]["gap"] > TOUCH else 0
+
+
 def close_backlash(system: System, state: State) -> dict[str, int]:
     """Bring the flanks of unloaded meshes into contact by shifting the assembly; returns the flank by mesh.
 
@@ -138,16 +155,14 @@ def close_backlash(system: System, state: State) -> dict[str, int]:
     """
     flanks: dict[int, int] = {}
     loose = []
-    evaluate.residual(system, state)
-    for k, record in enumerate(mesh_records(system)):
-        now = record["now"]
-        depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
-        # without backlash both flanks of an unloaded mesh are in contact by round-off
-        if depth < TOUCH:
+    names, values = mesh_names(system), evaluate.observe(system, state)
+    for k, name in enumerate(names):
+        loaded, flank = _pressed(system, values, k, name)
+        if not loaded:
             loose.append(k)
-            if depth > 0.0 and now["gap"] > TOUCH:
-                flanks[k] = -1 if now["u"] < now["e_t"] else 1
-    names, found = mesh_names(system), pressed_flanks(system, loose, flanks)
+            if flank:
+                flanks[k] = flank
+    found = pressed_flanks(system, loose, flanks)
     shift_into_contact(system, state, found)
     return {names[k]: found[k] for k in loose}
 
