@@ -7,7 +7,7 @@ Used by `modal`, `campbell` and `frequency_response`; `modal` describes the matr
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,7 +29,7 @@ from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
-from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash
+from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash, touches_at_one_end
 from pitchpoint.system import evaluate
 from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
@@ -156,10 +156,14 @@ def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
     )
 
 
-def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
+def _of_arbitrary_stiffness(system: System, loose: Mapping[str, int]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at first contact it is zero."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
-    names = [name for name, record in records if name in loose and record["contact"]["power"] > 1.0]
+    names = [
+        name
+        for name, record in records
+        if name in loose and (record["contact"]["power"] > 1.0 or touches_at_one_end(record, loose[name]))
+    ]
     if not names:
         return []
     return [

@@ -8,7 +8,7 @@ torque enters or leaves: bodies with loads or drives, bodies held by springs and
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,10 @@ Array = NDArray[np.float64]
 
 TOUCH = 1e-9
 """Penetration assumed for an unloaded flank [m]."""
+NEAR = 0.01
+"""Relative difference from it that is accepted."""
+STEPS = 60
+"""Largest number of Newton steps to first contact; each at least halves the penetration."""
 
 
 def pressed_flanks(system: System, loose: Sequence[int], touching: Mapping[int, int]) -> dict[int, int]:
@@ -138,26 +142,61 @@ def close_backlash(system: System, state: State) -> dict[str, int]:
     """
     flanks: dict[int, int] = {}
     loose = []
-    evaluate.residual(system, state)
-    for k, record in enumerate(mesh_records(system)):
-        now = record["now"]
-        depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
+    still = state.copy()
+    still.v[:] = 0.0
+    names, records = mesh_names(system), mesh_records(system)
+    for k, (depth, touching) in enumerate(_contacts(system, still, range(len(names)))):
         # without backlash both flanks of an unloaded mesh are in contact by round-off
         if depth < TOUCH:
             loose.append(k)
-            if depth > 0.0 and now["gap"] > TOUCH:
-                flanks[k] = -1 if now["u"] < now["e_t"] else 1
-    names, found = mesh_names(system), pressed_flanks(system, loose, flanks)
-    shift_into_contact(system, state, found)
+            if touching in (1.0, -1.0) and records[k]["now"]["gap"] > TOUCH:
+                flanks[k] = int(touching)
+    found = pressed_flanks(system, loose, flanks)
+    shift_into_contact(system, still, found)
     return {names[k]: found[k] for k in loose}
 
 
+def _contacts(system: System, state: State, meshes: Iterable[int]) -> Iterator[tuple[float, float]]:
+    """Force over stiffness [m], 0 without contact, and contact state of some meshes.
+
+    Tilted gears may touch at one end of the face with a gap at mid-face: penetration there is no measure.
+    """
+    values, names, records = evaluate.observe(system, state), mesh_names(system), mesh_records(system)
+    for k in meshes:
+        touching, force, stiffness = (
+            float(values[system.layout.channel(f"{quantity}[{names[k]}]")])
+            for quantity in ("contact_state", "normal_force", "mesh_stiffness")
+        )
+        force /= float(records[k]["contact"]["normal"])
+        yield (force / stiffness if stiffness > 0.0 else 0.0), touching
+
+
 def shift_into_contact(system: System, state: State, flanks: Mapping[int, int]) -> None:
-    """Shift the assembly of some meshes, by index, so that the given flank is just in contact."""
+    """Shift the assembly of some meshes, by index, so that the given flank is just in contact.
+
+    A tilted flank then touches at one end of the face. Its force grows more than linearly with the
+    penetration, so that Newton steps to a force of zero approach first contact from one side.
+    """
     records = mesh_records(system)
     for _ in range(2):  # the excitation depends on the phase
         evaluate.residual(system, state)
         for k, flank in flanks.items():
-            record, now = records[k], records[k]["now"]
-            aim = flank * (0.5 * now["gap"] + record["sep_min"] + TOUCH)
-            record["u0"] += aim - (now["u"] - now["e_t"])
+            record = records[k]
+            record["u0"] += flank * (TOUCH - _mid_depth(record, flank))
+    for _ in range(STEPS):
+        excess = [depth - TOUCH for depth, _ in _contacts(system, state, flanks)]
+        if max(excess, default=0.0) <= NEAR * TOUCH:
+            return
+        for (k, flank), more in zip(flanks.items(), excess, strict=True):
+            records[k]["u0"] -= flank * max(more, 0.0)
+
+
+def touches_at_one_end(record: np.void, flank: int) -> bool:
+    """Whether an evaluated mesh at first contact has a gap at mid-face because its gears are tilted."""
+    return _mid_depth(record, flank) < 0.0
+
+
+def _mid_depth(record: np.void, flank: int) -> float:
+    """Penetration of a flank at mid-face, over that at which the nearest point of parallel gears touches."""
+    now = record["now"]
+    return float(flank * (now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"])

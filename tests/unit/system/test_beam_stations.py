@@ -16,7 +16,7 @@ from pitchpoint.report.scene.rest import rest_scene
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.evaluate import observe
+from pitchpoint.system.evaluate import linearize, observe
 from tests.support.cli_files import json_of, written
 
 LIGHT = "{youngs_modulus: 206 GPa, poisson_ratio: 0.3, density: 0.1 kg/m^3}"
@@ -295,6 +295,12 @@ sensors:
     direction = [-math.sin(math.radians(20.0)), -math.cos(math.radians(20.0))]
     assert abs(way @ direction) == pytest.approx(np.hypot(*way), rel=1e-3)
     assert 0.9 < np.hypot(*way) / (force * across) < 1.0
+    # the inclined wheel touches at one end of the face: its modes are those of the tangents at this position
+    M, _, K = linearize(system, find_equilibrium(system).state)
+    lowest = math.sqrt(np.linalg.eigvals(np.linalg.solve(M, K)).real.min()) / math.tau
+    found = find_modes(system)
+    assert np.sort(found.frequency)[0] == pytest.approx(lowest, rel=1e-3)
+    assert not [note for note in found.notes if "no load" in note]
 
 
 FRAME = """\
