@@ -169,7 +169,7 @@ def _joints(model: Model) -> dict[str, Any]:
             "type": joint.type,
             "bodies": list(joint.bodies),
             "carries": seat.body if seat is not None else None,
-            "on": seat.parent if seat is not None else None,
+            "on": seat.end if seat is not None else None,
             "turned_round": seat is not None and seat.turned,
             "coordinates": [f"{name}.{c}" for c in seat.coordinates] if seat is not None else [],
             "constraints": 0 if seat is not None else rows_of(joint),

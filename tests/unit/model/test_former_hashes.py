@@ -34,7 +34,9 @@ def test_bearings_without_catalogue_data():
 VALUES = ({}, {"clearance": 0.0}, {"slices": 11}, {"position": (0.0, 0.0, 0.1)}, {"preload_distance": 0.0})
 PARTS = {
     "bearing": [RollingBearing(body="shaft", designation="6308", **more) for more in VALUES],
-    "play": [RollingBearing(body="shaft", designation="NUP 208 E", **m) for m in ({}, {"axial_clearance": 0.0})],
+    "play": [
+        RollingBearing(body="shaft", designation="NUP 208 E", **m) for m in ({}, {"axial_clearance": 0.0})
+    ],
     "gear": [
         Gear(number_of_teeth=20, normal_module=2e-3, face_width=0.02, profile_shift_coefficient=0.0, **more)
         for more in ({}, {"tip_chamfer": 0.0}, {"tip_rounding": 0.0}, {"tip_chamfer": 1e-4})
