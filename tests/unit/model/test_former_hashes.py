@@ -46,7 +46,7 @@ PARTS = {
 
 @pytest.mark.parametrize("name", PARTS)
 def test_a_value_is_never_taken_for_a_missing_one(name):
-    """Without clearance a 6308 has that of its class, and a NUP has axial play: neither is the clearance 0."""
+    """Without clearance a 6308 has that of its class, and a NUP 208 E has axial play: neither is 0."""
     assert len({content_hash(part) for part in PARTS[name]}) == len(PARTS[name])
 
 

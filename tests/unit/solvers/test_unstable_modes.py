@@ -53,7 +53,7 @@ def test_modes_without_damping_are_not_unstable():
 
 
 def test_undamped_modes_rank_by_what_excites_them():
-    """The fan torque of 20 N m feeds the forward whirl of the disc, -0.006 %: it is told as unstable.
+    """The fan torque of 20 N m feeds the forward whirl of the disc, -0.006 %: it is reported as unstable.
 
     Unbalance at 1x of the rotor ranks first, since it drives nearly the whole mode; 2x of the drive does not.
     """
