@@ -10,13 +10,12 @@ changes the torque by 1e-4 to 1e-3 at a single position, and has zero mean over 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import note
 from pitchpoint.core.units import format_quantity
+from pitchpoint.core.words import listed
 from pitchpoint.elements.kind import MESH
 from pitchpoint.elements.mesh.record import SURFACE
 from pitchpoint.elements.signal import TWO_PI
@@ -90,11 +89,11 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     """
     names, records = system.names[LOAD], system.records[LOAD]
     balancing = balancing_loads(system)
-    torques = _listed([names[k] for k in balancing])
+    torques = listed([names[k] for k in balancing])
     verb = "balance" if len(balancing) > 1 else "balances"
     text = f"{torques} {verb} {_mean_of(system, cycle)}"
     if cycle.stalls:
-        bodies = _listed(list(cycle.stalls))
+        bodies = listed(list(cycle.stalls))
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
         return (
             text,
@@ -114,7 +113,7 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
 def _mean_of(system: System, cycle: LoadCycle) -> str:
     """Loads of a cycle and the time of their mean."""
     names = system.names[LOAD]
-    loads = _listed([names[k] for k in cycle.means])
+    loads = listed([names[k] for k in cycle.means])
     time = format_quantity(cycle.averaged, "time", 4)
     if cycle.period > 0.0:
         over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
@@ -145,8 +144,3 @@ def balanced_words(system: System, state: State, cycle: LoadCycle | None) -> str
         )
         text += f", and {forces} over {count} ({format_quantity(times.size * times[1], 'time', 4)})"
     return text
-
-
-def _listed(names: Sequence[str]) -> str:
-    """Names as a list with `and` before the last."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
