@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.cli.output import show, shown
+from pitchpoint.core.words import listed
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -29,7 +30,10 @@ def solved(model: Model, *, quiet: bool = False) -> dict[str, dict[str, Any]]:
 def show_balance(balance: dict[str, Any]) -> None:
     """Print what is balanced, and the torques of the scenarios that were solved."""
     if "scenarios" not in balance:
-        show(f"torque: balance: {', '.join(balance['loads'])}, for {balance['balance']}; values: --balance")
+        verb = "balance" if len(balance["loads"]) > 1 else "balances"
+        show(
+            f"torque: balance: {listed(balance['loads'])} {verb} {balance['balance']}; values with --balance"
+        )
     for name, found in balance.get("scenarios", {}).items():
         show(f"torque: balance in {name}: {_words(found)}")
 

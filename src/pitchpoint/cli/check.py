@@ -34,7 +34,10 @@ FREEDOMS = {
 @click.command()
 @model_file
 @click.option(
-    "--balance", "solve", is_flag=True, help="Also compute the torques of torque: balance for every scenario."
+    "--balance",
+    "solve",
+    is_flag=True,
+    help="Compute the torques of loads with torque: balance for every scenario.",
 )
 @set_option
 @common

@@ -103,7 +103,7 @@ def test_what_a_torque_balances_is_printed_without_solving(name, tmp_path, capsy
     file = written(tmp_path, gearbox(law, friction=friction))
     assert json_of(["check", file], capsys)["balance"] == {"loads": ["in"], "balance": UNSOLVED[name]}
     assert run_command(["check", file]) == 0
-    words = f"torque: balance: in, for {UNSOLVED[name]}; values: --balance"
+    words = f"torque: balance: in balances {UNSOLVED[name]}; values with --balance"
     assert words in " ".join(capsys.readouterr().out.split())
 
 
