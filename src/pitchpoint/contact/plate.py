@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.contact.triangle_search import HEADER
+from pitchpoint.contact.triangle_search import FACE, HEADER
 from pitchpoint.contact.triangles import bounding_tree
 
 CELLS = 8
@@ -30,7 +30,7 @@ def plate_points(sides: Sequence[float]) -> NDArray[np.float64]:
     Returns
     -------
     ndarray, shape (n,)
-        Packed surface without triangles.
+        Packed surface with faces that no function reads.
 
     Examples
     --------
@@ -50,5 +50,6 @@ def plate_points(sides: Sequence[float]) -> NDArray[np.float64]:
     points = np.concatenate([inner, corners])
     tree, order = bounding_tree(points[:, :3], points[:, :3])
     header = np.zeros(HEADER)
-    header[2] = len(tree)
-    return np.concatenate([header, tree.ravel(), points[order].ravel()])
+    header[1], header[2] = len(points), len(tree)
+    unused = np.zeros(len(points) * FACE)  # a packed surface has a face for every centroid
+    return np.concatenate([header, unused, tree.ravel(), points[order].ravel()])

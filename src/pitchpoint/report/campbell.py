@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
-    from pitchpoint.solvers.excitation_orders import Chosen
+    from pitchpoint.solvers.excitation_orders import Orders
 
 BEARINGS = "bearings"
 """Word for the orders of the faults of all rolling bearings."""
@@ -34,7 +34,7 @@ def campbell_of(
     body: str | None = None,
     speeds: tuple[float, float] | None = None,
     points: int = 41,
-    orders: Chosen | None = None,
+    orders: Orders | None = None,
     count: int | None = None,
     frequency: tuple[float, float] | None = None,
     operating: tuple[float, float] | None = None,

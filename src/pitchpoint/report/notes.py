@@ -6,6 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+_NUMBERS = re.compile(r"(?<![\w.])[-−]?\d+(\.\d+)?(e[+-]?\d+)?(?![\w.]*\w)")
+"""Numbers as words of their own, unlike those in names of components."""
+
 
 def own_notes(notes: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
     """Notes of all results, each once; with the names of the results if not all have it.
@@ -33,8 +36,8 @@ def own_notes(notes: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
 def remarks_of(warnings: Iterable[str], notes: Iterable[str]) -> list[str]:
     """Warnings of the model, and what results add to them.
 
-    A note that repeats a warning is omitted. Of notes that differ in numbers only, as those of the cases of a
-    study, the first one is kept with their number.
+    A note that repeats a warning is omitted. Of notes that differ in values with units only, as those of the
+    cases of a study, the first one is kept with their number.
 
     Examples
     --------
@@ -42,6 +45,8 @@ def remarks_of(warnings: Iterable[str], notes: Iterable[str]) -> list[str]:
     ['x is low.', 'case 1: 2.5 mm deep (and 1 similar note)']
     >>> remarks_of([], ["a is deep; check it.", "a is deep: check it"])
     ['a is deep; check it.']
+    >>> remarks_of([], ["z1 is thin", "z2 is thin"])
+    ['z1 is thin', 'z2 is thin']
     """
     known = list(dict.fromkeys(warnings))
     plain = tuple(map(_plain, known))
@@ -49,7 +54,7 @@ def remarks_of(warnings: Iterable[str], notes: Iterable[str]) -> list[str]:
     for note in notes:
         text = _plain(note)
         if not text.endswith(plain):
-            kinds.setdefault(re.sub(r"\d+(\.\d+)?", "#", text), {}).setdefault(text, note)
+            kinds.setdefault(_NUMBERS.sub("#", text), {}).setdefault(text, note)
     return known + [f"{next(iter(own.values()))}{_similar(len(own) - 1)}" for own in kinds.values()]
 
 

@@ -15,7 +15,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
-from pitchpoint.solvers.excitation_orders import USUAL, Chosen, Order, excitation_orders
+from pitchpoint.solvers.excitation_orders import USUAL, Order, Orders, excitation_orders
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
 from pitchpoint.solvers.mode_energies import WAYS
 from pitchpoint.solvers.unstable_modes import UnstableMode, unstable_modes
@@ -34,7 +34,7 @@ def solve_campbell(
     scenario: Scenario | str | None = None,
     *,
     count: int | None = None,
-    orders: Chosen = USUAL,
+    orders: Orders = USUAL,
     more_orders: Mapping[str, float] | None = None,
     operating: tuple[float, float] | None = None,
     progress: Progress = silent,
@@ -104,7 +104,7 @@ def campbell_dataset(
     system: System,
     found: Campbell,
     *,
-    orders: Chosen = USUAL,
+    orders: Orders = USUAL,
     more_orders: Mapping[str, float] | None = None,
     operating: tuple[float, float] | None = None,
     began: float | None = None,

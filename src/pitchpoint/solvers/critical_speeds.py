@@ -15,8 +15,8 @@ factor is 4 i (T + V)/omega:
 
 Without gyroscopic effects T = V, and the amplification is the share of X over 2 zeta.
 
-The rank assumes a damping ratio of at least that of welded steel stacks, the lowest of structures in [1]_: a
-mode that the model hardly damps, or that is unstable, ranks by what excites it, not by what damping the model
+The rank assumes a damping ratio of at least that of welded steel stacks [1]_: a mode
+that the model hardly damps, or that is unstable, ranks by what excites it, not by what damping the model
 lacks. Unstable modes are listed apart (`unstable_modes`).
 
 References

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands")
 """Default orders: once and twice per revolution of every shaft, mesh frequencies with one pair of sidebands
 per gear, and twice the mesh frequencies."""
-Chosen = Sequence[str | float] | str
+Orders = Sequence[str | float] | str
 """Orders: words and numbers, or one text with commas between them."""
 SHAFT, MESH, SIDEBAND, OTHER = "shaft", "mesh", "sideband", "other"
 EQUAL = 1e-9
@@ -64,7 +64,7 @@ def excitation_orders(
     system: System,
     motions: Motions,
     rates: Array,
-    chosen: Chosen = USUAL,
+    chosen: Orders = USUAL,
     others: Mapping[str, float] | None = None,
 ) -> tuple[Order, ...]:
     """Orders in ascending order; equal ones of one kind are one.
@@ -109,7 +109,7 @@ def excitation_orders(
     return tuple(sorted((o for o in found if o.value > 0.0), key=lambda o: o.value))
 
 
-def order_words(chosen: Chosen) -> list[str]:
+def order_words(chosen: Orders) -> list[str]:
     """Single orders of a sequence or of a text.
 
     Examples
@@ -120,7 +120,7 @@ def order_words(chosen: Chosen) -> list[str]:
     return [str(word).strip() for word in (chosen.split(",") if isinstance(chosen, str) else chosen)]
 
 
-def _read(chosen: Chosen) -> tuple[list[int], list[int], int, list[float]]:
+def _read(chosen: Orders) -> tuple[list[int], list[int], int, list[float]]:
     """Shaft orders, mesh harmonics, pairs of sidebands, numbers."""
     shafts, meshes, more, bands = [], [], [], 0
     for word in order_words(chosen):

@@ -31,8 +31,8 @@ from pitchpoint.solvers.stiffness_parts import element_list
 
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
-ROUNDS, EXACT = 12, 1e-6
-"""Maximum number of corrections of a limit of stability, and its accuracy over the range of speeds."""
+EXACT = 1e-9
+"""Relative accuracy of a limit of stability."""
 
 
 @dataclass(frozen=True)
@@ -85,23 +85,25 @@ def _runs(wanted: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _limit(found: Campbell, mode: int, inside: int, outside: int) -> float:
-    """Speed at which the damping changes its sign: the Illinois form of the rule of false position."""
+    """Speed at which the damping of a mode changes its sign, between two computed speeds."""
+    from scipy.optimize import brentq
+
     near, away = float(found.speed[inside]), float(found.speed[outside])
     value, shape = complex(found.eigenvalue[inside, mode]), found.shape[inside, mode]
-    here, there = value.real, float(found.eigenvalue[outside, mode].real)
-    if value.imag <= 0.0 or there >= 0.0:  # divergence, or rounding: no limit to solve for
+    growth = {near: value.real, away: float(found.eigenvalue[outside, mode].real)}
+    if value.imag <= 0.0 or growth[away] >= 0.0:  # divergence, or rounding: no limit to solve for
         return near
-    for _ in range(ROUNDS):
-        speed = near - here * (near - away) / (here - there)
-        value, shape = found.modes.near(speed, value, shape)
-        done = min(abs(speed - near), abs(speed - away)) <= EXACT * abs(near - away)
-        if value.real > 0.0:
-            near, here, there = speed, value.real, 0.5 * there
-        else:
-            away, there, here = speed, value.real, 0.5 * here
-        if done or value.real == 0.0:
-            return speed
-    return near
+    last = (value, shape)
+
+    def growth_at(speed: float) -> float:
+        """Real part of the eigenvalue, followed from the speed before."""
+        nonlocal last
+        if speed not in growth:
+            last = found.modes.near(speed, *last)
+            growth[speed] = last[0].real
+        return growth[speed]
+
+    return float(brentq(growth_at, near, away, xtol=EXACT * max(abs(near), abs(away))))
 
 
 def _source(found: Campbell, mode: int, at: int) -> str:

@@ -23,6 +23,7 @@ LINE, LEGEND, BOTTOM = 22, 20, 52
 LETTERS, BOX = 88, 5
 """Letters per line of the legend on paper, and space of the mark of a name [letters]."""
 LEGEND_AT = {"x": 0, "y": 1, "xref": "container", "pad": {"t": 12}, "font": {"size": 12}}
+"""Place of the legend: at the left edge of the figure."""
 NAMED = 0.2
 """Share of the components without colour from which the largest of them is named."""
 
@@ -86,14 +87,7 @@ def plot_modes(
         bargap=0.3,
         showlegend=False,
         # the legend of the library would be as narrow as the axis, next to the names of the modes
-        title={
-            **theme.title_above(legend),
-            "x": 0,
-            "y": 1,
-            "xref": "container",
-            "pad": {"t": 12},
-            "font": {"size": 12},
-        },
+        title={**theme.title_above(legend), **LEGEND_AT},
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )

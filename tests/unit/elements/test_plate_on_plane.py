@@ -20,6 +20,7 @@ from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.evaluate import observe, residual
 
+pytestmark = pytest.mark.nojit
 SIDE, OTHER, STIFF, LOAD = 0.08, 0.04, 1e8, 5e3
 
 

@@ -45,6 +45,13 @@ def test_internal_damping_is_unstable_above_a_limit_speed():
     assert unstable_ranges(select_modes(data, others)) == ()
 
 
+@pytest.mark.parametrize("speeds", [(0.0, 2000.0, 4000.0, 6000.0), (300.0, 3150.0, 6000.0)])
+def test_limits_of_stability_do_not_depend_on_the_speeds_of_the_diagram(speeds: tuple[float, ...]):
+    limit = brentq(lambda speed: whirl_roots(speed).real.max(), 100.0, 1500.0)
+    data = pp.solve_campbell(compiled(TWO_ROTORS, "s")[1], speeds, "a", "s")
+    assert min(found.low for found in unstable_ranges(data)) == pytest.approx(limit, rel=1e-8)
+
+
 def test_modes_without_damping_are_not_unstable():
     data = pp.solve_campbell(compiled(DISC)[1], np.linspace(0.0, 3000.0, 21), "disc", orders=["1x"])
     assert np.abs(data["damping_ratio"].values).max() < 1e-9

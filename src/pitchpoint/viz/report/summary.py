@@ -39,7 +39,7 @@ NO_POWER = 1e-4
 """Power relative to the largest one below which an element does not count as input or output."""
 RIPPLE = 1.005
 """Ratio of the maximum of a mesh force to its mean from which it is given."""
-UNSTABLE = 1e-6
+UNSTABLE = 1e-7
 """Negative damping ratio from which a mode counts as unstable; below it is round-off."""
 CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
 
