@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, show_notes, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, greatest, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import scalar, split_at_path
+from pitchpoint.core.load_sharing import factor_name, is_factor, stage_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -286,20 +287,16 @@ def is_roll(result: CaseResult) -> bool:
 
 def stages_of(result: CaseResult) -> list[str]:
     """Names of the planetary stages with a mesh load factor in a case."""
-    start = "load_sharing_factor["
     names = result.points[0] if result.points else result.channels
-    return [name[len(start) : -1] for name in names if name.startswith(start)]
+    return [stage_of(name) for name in names if is_factor(name)]
 
 
 def factor_cells(result: CaseResult, stages: Sequence[str]) -> list[str]:
     """Mesh load factor of every stage; the largest one of a sweep."""
-    names = [f"load_sharing_factor[{stage}]" for stage in stages]
-    known = [
-        [p[name] for p in result.points] or [result.channels.get(name, {}).get("mean", math.nan)]
-        for name in names
+    return [
+        largest([p[name] for p in result.points] or [result.channels.get(name, {}).get("mean")])
+        for name in map(factor_name, stages)
     ]
-    largest = [max((x for x in values if not math.isnan(x)), default=None) for values in known]
-    return [NOTHING if value is None else f"{value:.4f}" for value in largest]
 
 
 def meshes_of(result: CaseResult) -> list[str]:

@@ -33,14 +33,21 @@ FREEDOMS = {
 
 @click.command()
 @model_file
+@click.option(
+    "--balance",
+    "solve",
+    is_flag=True,
+    help="Compute the torques of loads with torque: balance for every scenario.",
+)
 @set_option
 @common
-def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
+def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) -> int:
     """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.
 
     If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
-    from pitchpoint.cli.failure import say
+    from pitchpoint.cli.balance import solved
+    from pitchpoint.cli.failure import FAILED, OK, say
     from pitchpoint.cli.reading import read_model
     from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
 
@@ -48,17 +55,22 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
     for message in messages:
         say(f"warning: {message}")
+    found = summary(model)
+    torques = solved(model, quiet=quiet) if solve else {}
+    if torques:
+        found["balance"]["scenarios"] = torques
     if as_json:
-        emit_json({**summary(model), "messages": [message.parts for message in messages]})
+        emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        _print(model, file)
+        _print(model, file, found)
+    return FAILED if any("failure" in each for each in torques.values()) else OK
 
 
 def summary(model: Model) -> dict[str, Any]:
     """Data of the simulated model."""
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signals import HEAD, signal_lines
-    from pitchpoint.report.balance import balancing_torques
+    from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
@@ -130,7 +142,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
-        "balance": balancing_torques(model),
+        "balance": balanced_loads(model),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
@@ -169,7 +181,7 @@ def _joints(model: Model) -> dict[str, Any]:
             "type": joint.type,
             "bodies": list(joint.bodies),
             "carries": seat.body if seat is not None else None,
-            "on": seat.parent if seat is not None else None,
+            "on": seat.end if seat is not None else None,
             "turned_round": seat is not None and seat.turned,
             "coordinates": [f"{name}.{c}" for c in seat.coordinates] if seat is not None else [],
             "constraints": 0 if seat is not None else rows_of(joint),
@@ -236,9 +248,9 @@ def _direction(axis: list[float]) -> str:
     return ", ".join(f"{round(c, 6) + 0.0:.6g}" for c in axis)
 
 
-def _print(model: Model, file: str) -> None:
+def _print(model: Model, file: str, found: dict[str, Any]) -> None:
     """Print the data as tables."""
-    found = summary(model)
+    from pitchpoint.cli.balance import show_balance
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
@@ -282,8 +294,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
-    for scenario, balance in found["balance"].items():
-        show(f"torque: balance in {scenario}: {_balance_words(balance)}")
+    if found["balance"]:
+        show_balance(found["balance"])
     if model.rolling_bearings:
         _show_bearings(model)
     if found["signals"]:
@@ -294,14 +306,6 @@ def _print(model: Model, file: str) -> None:
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
         table("Defaults in effect", ["key", "value"], rows)
-
-
-def _balance_words(balance: dict[str, Any]) -> str:
-    """Balancing torques of a scenario, and what they balance."""
-    if "failure" in balance:
-        return f"not found; {balance['failure']}"
-    torques = ", ".join(f"{name} {shown(value, 'torque', 5)}" for name, value in balance["torques"].items())
-    return f"{torques}; {balance['balance']}"
 
 
 def _show_bearings(model: Model) -> None:

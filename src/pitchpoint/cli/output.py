@@ -168,6 +168,18 @@ def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
     return format_quantity(float(value) + 0.0, dimension, digits)  # no "-0"
 
 
+def largest(values: Iterable[float | None]) -> str:
+    """Largest of some numbers with four decimals; a dash if none is known.
+
+    Examples
+    --------
+    >>> largest([1.02, None, 1.1, float("nan")]), largest([float("nan")])
+    ('1.1000', '–')
+    """
+    known = [value for value in values if value is not None and not math.isnan(value)]
+    return f"{max(known):.4f}" if known else NOTHING
+
+
 def greatest(row: Mapping[str, Any]) -> float:
     """Extreme value of a channel with the largest magnitude: forces on the back flank are negative.
 

@@ -3,16 +3,15 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, scenario
-from pitchpoint.cli.output import emit_json, greatest, show, show_notes, shown, table
+from pitchpoint.cli.output import emit_json, greatest, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
+from pitchpoint.core.load_sharing import is_factor, stage_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -142,7 +141,7 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
         return shown(frequency / per_speed, "angular_speed", 5)
 
     points = summary["points"]
-    factors = [name for name in points[0] if name.startswith("load_sharing_factor[")]
+    factors = [name for name in points[0] if is_factor(name)]
     rattles = any(p["impact_rate"] > 0.0 for p in points)
     rows = []
     for direction in dict.fromkeys(p["direction"] for p in points):
@@ -160,18 +159,12 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
                 shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
                 f"{100.0 * lost['contact_loss_share']:.1f} %",
                 *([f"{1e3 * max(p['closing_speed_max'] for p in here):.4g} mm/s"] if rattles else []),
-                *(_largest(p.get(name) for p in here) for name in factors),
+                *(largest(p.get(name) for p in here) for name in factors),
                 ", ".join(place(f) for f in jumps) or "none",
             ]
         )
     first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
     columns = [first, "points", "maximum rms of deflection", "at", "maximum mesh force"]
     columns += ["maximum contact loss", *["maximum closing speed"] * rattles]
-    columns += [*(f"maximum K_γ {name[name.index('[') + 1 : -1]}" for name in factors), "jumps at"]
+    columns += [*(f"maximum K_γ {stage_of(name)}" for name in factors), "jumps at"]
     table(f"{title}, mesh {summary['mesh']}", columns, rows)
-
-
-def _largest(values: Iterable[float | None]) -> str:
-    """Largest mesh load factor of some points; a dash without load."""
-    known = [value for value in values if value is not None and not math.isnan(value)]
-    return f"{max(known):.4f}" if known else "–"

@@ -10,7 +10,7 @@ LISTED = 12
 _SIMILAR = 0.6
 """Minimum similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
 _PART = 4
-"""Least number of letters of a part of a name that suggests it."""
+"""Minimum number of letters for suggestions of names that contain the name as written."""
 
 
 def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:

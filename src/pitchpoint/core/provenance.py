@@ -7,7 +7,7 @@ import dataclasses
 import hashlib
 import json
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sized
 from datetime import UTC, datetime
 from enum import Enum
 from functools import lru_cache
@@ -38,8 +38,8 @@ def content_hash(data: Any) -> str:
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. For a field with a key of kind
         "file" the content of the file is hashed, not its name. Fields that are excluded from comparison, such
-        as lines in a file, and fields whose key is marked `later` are ignored while they are empty or have
-        their default. The attribute `former_values` of a dataclass has the values of its empty
+        as lines in a file, and fields whose key is marked `later` are ignored while they are None, an empty
+        container or their default. The attribute `former_values` of a dataclass has the values of its empty
         fields in earlier versions.
 
     Returns
@@ -137,8 +137,10 @@ def _came_later(field: dataclasses.Field[Any]) -> bool:
 
 
 def _differs(field: dataclasses.Field[Any], value: Any) -> bool:
-    """Whether a value is neither empty nor the default of its field."""
-    return bool(value) and (type(value) is not type(field.default) or value != field.default)
+    """Whether a value is neither missing, an empty container, nor the default of its field; 0 is a value."""
+    if value is None or (isinstance(value, Sized) and len(value) == 0):
+        return False
+    return type(value) is not type(field.default) or bool(value != field.default)
 
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:

@@ -7,7 +7,8 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.io.contact_numbers import RATTLE, factor_row, is_factor
+from pitchpoint.core.load_sharing import factor_row, is_factor
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single numbers in result files: impacts, closing speeds, impulses, contact shares, mesh load factors."""
+"""Single numbers in result files: impacts, closing speeds, impulses, contact shares."""
 
 from __future__ import annotations
-
-from typing import Any
 
 RATTLE = (
     ("contact_loss_share", "1", "share of the time without contact"),
@@ -25,13 +23,3 @@ RATTLE = (
     ("rattle_index", "1", "inertia torque of the idle gear over its drag torque"),
 )
 """Numbers of the contact of a mesh: name, unit, description; see `analysis.rattle.Rattle`."""
-
-
-def is_factor(name: str) -> bool:
-    """Whether a name is that of the mesh load factor of a planetary stage (`system.planet_loads`)."""
-    return name.startswith("load_sharing_factor[")
-
-
-def factor_row(value: float) -> dict[str, Any]:
-    """Mesh load factor as a row of statistics: the factor of the means has no variation."""
-    return {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}

@@ -65,6 +65,8 @@ class Seat:
     """Names of the coordinates, in the order of the displacements."""
     beam: str | None = None
     """Beam whose station carries the joint; `parent` is the body that carries the beam."""
+    end: str = GROUND
+    """End of the joint that carries the body: ground, BODY, BODY.MARKER or BEAM.STATION."""
 
     @property
     def base(self) -> str:
@@ -204,7 +206,8 @@ def _seat_by_joints(parts: Parts, joints: Mapping[str, Joint], seats: dict[str, 
             continue
         joint = joints[names[k]]
         words = _RENAMED.get(joint.type, joint.names) if turned else joint.names
-        seats[carried] = Seat(carried, carrier, names[k], joint.type, turned, words, beams[k][turned])
+        end = joint.bodies[turned]
+        seats[carried] = Seat(carried, carrier, names[k], joint.type, turned, words, beams[k][turned], end)
         hangs(carried)
 
 
@@ -326,8 +329,8 @@ def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, 
         return f"names a coordinate of {part}, which closes a loop and has no independent coordinates"
     if seat.turned and joint.type in ONE_WAY:
         return (
-            f"names a coordinate of {part}, which is reversed because {seat.parent} carries {seat.body}; "
-            f"write its bodies as [{seat.parent}, {seat.body}]"
+            f"names a coordinate of {part}, which is reversed because {seat.end} carries {seat.body}; "
+            f"write its bodies as [{', '.join(reversed(joint.bodies))}]"
         )
     if joint.type in TUMBLING and joint.dimension(word) == "angle":
         return f"names a rotation of {part} ({joint.type}), whose rotations are re-referenced during a run"

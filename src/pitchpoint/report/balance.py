@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Balancing torques of the scenarios of a model, and what they balance."""
+"""Loads with `torque: balance`: what they balance, in words, and their torques in all scenarios."""
 
 from __future__ import annotations
 
@@ -7,13 +7,17 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.words import listed
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
+    from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.model import Model
 
 
-def balancing_torques(model: Model) -> dict[str, dict[str, Any]]:
-    """Balancing torques at the start of every time and quasi-static scenario.
+def balanced_loads(model: Model) -> dict[str, Any]:
+    """Balancing loads of a model and what they balance, without solving.
 
     Parameters
     ----------
@@ -23,15 +27,52 @@ def balancing_torques(model: Model) -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        By scenario: `torques` [N m] by load, and in words what they `balance` over which cycle; or `failure`,
-        why there is none. Losses of vibrating flanks are determined by runs only. Empty without
-        `torque: balance`, or without scenarios.
+        Names of the `loads` with `torque: balance`, and in words what they `balance` over which time; empty
+        without such loads.
     """
-    from pitchpoint.model.components.law import Balance
+    from pitchpoint.model.components.law import Balance, Constant
 
-    if not any(isinstance(load.torque, Balance) for load in model.loads.values()):
+    torques = {name: load.torque for name, load in model.loads.items() if load.torque is not None}
+    loads = [name for name, torque in torques.items() if isinstance(torque, Balance)]
+    if not loads:
         return {}
-    return {name: _of(model, name) for name, chosen in model.scenarios.items() if chosen.kind != "sweep"}
+    parts = ["the loads at the start"]
+    varying = [name for name, torque in torques.items() if not isinstance(torque, Balance | Constant)]
+    if varying:
+        over = "its period if it repeats" if len(varying) == 1 else "their common period if they repeat"
+        parts.append(f"the mean of {listed(varying)} over {over} over angle or time")
+    meshes: list[Mesh | BevelMesh] = [*model.meshes.values(), *model.bevel_meshes.values()]
+    rough = any(mesh.friction is not None and mesh.friction.mu > 0.0 for mesh in meshes)
+    surface = any(mesh.contact is not None for mesh in model.meshes.values())
+    if rough or surface:
+        forces = listed(["flank friction"] * rough + ["flank contact"] * surface)
+        parts.append(f"the mean of {forces} over {'the mesh cycle' if len(meshes) == 1 else 'mesh cycles'}")
+    return {"loads": loads, "balance": listed(parts)}
+
+
+def balancing_torques(model: Model, progress: Progress = silent) -> dict[str, dict[str, Any]]:
+    """Balancing torques at the start of every time and quasi-static scenario.
+
+    Parameters
+    ----------
+    model
+        A model with `torque: balance`.
+    progress
+        Receives the number of completed scenarios.
+
+    Returns
+    -------
+    dict
+        By scenario: `torques` [N m] by load, and in words what they `balance` over which cycle; or `failure`,
+        why there is none. Losses of vibrating flanks are determined by runs only.
+    """
+    names = [name for name, chosen in model.scenarios.items() if chosen.kind != "sweep"]
+    found = {}
+    for done, name in enumerate(names):
+        progress(done, len(names), name)
+        found[name] = _of(model, name)
+    progress(len(names), len(names))
+    return found
 
 
 def _of(model: Model, name: str) -> dict[str, Any]:

@@ -4,19 +4,18 @@
 A torque that balances a pulsating load at one instant only changes the mean speed with every revolution. The
 mean speed is constant if the work balances: angle-dependent loads enter with their mean over their period,
 flank friction, which pulsates with the mesh phase, with its mean over mesh cycles. So do the forces of tooth
-surfaces: their stored energy depends on the phase, also at constant load, and does work at one position
-(decision 0034), 1e-4 to 1e-3 of the torque, which is zero over a cycle.
+surfaces: their stored energy changes with the mesh phase also under constant load (decision 0034). This
+changes the torque by 1e-4 to 1e-3 at a single position, and has zero mean over a cycle.
 """
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import note
 from pitchpoint.core.units import format_quantity
+from pitchpoint.core.words import listed
 from pitchpoint.elements.kind import MESH
 from pitchpoint.elements.mesh.record import SURFACE
 from pitchpoint.elements.signal import TWO_PI
@@ -43,11 +42,11 @@ RIPPLE = 1e-4
 """Relative deviation of the speed at the start from its mean above which it is noted."""
 
 
-def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
-    """Instants [s] at which flank forces are averaged, and their weights; the weights sum to one.
+def cycle_instants(system: System, state: State) -> tuple[Array, Array, int]:
+    """Instants [s] at which flank forces are averaged, their weights, and the number of cycles they cover.
 
-    Only the start if nothing rotates, no flank has friction and none is a tooth surface, or the system has
-    closed loops or is large.
+    The weights sum to one; the cycles are those of the slowest mesh. Only the start, and no cycle, if nothing
+    rotates, no flank has friction and none is a tooth surface, or the system has closed loops or is large.
     """
     rough, surface = _pulsating(system)
     rates, count = np.zeros(0), IN_SURFACE_CYCLE if surface else IN_CYCLE
@@ -61,13 +60,13 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
         rates = np.array(mesh_rates(system, speeds))
         rates = rates[rates > SAME * rates.max(initial=0.0)]
     if not rates.size:
-        return NOW
+        return (*NOW, 0)
     if np.ptp(rates) <= SAME * rates.max():
         share = np.arange(count) / count
-        return share * TWO_PI / rates[0], np.full(count, 1.0 / count)
+        return share * TWO_PI / rates[0], np.full(count, 1.0 / count), 1
     share = np.arange(CYCLES * count) / (CYCLES * count)
     weights = 1.0 - np.cos(TWO_PI * share)
-    return share * CYCLES * TWO_PI / rates.min(), weights / weights.sum()
+    return share * CYCLES * TWO_PI / rates.min(), weights / weights.sum(), CYCLES
 
 
 def _pulsating(system: System) -> tuple[bool, bool]:
@@ -90,11 +89,11 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     """
     names, records = system.names[LOAD], system.records[LOAD]
     balancing = balancing_loads(system)
-    torques = _listed([names[k] for k in balancing])
+    torques = listed([names[k] for k in balancing])
     verb = "balance" if len(balancing) > 1 else "balances"
     text = f"{torques} {verb} {_mean_of(system, cycle)}"
     if cycle.stalls:
-        bodies = _listed(list(cycle.stalls))
+        bodies = listed(list(cycle.stalls))
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
         return (
             text,
@@ -114,7 +113,7 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
 def _mean_of(system: System, cycle: LoadCycle) -> str:
     """Loads of a cycle and the time of their mean."""
     names = system.names[LOAD]
-    loads = _listed([names[k] for k in cycle.means])
+    loads = listed([names[k] for k in cycle.means])
     time = format_quantity(cycle.averaged, "time", 4)
     if cycle.period > 0.0:
         over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
@@ -135,10 +134,9 @@ def balanced_words(system: System, state: State, cycle: LoadCycle | None) -> str
         Its pulsating loads, if there are any.
     """
     text = "the loads at the start" if cycle is None else _mean_of(system, cycle)
-    times, _ = cycle_instants(system, state)
-    if times.size > 1:
-        one = times.size in (IN_CYCLE, IN_SURFACE_CYCLE)
-        count = "one mesh cycle" if one else f"{CYCLES} cycles of the slowest mesh"
+    times, _, cycles = cycle_instants(system, state)
+    if cycles:
+        count = "one mesh cycle" if cycles == 1 else f"{cycles} cycles of the slowest mesh"
         forces = " and ".join(
             word
             for word, there in zip(("flank friction", "flank contact"), _pulsating(system), strict=True)
@@ -146,8 +144,3 @@ def balanced_words(system: System, state: State, cycle: LoadCycle | None) -> str
         )
         text += f", and {forces} over {count} ({format_quantity(times.size * times[1], 'time', 4)})"
     return text
-
-
-def _listed(names: Sequence[str]) -> str:
-    """Names as a list with `and` before the last."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"

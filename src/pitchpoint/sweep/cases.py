@@ -18,9 +18,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
+from pitchpoint.core.load_sharing import is_factor
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
-from pitchpoint.io.contact_numbers import RATTLE, is_factor
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.load_sharing import FACTOR, is_factor
 from pitchpoint.core.nomenclature import symbol
-from pitchpoint.io.contact_numbers import is_factor
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.dataset import channel_attributes
 from pitchpoint.system.layout import Channel
-from pitchpoint.system.planet_loads import FACTOR, WORDS
+from pitchpoint.system.planet_loads import WORDS
 
 DIMENSIONS = ("direction", "mesh_frequency")
 

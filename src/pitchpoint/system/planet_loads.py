@@ -12,13 +12,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.load_sharing import FACTOR, factor_name, factor_row
+
 if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
 
-FACTOR = "load_sharing_factor"
-"""Name of the factor in tables, with the stage in brackets."""
 WORDS = "mesh load factor of the planets, from mean mesh forces"
 
 
@@ -116,10 +116,7 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
 
 def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
     """Statistics of channels with a row for the mesh load factor of every stage."""
-    rows = {
-        name: {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
-        for name, value in factors_of(model, channels).items()
-    }
+    rows = {name: factor_row(value) for name, value in factors_of(model, channels).items()}
     return {**channels, **rows}
 
 
@@ -127,14 +124,13 @@ def factors_of(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[
     """Mesh load factors from statistics of channels, by their names in tables; NaN without load."""
     found = loads_of_planets(model, lambda c: _mean_of(channels, c))
     return {
-        f"{FACTOR}[{name}]": math.nan if loads.factor is None else loads.factor
-        for name, loads in found.items()
+        factor_name(name): math.nan if loads.factor is None else loads.factor for name, loads in found.items()
     }
 
 
 def factor_quantities(model: Model) -> list[tuple[str, str, str]]:
     """Names, unit and description of the mesh load factors of all stages."""
-    return [(f"{FACTOR}[{stage}]", "1", WORDS) for stage in model.planetary_stages]
+    return [(factor_name(stage), "1", WORDS) for stage in model.planetary_stages]
 
 
 def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import SolverError
 from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
 from tests.unit.solvers.test_mean_balance import FRICTION, gearbox
 
@@ -75,11 +76,55 @@ BALANCED = {
 def test_a_balancing_torque_is_printed_with_what_it_balances(name, tmp_path, capsys):
     law, friction, words = BALANCED[name]
     file = written(tmp_path, gearbox(law, friction=friction))
-    found = json_of(["check", file], capsys)["balance"]["run"]
+    found = json_of(["check", file, "--balance"], capsys)["balance"]["scenarios"]["run"]
     assert found["balance"] == words
     loss = 0.0 if not friction else 2e-2
     assert found["torques"]["in"] == pytest.approx(100.0 / 3.0, rel=loss or 1e-5)
-    assert run_command(["check", file]) == 0
+    assert run_command(["check", file, "--balance"]) == 0
     assert f"torque: balance in run: in {found['torques']['in']:.5g} N m; {words}" in " ".join(
         capsys.readouterr().out.split()
     )
+
+
+UNSOLVED = {
+    "constant": "the loads at the start",
+    "wave": "the loads at the start and the mean of out over its period if it repeats over angle or time",
+    "friction": "the loads at the start and the mean of flank friction over the mesh cycle",
+}
+
+
+@pytest.mark.parametrize("name", UNSOLVED)
+def test_what_a_torque_balances_is_printed_without_solving(name, tmp_path, capsys, monkeypatch):
+    def compiled(*_):
+        raise AssertionError("check compiles the model")
+
+    monkeypatch.setattr("pitchpoint.system.compile.compile_model", compiled)
+    law, friction, _ = BALANCED[name]
+    file = written(tmp_path, gearbox(law, friction=friction))
+    assert json_of(["check", file], capsys)["balance"] == {"loads": ["in"], "balance": UNSOLVED[name]}
+    assert run_command(["check", file]) == 0
+    words = f"torque: balance: in balances {UNSOLVED[name]}; values with --balance"
+    assert words in " ".join(capsys.readouterr().out.split())
+
+
+def test_balance_is_refused_without_a_load_or_a_scenario(tmp_path, capsys):
+    balanced = gearbox("100 N m")
+    for text, words in (
+        (gearbox("-3 N m", driver="1 N m"), "--balance has no effect without a load with torque: balance"),
+        (
+            balanced[: balanced.index("scenarios:")],
+            "--balance has no effect without a time or quasi-static scenario",
+        ),
+    ):
+        assert run_command(["check", written(tmp_path, text), "--balance"]) == 2
+        assert words in " ".join(capsys.readouterr().err.split())
+
+
+def test_a_torque_that_is_not_found_ends_with_code_3(tmp_path, capsys, monkeypatch):
+    def fails(*_):
+        raise SolverError("no equilibrium", 2)
+
+    monkeypatch.setattr("pitchpoint.solvers.initial_state.start.prepare_start", fails)
+    file = written(tmp_path, gearbox("100 N m"))
+    assert run_command(["check", file, "--balance"]) == 3
+    assert "torque: balance in run: not found; no equilibrium" in capsys.readouterr().out

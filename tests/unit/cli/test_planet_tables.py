@@ -59,6 +59,23 @@ def test_factors_of_cases_are_single_numbers(tmp_path, capsys):
     assert [case["channels"][NAME] for case in kept] == [case["channels"][NAME] for case in cases]
 
 
+@pytest.mark.parametrize("error", [4e-6, -4e-6])
+def test_the_factor_of_a_pin_error_is_that_of_springs(error):
+    """Fixed axes, rigid pins, equal stiffness k of both meshes of every planet.
+
+    A planet balances its two meshes, which act in line: force k/2 per travel at the sun. A pin that is ahead
+    by e takes 2 e cos(alpha) of this travel, so planet 1 carries T/(3 r_b) - 2/3 k e cos(alpha), the others
+    T/(3 r_b) + 1/3 k e cos(alpha).
+    """
+    model = loads_model(
+        stage_file(f"planets: 3\npin_errors: {{planet_1: {{tangential: {error} m}}}}", mesh=BACKLASH)
+    )
+    (case,) = run_cases(model, [{"loads.motor.torque": "600 N m"}], "slow", jobs=1)
+    cosine = math.cos(math.radians(20.0))
+    part = 5e8 * error * cosine / (600.0 / (3.0 * 31.5e-3 * cosine)) / 3.0
+    assert case.channels[NAME]["mean"] == pytest.approx(max(1.0 - 2.0 * part, 1.0 + part), rel=1e-4)
+
+
 def test_bearing_forces_of_cases_are_printed(tmp_path, capsys):
     target = tmp_path / "cases.h5"
     file = written(tmp_path, FILE)

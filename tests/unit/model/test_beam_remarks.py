@@ -66,6 +66,16 @@ def test_a_rate_of_the_joint_counts() -> None:
     assert len(ends_left_behind(loads_model(turned))) == 1
 
 
+def test_an_end_at_a_station_moves_with_the_body_that_carries_the_beam() -> None:
+    spoke = "  spoke: {ends: [disc, far], section: {diameter: 10 mm}, axis: [0, 1, 0], pieces: 2}\n"
+    far = "  far: {mass: 1 g, inertia_tensor: [1e-7, 1e-7, 1e-7, 0, 0, 0], position: [0.4, 0, 0]}\n"
+    text = with_(SPINNING["speed"]).replace("ends: [disc, tip]", "ends: [spoke.2, tip]")
+    text = text.replace("joints:\n", f"{far}joints:\n  at: {{type: free, bodies: [disc, far]}}\n")
+    text = text.replace("beams:\n", f"beams:\n{spoke}")
+    (said,) = ends_left_behind(loads_model(text))
+    assert "while disc moves in run" in said
+
+
 @pytest.mark.parametrize("how", STILL)
 def test_what_begins_at_rest_needs_no_remark(how: str) -> None:
     assert ends_left_behind(loads_model(with_(STILL[how]))) == ()

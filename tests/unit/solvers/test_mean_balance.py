@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.initial_state.start import prepare_start
-from pitchpoint.solvers.mean_balance import cycle_instants
+from pitchpoint.solvers.mean_balance import CYCLES, IN_CYCLE, balanced_words, cycle_instants
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
@@ -206,12 +206,36 @@ def test_friction_of_flanks_is_balanced_in_the_mean_of_a_mesh_cycle():
 
 def test_instants_cover_one_cycle_of_a_mesh_and_several_of_two():
     one = begun(gearbox("100 N m", "{law: din3990}", FRICTION))
-    times, weights = cycle_instants(one.system, one.state)
+    times, weights, cycles = cycle_instants(one.system, one.state)
     period = 2.0 * np.pi / (1500.0 * RPM) / 20
     np.testing.assert_allclose(times, np.arange(16) / 16 * period, rtol=1e-12)
     assert weights.sum() == pytest.approx(1.0)
+    assert cycles == 1
     smooth = begun(gearbox("100 N m"))
-    assert cycle_instants(smooth.system, smooth.state)[0].tolist() == [0.0]
+    times, _, cycles = cycle_instants(smooth.system, smooth.state)
+    assert (times.tolist(), cycles) == ([0.0], 0)
+
+
+def test_the_number_of_cycles_does_not_depend_on_the_number_of_instants(monkeypatch):
+    """Two stages of 20 and 25 teeth on one shaft: 3 cycles of the slower one."""
+    gear = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    text = gearbox("100 N m", "{law: din3990}", FRICTION)
+    last = "bodies:\n  last: {gears: [d], motion: torsion, inertia: 0.1 kg m^2}\n"
+    pair = f"  c: {{number_of_teeth: 25, {gear}}}\n  d: {{number_of_teeth: 50, {gear}}}\n"
+    text = text.replace("bodies:\n", pair + last)
+    text = text.replace("gears: [b]", "gears: {b: 0, c: 50 mm}").replace(
+        "meshes:\n",
+        f"meshes:\n  more: {{gears: [c, d], stiffness: {{law: din3990}}{FRICTION}}}\n",
+    )
+    text = text.replace("body: driven, torque", "body: last, torque")
+    start = begun(text)
+    slowest = 60.0 / (500.0 * 25.0)
+    for count in (64, IN_CYCLE * CYCLES):
+        monkeypatch.setattr("pitchpoint.solvers.mean_balance.IN_SURFACE_CYCLE", count)
+        times, _, cycles = cycle_instants(start.system, start.state)
+        assert (cycles, times.size * times[1]) == (CYCLES, pytest.approx(CYCLES * slowest))
+        words = balanced_words(start.system, start.state, start.cycle)
+        assert words.endswith("flank friction over 3 cycles of the slowest mesh (14.4 ms)")
 
 
 def test_an_assembled_start_balances_too():

@@ -303,6 +303,58 @@ sensors:
     assert not [note for note in found.notes if "no load" in note]
 
 
+REVERSED = f"""\
+bodies:
+  tip: {{motion: free, {DUST}, position: [0.8 m, 0, 0]}}
+  load: {{mass: 1 kg, inertia_tensor: [1e-3, 1e-3, 1e-3, 0, 0, 0], position: [0.4 m, 0, 0.1 m]}}
+beams:
+  pin: {{ends: [ground, tip], section: {{diameter: 30 mm}}, pieces: 4}}
+joints:
+  j: {{type: planar, bodies: [load, pin.3]}}
+sensors:
+  turn: {{type: joint, coordinate: j.spin}}
+"""
+BALL = REVERSED.replace(
+    "type: planar, bodies: [load, pin.3]", "type: universal, bodies: [pin.3, load]"
+).replace("j.spin", "j.beta")
+
+
+def test_the_remedy_of_a_reversed_joint_keeps_its_station():
+    with pytest.raises(ModelError) as caught:
+        loads_model(REVERSED)
+    (problem,) = caught.value.problems
+    assert "reversed because pin.3 carries load; write its bodies as [pin.3, load]" in str(problem)
+    model = loads_model(REVERSED.replace("[load, pin.3]", "[pin.3, load]"))
+    assert (model.mechanism.seats["load"].beam, model.mechanism.seats["load"].turned) == ("pin", False)
+    with pytest.raises(ModelError) as caught:
+        loads_model(REVERSED.replace("load, pin.3]", "load, pin.3], start: {x: 1 mm}"))
+    assert "the joint carries load, not pin.3" in str(caught.value)
+
+
+def test_the_remedy_of_a_sensor_measures_from_the_station():
+    with pytest.raises(ModelError) as caught:
+        loads_model(BALL)
+    remedy = "{type: frames, quantity: angle, ends: [load, pin.3]"
+    assert remedy in str(caught.value)
+    measured = BALL.replace("{type: joint, coordinate: j.beta}", remedy + ", axis: z}")
+    assert loads_model(measured).sensors["turn"].ends == ("load", "pin.3")
+
+
+def test_a_gear_across_a_reversed_joint_keeps_its_station():
+    gear = "{number_of_teeth: 30, normal_module: 4 mm, face_width: 20 mm, profile_shift_coefficient: 0}"
+    text = REVERSED[: REVERSED.index("sensors:")].replace("planar, bodies: [load, pin.3]", "revolute, "
+        "bodies: [load, pin.3], axes: {z: [1, 0, 0]}")  # fmt: skip
+    with pytest.raises(ModelError) as caught:
+        loads_model(text.replace("load: {", "load: {gears: [g], ") + f"gears: {{g: {gear}}}\n")
+    assert "write its bodies as [pin.3, load]" in str(caught.value)
+
+
+def test_check_shows_the_station_that_carries_a_body(tmp_path, capsys):
+    model = REVERSED[: REVERSED.index("sensors:")]
+    found = json_of(["check", written(tmp_path, model)], capsys)["joints"]["j"]
+    assert (found["carries"], found["on"]) == ("load", "pin.3")
+
+
 FRAME = """\
 bodies:
   tip: {motion: free, mass: 1 g, inertia_tensor: [1e-6, 1e-6, 1e-6, 0, 0, 0], position: [1 m, 0, 0]}

@@ -55,6 +55,34 @@ def test_the_mode_of_the_mesh_has_the_ratio():
     assert find_modes(system).damping_ratio[-1] == pytest.approx(0.03, rel=1e-6)
 
 
+def test_a_gear_fixed_to_a_beam_turns_with_its_twist():
+    """The wheel stands on a pin between ground and a free tip: d = 2 zeta sqrt(k m) as with a free wheel."""
+    pin = """beams:
+  pin: {ends: [ground, tip], section: {diameter: 30 mm}, pieces: 4}
+joints:
+  on: {type: fixed, bodies: [pin.3, driven]}
+"""
+    text = (
+        PAIR[: PAIR.index("  arm:\n")].replace(
+            "driven: {gears: [g2], inertia: 0.01 kg m^2}",
+            "driven: {gears: [g2], inertia: 0.01 kg m^2, mass: 2 kg, transverse_inertia: 0.01 kg m^2}\n"
+            "  tip: {motion: free, mass: 1 g, inertia_tensor: [1e-6, 1e-6, 1e-6, 0, 0, 0], "
+            "position: [112.5 mm, 0, 0.4 m]}",
+        )
+        + pin.replace("[ground, tip]", "[foot, tip]")
+        + PAIR[PAIR.index("meshes:") :].replace("torque: balance", "torque: 75 N m")
+    )
+    text = text.replace(
+        "  tip:", "  foot: {motion: fixed, mass: 1 kg, inertia: 1, position: [112.5 mm, 0, -0.4 m]}\n  tip:"
+    )
+    text = text.replace(",\n     markers: {pin: {position: [120 mm, 0, 50 mm]}}}", "}")
+    model, system = compiled(text)
+    assert turning_inertia(model, "driven") == pytest.approx(0.01, rel=1e-12)
+    mass = 1.0 / (R_B1**2 / 0.002 + (1.5 * R_B1) ** 2 / 0.01)
+    expected = 2.0 * 0.03 * math.sqrt(3e8 * mass)
+    assert system.records["gear_mesh"]["contact"]["d_in"][0] == pytest.approx(expected, rel=1e-9)
+
+
 def test_a_gear_on_a_body_that_is_fixed_to_another():
     """The rim with the gear is screwed to a hub on a joint to ground: both turn with the arm."""
     hub = """  hub: {inertia: 0.004 kg m^2, position: [0, 0, 0], mass: 1 kg, transverse_inertia: 0.003 kg m^2}

@@ -106,7 +106,7 @@ def _seats(parts: Parts, report: Reader) -> None:
             key = "start" if joint.start else "speed"
             report.problem(
                 ("joints", name, key),
-                f"has the opposite sense: the joint carries {seat.body}, not {seat.parent}",
+                f"has the opposite sense: the joint carries {seat.body}, not {seat.end}",
                 remedy=f"write bodies: [{', '.join(reversed(joint.bodies))}] and reverse the values",
             )
 
@@ -304,7 +304,8 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
             remedy="use a revolute, cylindrical, screw, planar or shaft joint for the body",
         )
     elif seat.joint is not None and axial_offset(parts, seat) is None:
-        more = f"; write its bodies as [{seat.parent}, {name}]" if seat.turned else ""
+        ends = reversed(parts.joints[seat.joint].bodies)
+        more = f"; write its bodies as [{', '.join(ends)}]" if seat.turned else ""
         report.problem(
             at,
             f"rotate about the z axis of {name}, which is not the axis of the joint {seat.joint}",

@@ -86,7 +86,7 @@ def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, 
     word = seat.coordinates[found[1]]
     tilts = "alpha" in seat.coordinates or "beta" in seat.coordinates
     quantity = ("angle", "angular_velocity", "angular_acceleration")[sensor.derivative]
-    remedy = f"write {{type: frames, quantity: {quantity}, ends: [{found[0]}, {seat.parent}]}}"
+    remedy = f"write {{type: frames, quantity: {quantity}, ends: [{found[0]}, {seat.end}]}}"
     if seat.kind == "user":
         report.problem(
             (*at, "coordinate"),

@@ -126,8 +126,8 @@ class SinglePlanet(Component):
     tooth_thickness_allowance: float | None = quantity(
         "length", "normal tooth thickness allowance", None, display="that of planet"
     )
-    sun_mesh: SingleMesh = component(SingleMesh, "mesh with the sun", SingleMesh())
-    ring_mesh: SingleMesh = component(SingleMesh, "mesh with the ring", SingleMesh())
+    sun_mesh: SingleMesh = component(SingleMesh, "mesh with the sun", SingleMesh(), later=True)
+    ring_mesh: SingleMesh = component(SingleMesh, "mesh with the ring", SingleMesh(), later=True)
 
 
 @dataclass(frozen=True, kw_only=True)

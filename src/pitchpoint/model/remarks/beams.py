@@ -10,7 +10,7 @@ import numpy as np
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, TableLaw
-from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.frames import GROUND, carrier_of
 from pitchpoint.model.mechanism import Seat, coordinate
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def ends_left_behind(model: Model) -> tuple[Message, ...]:
     """A remark for every beam with one end at rest on a body with `motion` while the other end moves."""
     found = []
     for name, beam in model.beams.items():
-        bodies = [split(end)[0] for end in beam.ends]
+        bodies = [carrier_of(model, end) for end in beam.ends]
         for near, far in (bodies, bodies[::-1]):
             seat = model.mechanism.seats.get(far)
             if seat is None or seat.joint is not None or seat.kind not in ("shaft", "planar"):

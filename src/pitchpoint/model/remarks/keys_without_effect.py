@@ -8,10 +8,11 @@ with another motion.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
+from pitchpoint.core.words import listed
 from pitchpoint.model.checks.references import ends_of
 from pitchpoint.model.components.flank_contact import FlexibleContact, PrecomputedContact, RigidContact
 from pitchpoint.model.components.joint import FUNCTIONS
@@ -93,7 +94,7 @@ def _frictions(model: Model) -> Iterator[Message]:
                 f"{at}.friction",
                 f"the law {mesh.law.law} acts at the pitch point, where "
                 "rolling teeth do not slide, so friction acts only on vibration and lateral motion",
-                f"{_listed(OF_PAIRS)} follow the contact along its path",
+                f"{listed(OF_PAIRS)} follow the contact along its path",
             )
 
 
@@ -175,14 +176,14 @@ def _blanks(model: Model) -> Iterator[Message]:
         elif energy:
             yield remark(
                 where,
-                f"has no effect on the stiffness of {_listed(energy)}: the law energy does not include "
+                f"has no effect on the stiffness of {listed(energy)}: the law energy does not include "
                 f"them{', only the inertia does' if weighs else ''}",
                 "the law din3990 has a blank factor for them",
             )
         elif not weighs and not (gear.web_thickness is not None and any(map(_by_formula, laws.values()))):
             yield remark(
                 where,
-                f"has no effect on stiffness and motion: the stiffness of {_listed(laws)} does not "
+                f"has no effect on stiffness and motion: the stiffness of {listed(laws)} does not "
                 "follow them, and the inertia is given",
             )
 
@@ -294,7 +295,7 @@ def _scenarios(model: Model) -> Iterator[Message]:
         if kind != "time" and keys:
             yield remark(
                 f"scenarios.{name}",
-                f"{_listed(keys)} {'have' if keys[1:] else 'has'} no effect with {kind}",
+                f"{listed(keys)} {'have' if keys[1:] else 'has'} no effect with {kind}",
             )
             continue
         if "tolerance" in keys and scenario.method not in ERROR_METHODS:
@@ -312,7 +313,7 @@ def _scenarios(model: Model) -> Iterator[Message]:
             yield remark(
                 f"scenarios.{name}.order",
                 f"has no effect with method: {scenario.method}",
-                f"methods with selectable order are {_listed(STIFF_METHODS)}",
+                f"methods with selectable order are {listed(STIFF_METHODS)}",
             )
 
 
@@ -332,9 +333,3 @@ def _driven_starts(model: Model) -> Iterator[Message]:
                         f"joints.{seat.joint}.{key}",
                         f"{own} has no effect in {name}, where the drive of {word} determines it",
                     )
-
-
-def _listed(names: Iterable[str]) -> str:
-    """List of names as text, with `and` before the last."""
-    found = list(names)
-    return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}"

@@ -266,7 +266,7 @@ def _at_rest(
     balancing = balancing_loads(system)
     cycle = load_cycle(system, state, held, driven) if balancing else None
     mean = system if cycle is None else cycle.applied(system)
-    instants = cycle_instants(system, state) if balancing else NOW
+    instants = cycle_instants(system, state)[:2] if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
     state = centred(mean, state, {*held, *known})

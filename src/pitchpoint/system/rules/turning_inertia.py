@@ -18,7 +18,8 @@ def turning_inertia(model: Model, body: str) -> float:
     """Moment of inertia about the spin axis of a body with a gear [kg m^2]; infinite if it cannot rotate.
 
     Bodies on joints are included with their joints locked at zero coordinates: the diagonal entry of the
-    mass matrix for the spin. Attached elastic bodies are not included.
+    mass matrix for the spin. Attached elastic bodies are not included. A body that is fixed to a station of
+    a beam rotates with the twist of the beam.
 
     Parameters
     ----------
@@ -27,8 +28,8 @@ def turning_inertia(model: Model, body: str) -> float:
     body
         Name of the body.
     """
-    seats = model.mechanism.seats
-    while seats[body].kind == "fixed":
+    seats, gear = model.mechanism.seats, body
+    while seats[body].kind == "fixed" and seats[body].beam is None:  # a beam twists
         if seats[body].parent == GROUND:
             return float("inf")
         body = seats[body].parent
@@ -36,7 +37,9 @@ def turning_inertia(model: Model, body: str) -> float:
     hanging = model.mechanism.carried_by(body)
     if not hanging:
         return polar
-    place, axes = seat_frame(model, seats[body])
+    place, axes = body_frame(model, gear)
+    if place is None:
+        place = seat_frame(model, seats[gear])[0]
     axis = axes[:, 2]
     for name in hanging:
         if name in model.elastic_bodies:
