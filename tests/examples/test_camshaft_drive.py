@@ -303,7 +303,8 @@ def hammering(**changes):
 def check_angular_momentum(t, channel):
     """I (w(t_1) - w(t_0)) = integral of T - r_b F of the cam gear: no scatter, however chaotic the impacts.
 
-    Trapezoids of 20 us against impacts of about 0.7 ms: the integrals of force and torque are 1e-4 apart.
+    With a sample at every step the trapezoids are those of the time integration; samples of 20 us against
+    impacts of 0.7 ms are up to 1e-3 off.
     """
     model = load_model(FOLDER / "train.yaml")
     law, base = model.loads["cam"].torque, 0.5 * model.gears["cam"].geometry.d_b
@@ -311,15 +312,15 @@ def check_angular_momentum(t, channel):
     force, speed = channel("mesh_force[stage_2]"), channel("speed[camshaft]")
     driven = np.trapezoid(torque - base * force, t)
     assert 4.503 * (speed[-1] - speed[0]) == pytest.approx(
-        driven, abs=3e-4 * base * np.trapezoid(np.abs(force), t)
+        driven, abs=1e-6 * base * np.trapezoid(np.abs(force), t)
     )
 
 
 @outside_polynomial
-@pytest.mark.parametrize("step", ["5 us", "2 us", "1 us"])
-def test_cam_torque_makes_the_gears_hammer(step):
+@pytest.mark.parametrize(("step", "rate"), [("5 us", "200 kHz"), ("2 us", "500 kHz"), ("1 us", "1 MHz")])
+def test_cam_torque_makes_the_gears_hammer(step, rate):
     """The ranges of the page and a margin: a chaotic motion differs with every step and every change."""
-    found = hammering(step=step)
+    found = hammering(step=step, sample_rate=rate)
     for mesh, mean, loss in (("stage_1", 1.0, 0.765), ("stage_2", -1.0, 0.69)):
         force, contact, hardest = found[mesh]
         assert contact.loss_share == pytest.approx(loss, abs=0.06)
@@ -340,7 +341,7 @@ def test_hammering_settles_in_the_mean():
     over the density: 2.4 % for one period in twenty, whatever the step; 1 % there would take six times as
     long. What does not scatter at all is the momentum, see `hammering`.
     """
-    found = hammering(duration=8.32)
+    found = hammering(duration=8.32, step="5 us", sample_rate="200 kHz")
     force, contact, hardest = found["stage_2"]
     assert len(hardest) in (299, 300)
     assert found["stage_1"][1].loss_share == pytest.approx(0.765, abs=0.015)

@@ -94,6 +94,7 @@ def test_gears_in_a_housing_turn_freely(housing: str, brake: str):
     assert ("the loads do not balance" in found.attrs["notes"]) == (brake != "balance")
 
 
+@pytest.mark.filterwarnings("ignore:couplings.k.bodies.*parallel axes")
 def test_what_closes_a_loop_at_another_ratio_cannot_turn():
     """The mesh turns the driven gear at -2/3, the coupling at 1: every motion is damped."""
     rest = "couplings:\n  k: {bodies: [driver, driven], stiffness: {torsion: 1e5 N m/rad}}\n" + RAYLEIGH

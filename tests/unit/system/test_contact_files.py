@@ -262,7 +262,7 @@ CASES = {
         BALL,
         [("shape: sphere, radius: 10 mm", "shape: plane")],
         "surface_contacts.c",
-        "a plane and a plane, which touch along an area",
+        "is between two planes without limits",
     ),
     "a cone without height on a plane": (
         BALL,

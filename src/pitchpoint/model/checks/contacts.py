@@ -125,6 +125,7 @@ def _plates(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) ->
             if sized
             else "give the plate that touches the plane its sides, such as size: [80 mm, 40 mm]",
         )
+        return
     cosine = _cosine(parts, contact, at, report)
     if cosine is not None and cosine > 0.0:
         report.problem(

@@ -111,11 +111,13 @@ def _far_ends(model: Model) -> Iterator[Message]:
 
 
 def _distant_axes(model: Model) -> Iterator[Message]:
-    """Couplings and torsional elements between bodies on parallel axes that are apart."""
+    """Couplings and torsional elements between rotating bodies on parallel axes that are apart."""
     for group in ("couplings", *TURNING):
         for name, part in getattr(model, group).items():
             if len(part.bodies) < 2 or not getattr(part, "carries_torque", True):
                 continue
+            if any(b in model.bodies and model.bodies[b].moves == "fixed" for b in part.bodies):
+                continue  # the origin of a frame is not its axis
             (at, axes), (other, way) = (body_frame(model, body) for body in part.bodies)
             if at is None or other is None or abs(axes[:, 2] @ way[:, 2]) < 1.0 - SAME:
                 continue
