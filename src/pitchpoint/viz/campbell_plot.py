@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -268,8 +269,8 @@ def _beside(way: Array) -> str:
 def _more_rows(figure: go.Figure) -> int:
     """Height of the legend beyond its first row [pixels]."""
     entries = [str(trace.name) for trace in figure.data if trace.showlegend is not False]
-    wide = sum(SAMPLE + LETTER * len(text) for text in entries)
-    return ROW * int(wide // WIDTH)
+    column = SAMPLE + LETTER * max((len(text) for text in entries), default=0)  # all are equally wide
+    return ROW * (math.ceil(len(entries) / max(1, int(WIDTH // column))) - 1)
 
 
 def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], place: _Places) -> int:
