@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, channel_scale, scale
-from pitchpoint.viz.signals_plot import arrange_rows
+from pitchpoint.viz.signals_plot import add_curve, arrange_rows
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -45,15 +44,7 @@ def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int 
         rows.append([len(figure.data) + n for n in range(len(group))])
         titles.append(f"[{unit.unit}]" if unit.unit else "")
         for index, channel in zip(rows[-1], group, strict=True):
-            kept = kept_samples(channel.values, points)
-            figure.add_scatter(
-                x=(time[kept] * clock.factor).astype(np.float32),
-                y=(channel.values[kept] * unit.factor).astype(np.float32),
-                yaxis=f"y{k}" if k > 1 else "y",
-                mode="lines",
-                name=channel.label,
-                line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
-            )
+            add_curve(figure, channel, index, k, time, (clock, unit), points)
     arrange_rows(figure, drawn, rows, "")
     for k, title in enumerate(titles, start=1):
         figure.update_layout({f"yaxis{k}" if k > 1 else "yaxis": {"title": {"text": title}}})

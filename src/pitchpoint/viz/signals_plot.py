@@ -80,18 +80,7 @@ def plot_signals(
     figure = theme.figure(clock.title(over), y_title, height=ONE_ROW)
     for k, row in enumerate(rows, start=1):
         for index in row:
-            channel = channels[index]
-            kept = kept_samples(channel.values, points)
-            figure.add_scatter(
-                # single precision is sufficient for any screen and halves the size of a report
-                x=(time[kept] * clock.factor).astype(np.float32),
-                y=(channel.values[kept] * shown.factor).astype(np.float32),
-                yaxis=f"y{k}" if k > 1 else "y",
-                mode="lines",
-                name=channel.label,
-                # the decimation of plotly leaves gaps in dense curves; the samples were selected above
-                line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
-            )
+            add_curve(figure, channels[index], index, k, time, (clock, shown), points)
     if len(channels) > 1:
         row_title = f"[{shown.unit}]" if shown.unit else y_title
         arrange_rows(figure, channels, rows, row_title, HALF_WIDTH if half else HEAD_WIDTH)
@@ -145,6 +134,30 @@ def _by_size(row: Sequence[int], spans: Sequence[tuple[float, float]]) -> list[l
     tall = [index for index in row if widths[index] >= FLAT * max(widths.values())]
     rest = [index for index in row if index not in tall]
     return [tall, *(_by_size(rest, spans) if rest else [])]
+
+
+def add_curve(
+    figure: go.Figure,
+    channel: Channel,
+    index: int,
+    row: int,
+    time: Array,
+    units: tuple[Scale, Scale],
+    points: int,
+) -> None:
+    """Add a channel as the curve `index` of a figure, in a row from 1, with the units of both axes."""
+    clock, unit = units
+    kept = kept_samples(channel.values, points)
+    figure.add_scatter(
+        # single precision is sufficient for any screen and halves the size of a report
+        x=(time[kept] * clock.factor).astype(np.float32),
+        y=(channel.values[kept] * unit.factor).astype(np.float32),
+        yaxis=f"y{row}" if row > 1 else "y",
+        mode="lines",
+        name=channel.label,
+        # the decimation of plotly leaves gaps in dense curves; the samples were selected above
+        line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
+    )
 
 
 def arrange_rows(
