@@ -45,6 +45,7 @@ from pitchpoint.solvers.mode_energies import (
 from pitchpoint.solvers.mode_names import base_names, full_names
 from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.solvers.whirl_basis import WhirlModes, normalised
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -268,25 +269,25 @@ def _turning(linear: Linearised, stopped: State, rates: Array) -> Linearised:
 def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     """The linear system about the relative equilibrium at other speeds: bodies in trees move outwards.
 
-    Mesh stiffness is that at rest.
+    Mesh stiffness is that at rest. Unloaded flanks are closed at every speed, as they are at rest.
     """
-    system, turning = linear.system, stopped.copy()
+    system, turning = linear.system.copy(), stopped.copy()
     turning.v = rates
     state = find_equilibrium(system, turning, linear.held).state
+    close_backlash(system, state, linear.flanks)
     at_rest = state.copy()
     at_rest.v[:] = 0.0
     elastic = linear.at_rest.K.copy()
     for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
         if kind == "rotation":  # centrifugal part at the speeds of the scenario
             elastic[np.ix_(share.places, share.places)] -= share.matrix
-    mean = elastic - evaluate.matrix(system, stopped, 0.0, 0.0, 1.0)
-    mean_D = linear.at_rest.D - evaluate.matrix(system, stopped, 0.0, 1.0, 0.0)
+    mean = elastic - evaluate.matrix(linear.system, stopped, 0.0, 0.0, 1.0)
+    mean_D = linear.at_rest.D - evaluate.matrix(linear.system, stopped, 0.0, 1.0, 0.0)
     D = mean_D + evaluate.matrix(system, state, 0.0, 1.0, 0.0)
     K = mean + evaluate.matrix(system, state, 0.0, 0.0, 1.0)
     M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
     K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
     K_rest = K_rest + symmetric(inertial_stiffness(system, state, at_rest))
     parts = replace(linear.at_rest, M=M, K=K_rest)
-    return replace(
-        linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
-    )
+    basis = free_directions(system, state, linear.states)
+    return replace(linear, system=system, state=state, at_rest=parts, D=D, K=K, basis=basis)

@@ -190,9 +190,20 @@ def damped(
     if np.any(tied):
         own = np.ix_(tied, tied)
         values[tied], z[own] = _quadratic(k[own] / unit**2, d[own] / unit)
-        # rigid rotations have no stiffness: small values are errors of the tangents
-        values[(omega == 0.0) & (values.imag > 0.0) & (np.abs(values) < LEFT_OVER)] = 0.0
+        values[_left_over(values, omega == 0.0, d / unit)] = 0.0
     return np.asarray(values * unit, dtype=np.complex128), z
+
+
+def _left_over(values: NDArray[np.complex128], rigid: NDArray[np.bool_], d: Array) -> NDArray[np.bool_]:
+    """Which scaled eigenvalues of rigid rotations are rounding.
+
+    Rigid rotations have no stiffness, so small oscillations are errors of the tangents. A small real value is
+    half of the digits of a double zero, unless dampers drive the rotation.
+    """
+    own = d[np.ix_(rigid, rigid)]
+    driven = bool(np.linalg.eigvalsh(symmetric(own)).min(initial=0.0) < -1e-12)
+    small = rigid & (np.abs(values) < LEFT_OVER)
+    return small & (values.imag > 0.0) if driven else small
 
 
 def damped_with_states(
@@ -245,6 +256,9 @@ def damped_with_states(
     rest = rest[np.argsort(-carried[rest], kind="stable")][:ns]
     order = np.concatenate([first, rest[np.argsort(np.abs(values[rest]), kind="stable")]])
     found = values[order]
+    rigid = omega == 0.0
+    if not A[n : 2 * n, 2 * n :][rigid].any():  # no state acts on a rigid rotation
+        found[:n][_left_over(found[:n] / unit, rigid, -A[n : 2 * n, n : 2 * n] / unit)] = 0.0
     full = (shapes.T @ vectors[:n, order]).astype(np.complex128)
     still = np.abs(found) <= 1e-12 * unit
     full[own] = np.where(still, 0.0, vectors[2 * n :, order] / np.where(still, 1.0, found))

@@ -68,6 +68,8 @@ class Linearised:
         Coordinates whose rates are states of force elements.
     held
         Spins held at the operating point.
+    flanks
+        Flanks assumed in contact by unloaded mesh: 1 front, -1 back.
     notes
         Notes for the user.
     """
@@ -81,6 +83,7 @@ class Linearised:
     rigid: Array
     states: tuple[int, ...]
     held: tuple[int, ...]
+    flanks: Mapping[str, int]
     notes: tuple[str, ...]
 
 
@@ -141,7 +144,7 @@ def linearise(
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
-    return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, tuple(notes))
+    return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes))
 
 
 def _of_assumed_flanks(loose: Mapping[str, int]) -> str:

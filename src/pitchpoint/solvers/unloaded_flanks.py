@@ -134,11 +134,11 @@ def _add_signs(
         found.update({m: int(np.sign(pressed[m]) * sense) for m in new})
 
 
-def close_backlash(system: System, state: State) -> dict[str, int]:
+def close_backlash(system: System, state: State, known: Mapping[str, int] | None = None) -> dict[str, int]:
     """Bring the flanks of unloaded meshes into contact by shifting the assembly; returns the flank by mesh.
 
-    1 front, -1 back: the flank in contact already, or the working flank for a small torque through the train.
-    Changes the records of the system: pass a copy.
+    1 front, -1 back: the flank given in `known`, or in contact already, or the working flank for a small
+    torque through the train. Changes the records of the system: pass a copy.
     """
     flanks: dict[int, int] = {}
     loose = []
@@ -149,7 +149,9 @@ def close_backlash(system: System, state: State) -> dict[str, int]:
         # without backlash both flanks of an unloaded mesh are in contact by round-off
         if depth < TOUCH:
             loose.append(k)
-            if touching in (1.0, -1.0) and records[k]["now"]["gap"] > TOUCH:
+            if known and names[k] in known:
+                flanks[k] = known[names[k]]
+            elif touching in (1.0, -1.0) and records[k]["now"]["gap"] > TOUCH:
                 flanks[k] = int(touching)
     found = pressed_flanks(system, loose, flanks)
     shift_into_contact(system, still, found)

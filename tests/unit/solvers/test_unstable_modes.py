@@ -52,6 +52,70 @@ def test_limits_of_stability_do_not_depend_on_the_speeds_of_the_diagram(speeds: 
     assert min(found.low for found in unstable_ranges(data)) == pytest.approx(limit, rel=1e-8)
 
 
+SET = """\
+gears:
+  sun: {number_of_teeth: 21, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0,
+    tooth_thickness_allowance: -40 um}
+  ring: {type: internal, number_of_teeth: 99, normal_module: 3 mm, face_width: 40 mm, bore_diameter: 340 mm,
+    profile_shift_coefficient: 0, tip_diameter: 292.5 mm, tooth_thickness_allowance: -40 um}
+bodies:
+  sun: {gears: [sun], motion: planar, mass: 3 kg, inertia: 3e-3 kg m^2, position: [0, 0, 0]}
+  ring: {gears: [ring], motion: fixed}
+  carrier: {mass: 12 kg, inertia: 0.12 kg m^2}
+planetary_stages:
+  set:
+    {sun: sun, ring: ring, carrier: carrier, planets: 3, motion: planar,
+     planet: {number_of_teeth: 39, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0,
+       tooth_thickness_allowance: -40 um, bore_diameter: 60 mm},
+     bearing: {stiffness: {radial: 8e8 N/m}, damping: {ratio: 0.03}},
+     pin_errors: {planet_1: {tangential: 30 um}},
+     sun_mesh: {stiffness: {law: constant, value: 6e8 N/m}, damper: {ratio: 0.05}},
+     ring_mesh: {stiffness: {law: constant, value: 6e8 N/m}, damper: {ratio: 0.05}}}
+bearings:
+  spline: {body: sun, stiffness: {radial: 1e6 N/m}, damping: {ratio: 0.05}}
+loads:
+  motor: {body: sun, torque: MOTOR}
+  output: {body: carrier, torque: balance}
+scenarios:
+  s: {speed: {sun: 1500 rpm}, duration: 1 ms}
+"""
+FILTER = """\
+sensors: {n: {type: joint, coordinate: carrier, derivative: 1}}
+blocks: {f: {type: filter, input: n, time_constant: 0.01 s}, g: {type: sum, inputs: {f: 0}, unit: N m}}
+actuators: {a: {type: torque, bodies: [carrier], signal: g}}
+"""
+SLOPE = "2e-3 N m s*(speed - 1500 rpm)"
+
+
+@pytest.mark.parametrize(
+    "motor, more, unstable",
+    [
+        pytest.param("2 N m", "", [], id="constant"),
+        pytest.param("2 N m", FILTER, [], id="filter"),
+        pytest.param(f"2 N m - {SLOPE}", "", [], id="falling"),
+        pytest.param(f"2 N m + {SLOPE}", "", ["rigid rotation"], id="rising"),
+    ],
+)
+def test_a_rigid_rotation_is_unstable_only_if_a_load_drives_it(motor: str, more: str, unstable: list[str]):
+    """Rounding of the double zero eigenvalue, up to 1e-7 of the largest, is no growth; a motor whose torque
+    rises with the speed is one."""
+    system = compiled(SET.replace("MOTOR", motor) + more, "s")[1]
+    data = pp.solve_campbell(system, np.linspace(0.0, 190.0, 41), "sun", "s")
+    assert [u.mode for u in unstable_ranges(data)] == unstable
+    assert np.all(data["frequency"].values[:, 0] == 0.0)
+
+
+def test_unloaded_flanks_are_closed_at_every_speed_of_a_diagram():
+    """The pin error leaves planet 1 without load. Weight of the planets and 190 rad/s move them by nanometres
+    only, so that no frequency changes by more than gyroscopic terms do, here 2e-4."""
+    system = compiled(SET.replace("MOTOR", "2 N m"), "s")[1]
+    modes = pp.solve_modal(system)
+    assert "planet_1-ring carry no load" in modes.attrs["notes"]
+    data = pp.solve_campbell(system, np.linspace(0.0, 190.0, 5), "sun", "s")
+    expected = np.broadcast_to(modes["frequency"].values, data["frequency"].shape)
+    np.testing.assert_allclose(data["frequency"].values, expected, rtol=5e-4, atol=1e-6)
+
+
 def test_modes_without_damping_are_not_unstable():
     data = pp.solve_campbell(compiled(DISC)[1], np.linspace(0.0, 3000.0, 21), "disc", orders=["1x"])
     assert np.abs(data["damping_ratio"].values).max() < 1e-9
