@@ -237,7 +237,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
 
     meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r))) or [""]
     rolled = any(is_roll(r) for r in results)
-    words = roll.WORDS if rolled else WORDS
+    words = roll.WORDS if rolled else (*WORDS, *([INDEX] if any(map(has_index, results)) else []))
     columns = [shortest(path, paths) for path in paths]
     several = len(meshes) > 1
     if rolled:
@@ -275,7 +275,8 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
 
 
 WORDS = ("rms of deflection", "maximum force", "contact loss", "impacts", "closing speed")
-
+INDEX = "rattle index"
+"""Further column if any mesh has an idle gear."""
 
 CONTACT = ("contact_loss_share", "impact_rate", "closing_speed_max")
 
@@ -283,6 +284,11 @@ CONTACT = ("contact_loss_share", "impact_rate", "closing_speed_max")
 def is_roll(result: CaseResult) -> bool:
     """Whether a case is a slow roll with at least one point."""
     return any(name.startswith("unloaded_transmission_error[") for name in result.channels)
+
+
+def has_index(result: CaseResult) -> bool:
+    """Whether the rattle index of any mesh is known."""
+    return any(math.isfinite(row.get("rattle_index", math.nan)) for row in result.channels.values())
 
 
 def stages_of(result: CaseResult) -> list[str]:
@@ -325,7 +331,11 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
         contact = [result.channels[f"contact_state[{mesh}]"][name] for name in CONTACT]
     else:
         return [NOTHING] * count
-    return [shown(rms, "length", 4), shown(force, "force", 5), *contact_cells(*contact)]
+    cells = [shown(rms, "length", 4), shown(force, "force", 5), *contact_cells(*contact)]
+    if count > len(WORDS):
+        index = result.channels.get(f"contact_state[{mesh}]", {}).get("rattle_index", math.nan)
+        cells.append(f"{index:.3f}" if math.isfinite(index) else NOTHING)
+    return cells
 
 
 def contact_cells(loss: float, rate: float, closing: float) -> list[str]:

@@ -154,14 +154,17 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
                 "status": int(code),
                 "sentence": sentences[k],
                 "channels": channels,
-                "points": _points(points, directions, k),
+                "points": points_of(points, directions, k),
             }
         )
     return found
 
 
-def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> list[dict[str, Any]]:
-    """Points of the sweep of one case in the order of computation."""
+def points_of(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> list[dict[str, Any]]:
+    """Points of the sweep of one case in the order of computation, from tables by case, direction and point.
+
+    No directions: no points.
+    """
     found = []
     for d, direction in enumerate(directions):
         frequencies = tables["mesh_frequency"][case, d]

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.io.case_store import read_cases
+from pitchpoint.core.load_sharing import factor_row, is_factor
+from pitchpoint.io.case_store import points_of, read_cases
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.reading import read_header
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS, read_sweep
@@ -56,8 +57,12 @@ def case_table(data: xr.Dataset) -> CaseTable:
     units = {path: str(data[path].attrs.get("units", "")) for path in paths}
     numeric = [path for path in paths if data[path].dtype.kind in "fiu"]
     sentences, cases = data.attrs.get("sentences", []), []
-    channels = {str(n): v for n, v in data.data_vars.items() if v.dims == ("case", "statistic")}
-    counted = {str(n): v for n, v in data.data_vars.items() if str(n).partition("[")[0] in COUNTED}
+    tables = {str(n): v for n, v in data.data_vars.items()}
+    channels = {n: v for n, v in tables.items() if v.dims == ("case", "statistic")}
+    counted = {n: v for n, v in tables.items() if n.partition("[")[0] in COUNTED}
+    factors = {n: v.values for n, v in tables.items() if is_factor(n)}
+    swept = {n: v.values for n, v in tables.items() if "point" in v.dims}
+    directions = [str(d) for d in data["direction"].values] if swept else []
     for k in range(data.sizes["case"]):
         rows = {
             name: {"unit": str(v.attrs.get("units", ""))}
@@ -68,6 +73,7 @@ def case_table(data: xr.Dataset) -> CaseTable:
             number, _, mesh = name.partition("[")
             if v.dims == ("case",):
                 rows.setdefault(f"contact_state[{mesh}", {"mean": math.nan})[number] = float(v.values[k])
+        rows |= {n: factor_row(float(v[k])) for n, v in factors.items() if v.ndim == 1}
         values = {path: data[path].values[k] for path in paths}
         cases.append(
             {
@@ -76,6 +82,7 @@ def case_table(data: xr.Dataset) -> CaseTable:
                 "status": int(data["status"].values[k]),
                 "sentence": str(sentences[k]) if k < len(sentences) else "",
                 "channels": {n: r for n, r in rows.items() if math.isfinite(float(r["mean"]))},
+                "points": points_of(swept, directions, k),
             }
         )
     return CaseTable(cases=cases, units=units)

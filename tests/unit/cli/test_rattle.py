@@ -75,6 +75,12 @@ def test_cases_have_numbers_of_the_contact(tmp_path: Path, capsys: pytest.Captur
     with open_result(target) as data:
         assert data["impact_rate[stage]"].attrs["units"] == "1/s"
         assert data["impact_rate[stage]"].dims == ("case",)
+    assert run_command(command) == 0
+    printed = capsys.readouterr().out
+    assert "rattle index" in printed and f"{loud['rattle_index']:.3f}" in printed
+    page = tmp_path / "cases.html"
+    assert run_command(["report", file, str(target), "-o", str(page), "--quiet"]) == 0
+    assert "rattle index" in page.read_text(encoding="utf-8")
 
 
 def test_points_of_a_sweep_have_impacts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

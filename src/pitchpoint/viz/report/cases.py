@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Section of a report with independent cases: table, and results over the varied numbers."""
+"""Section of a report with independent cases: tables, and results over the varied numbers."""
 
 from __future__ import annotations
 
@@ -8,9 +8,12 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pitchpoint.core.status import OK
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Scale, channel_label, number, printed, scale
+from pitchpoint.viz.quantities import Scale, number, printed, scale
+from pitchpoint.viz.report.case_results import CaseQuantity, case_quantities
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table
 
@@ -20,44 +23,35 @@ if TYPE_CHECKING:
 MAX_ROWS = 100
 MAX_VARIED = 2
 """Number of varied values up to which results are drawn."""
+MAX_COLUMNS = 5
+"""Columns with results in one table."""
+MAX_OWNERS = 8
+"""Components with a column of their own: those with the largest values."""
+MAX_LINES = 6
+"""Curves up to which every component has its own; of more, the largest value is drawn."""
 WIDE = 30.0
 """Ratio of two values from which an axis is logarithmic."""
-WORDS = {
-    "rms": "rms of the {}",
-    "max": "maximum {}",
-    "contact_loss_share": "time without contact",
-    "contact_frequency": "frequency of the contacts",
-}
-"""Results in words."""
-RESULTS = (
-    ("deflection", "rms"),
-    ("mesh_force", "max"),
-    ("contact_state", "contact_loss_share"),
-    ("contact_state", "contact_frequency"),
-)
-"""Quantity and statistic of each column and picture."""
-FREE = "contact_frequency"
-"""Result that exists only if contact begins repeatedly."""
-UNITS = {"contact_loss_share": "1", "contact_frequency": "Hz"}
 
 
 def case_section(tables: Mapping[str, Any]) -> Section:
-    """Section with independent cases: varied values, and results of the meshes."""
+    """Section with independent cases: varied values, and results of meshes, planets and bearings."""
     section = Section("cases", "Cases")
     for name, table in tables.items():
         if not table.cases:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(tables) > 1 else "")
         paths = list(dict.fromkeys(path for case in table.cases for path in case["values"]))
-        section.add(_table(table.cases, paths))
+        found = case_quantities(table.cases)
+        for html in _tables(table.cases, paths, found):
+            section.add(html)
         if len(table.cases) > MAX_ROWS:
             section.add(f"<p>{len(table.cases) - MAX_ROWS} more cases are in the result file.</p>")
         numeric = [p for p in paths if len({c["numbers"].get(p) for c in table.cases}) > 1]
         if 0 < len(numeric) <= MAX_VARIED:
-            for quantity, statistic in RESULTS:
-                figure = _figure(table, numeric, quantity, statistic)
+            for quantity in found:
+                figure = _figure(table, numeric, quantity)
                 if figure is not None:
-                    section.add_figure(figure, name=statistic if statistic in UNITS else quantity)
+                    section.add_figure(figure, name=quantity.name)
     return section
 
 
@@ -75,55 +69,83 @@ def short_path(path: str, paths: Sequence[str]) -> str:
     return " ".join(short).replace("_", " ")
 
 
-def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
-    """Varied values, status and results of every case; results that are zero in all cases are omitted."""
-    head = [*(short_path(path, paths) for path in paths), "status"]
-    columns: list[tuple[str, str, Scale]] = []
-    for quantity, statistic in RESULTS:
-        for name in _channels(cases, quantity):
-            values = [v for case in cases if (v := _value(case, name, statistic)) is not None]
-            if statistic in UNITS and not any(values):
-                continue
-            shown = _scale(cases, name, statistic, values)
-            columns.append((name, statistic, shown))
-            head.append(shown.title(_words(name, statistic)))
+def _tables(
+    cases: Sequence[Mapping[str, Any]], paths: Sequence[str], found: Sequence[CaseQuantity]
+) -> list[str]:
+    """Tables of varied values, status and results; results of several components have their own tables."""
+    together: list[tuple[str, Scale, Sequence[float]]] = []
+    apart = []
+    for quantity in found:
+        if len(quantity.owners) > 1:
+            apart.append(quantity)
+        else:
+            named = quantity.name.endswith("bearing_force")  # the only loaded one of several
+            title = f"{quantity.title}, {quantity.owners[0]}" if named else quantity.title
+            together.append((quantity.scale.title(title), quantity.scale, quantity.values[:, 0].tolist()))
+    states = [str(case["sentence"]) for case in cases]
+    html = [
+        _table(cases, paths, together[k : k + MAX_COLUMNS], [] if k else states)
+        for k in range(0, max(len(together), 1), MAX_COLUMNS)
+    ]
+    for quantity in apart:
+        sizes = np.nanmax(np.abs(quantity.values), axis=0)
+        most = sorted(np.argsort(-sizes, kind="stable")[:MAX_OWNERS].tolist())
+        columns = [(quantity.owners[k], quantity.scale, quantity.values[:, k].tolist()) for k in most]
+        more = len(quantity.owners) - len(most)
+        note = f"<p>{more} more with smaller values are in the result file.</p>" if more else ""
+        title = f"<h4>{escape(quantity.scale.title(_upper(quantity.title)))}</h4>"
+        html.append(f"{title}{_table(cases, paths, columns, [])}{note}")
+    return html
+
+
+def _upper(title: str) -> str:
+    return title[:1].upper() + title[1:]
+
+
+def _table(
+    cases: Sequence[Mapping[str, Any]],
+    paths: Sequence[str],
+    columns: Sequence[tuple[str, Scale, Sequence[float]]],
+    states: Sequence[str],
+) -> str:
+    """Varied values, status if given, and columns with title, scale and values."""
+    head = [*(short_path(path, paths) for path in paths), *(["status"] if states else [])]
     body = []
-    for case in cases[:MAX_ROWS]:
+    for k, case in enumerate(cases[:MAX_ROWS]):
         # no line break between number and unit
         given = [escape(printed(case["values"].get(p, "–")).replace(" ", "\u00a0")) for p in paths]
         cells = [f'<th scope="row">{text}</th>' for text in given[:1]]
-        cells += [f"<td>{text}</td>" for text in given[1:]]
-        cells.append(f"<td>{escape(case['sentence'])}</td>")
-        for name, statistic, shown in columns:
-            value = _value(case, name, statistic)
-            cells.append(f'<td class="num">{"–" if value is None else number(value * shown.factor)}</td>')
+        cells += [f"<td>{text}</td>" for text in (*given[1:], *(escape(s) for s in states[k : k + 1]))]
+        cells += [
+            f'<td class="num">{number(values[k] * shown.factor) if math.isfinite(values[k]) else "–"}</td>'
+            for _, shown, values in columns
+        ]
         body.append(f"<tr>{''.join(cells)}</tr>")
-    return plain_table(head, body, words=len(paths) + 1)
+    return plain_table([*head, *(title for title, _, _ in columns)], body, words=len(head))
 
 
-def _figure(table: Any, paths: Sequence[str], quantity: str, statistic: str) -> go.Figure | None:
-    """Plot of one result over the varied number with most values; a line per mesh and other value."""
+def _figure(table: Any, paths: Sequence[str], quantity: CaseQuantity) -> go.Figure | None:
+    """Plot of one result over the varied number with most values; a line per component and other value."""
     sizes = {path: len({c["numbers"].get(path) for c in table.cases}) for path in paths}
     path = max(paths, key=lambda p: sizes[p])
-    names = _channels(table.cases, quantity)
+    others = math.prod(sizes[p] for p in paths if p != path)
+    single = len(quantity.owners) == 1 or len(quantity.owners) * others > MAX_LINES
+    owners = ("",) if single else quantity.owners
+    results = quantity.largest[:, None] if single else quantity.values
     lines: dict[str, list[tuple[float, float]]] = {}
-    for name in names:
-        for case in table.cases:
-            x, y = case["numbers"].get(path, math.nan), _value(case, name, statistic)
-            # an oscillation that does not occur has no frequency
-            if case["status"] != OK or y is None or not math.isfinite(x) or (y == 0.0 and statistic == FREE):
-                continue
-            others = [f"{short_path(p, paths)} {case['values'].get(p, '–')}" for p in paths if p != path]
-            mesh = [name.partition("[")[2].rstrip("]")] if len(names) > 1 or not others else []
-            lines.setdefault(", ".join([*mesh, *others]), []).append((x, y))
+    for case, row in zip(table.cases, results.tolist(), strict=True):
+        x = case["numbers"].get(path, math.nan)
+        other = [f"{short_path(p, paths)} {case['values'].get(p, '–')}" for p in paths if p != path]
+        for owner, y in zip(owners, row, strict=True):
+            if case["status"] == OK and math.isfinite(x) and math.isfinite(y):
+                lines.setdefault(", ".join([*filter(None, [owner]), *other]), []).append((x, y))
     lines = {label: sorted(points) for label, points in lines.items() if len(points) > 1}
     if not any(y for points in lines.values() for _, y in points):
         return None
     values = [x for points in lines.values() for x, _ in points]
-    across = scale(table.units.get(path, ""), values)
-    up = _scale(table.cases, names[0], statistic, [y for points in lines.values() for _, y in points])
-    title = up.title(_words(quantity, statistic))
-    figure = theme.figure(across.title(short_path(path, paths)), title, height=340)
+    across, up = _scale(table, path, values), quantity.scale
+    title = quantity.title + (", largest" if single and len(quantity.owners) > 1 else "")
+    figure = theme.figure(across.title(short_path(path, paths)), up.title(title), height=340)
     for k, (label, points) in enumerate(lines.items()):
         figure.add_scatter(
             x=[x * across.factor for x, _ in points],
@@ -138,28 +160,8 @@ def _figure(table: Any, paths: Sequence[str], quantity: str, statistic: str) -> 
     return figure
 
 
-def _value(case: Mapping[str, Any], name: str, statistic: str) -> float | None:
-    """Result of a case in SI; None if it is not known."""
-    value = case["channels"].get(name, {}).get(statistic, math.nan)
-    return float(value) if math.isfinite(value) else None
-
-
-def _scale(cases: Sequence[Mapping[str, Any]], name: str, statistic: str, values: Sequence[float]) -> Scale:
-    """Display unit of a result."""
-    if UNITS.get(statistic) == "1":
+def _scale(table: Any, path: str, values: Sequence[float]) -> Scale:
+    """Display unit of a varied number; per cent where all values are given in per cent."""
+    if all(str(case["values"].get(path, "%")).endswith("%") for case in table.cases):
         return Scale("%", 100.0)
-    unit = UNITS.get(statistic) or next(c["channels"][name]["unit"] for c in cases if name in c["channels"])
-    return scale(unit, values)
-
-
-def _words(name: str, statistic: str) -> str:
-    """Result in words, with its mesh if the name has one."""
-    quantity, _, mesh = name.partition("[")
-    words = WORDS[statistic].format(channel_label(quantity))
-    return f"{words}, {mesh.rstrip(']')}" if mesh else words
-
-
-def _channels(cases: Sequence[Mapping[str, Any]], quantity: str) -> list[str]:
-    """Channels of a quantity in any case."""
-    found = dict.fromkeys(name for case in cases for name in case["channels"])
-    return [name for name in found if name.partition("[")[0] == quantity]
+    return scale(table.units.get(path, ""), values)

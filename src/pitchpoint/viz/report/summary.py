@@ -17,13 +17,13 @@ from pitchpoint.viz.quantities import (
     Array,
     Channel,
     amount,
-    channel_label,
     channel_scale,
     channels,
     number,
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
+from pitchpoint.viz.report.case_results import case_quantities
 from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
@@ -41,7 +41,6 @@ RIPPLE = 1.005
 """Ratio of the maximum of a mesh force to its mean from which it is given."""
 UNSTABLE = 1e-7
 """Negative damping ratio from which a mode counts as unstable; below it is round-off."""
-CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
 
 
 def summary_section(counts: Sequence[tuple[str, str]], results: Any, warnings: Sequence[str] = ()) -> Section:
@@ -247,8 +246,8 @@ def _peak(points: Sequence[Mapping[str, Any]], quantity: str, statistic: str, un
 
 
 def _range(values: Sequence[float], unit: str) -> str:
-    low, high = (number(v, 3) for v in (min(values), max(values)))
-    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+    low, high = (number(v, 4) for v in (min(values), max(values)))
+    return (f"{low} {unit}" if low == high else f"{low} to {high} {unit}").rstrip()
 
 
 def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
@@ -260,16 +259,9 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
         fine = [case for case in table.cases if case["status"] == OK]
         varied = dict.fromkeys(path for case in table.cases for path in case["values"])
         ranges = []
-        for quantity, statistic, words in CASE_RESULTS:
-            for channel in dict.fromkeys(c for case in fine for c in case["channels"]):
-                if channel.partition("[")[0] != quantity:
-                    continue
-                rows = [case["channels"][channel] for case in fine if channel in case["channels"]]
-                values = [float(r[statistic]) for r in rows if np.isfinite(float(r[statistic]))]
-                if values:
-                    shown = channel_scale(channel, rows[0]["unit"], np.array(values))
-                    text = _range([v * shown.factor for v in values], shown.unit)
-                    ranges.append(f"{escape(channel_label(channel))}, {words}: {text}")
+        for quantity in case_quantities(fine):
+            values = quantity.largest[np.isfinite(quantity.largest)] * quantity.scale.factor
+            ranges.append(f"{escape(quantity.title)}: {_range(values.tolist(), quantity.scale.unit)}")
         cells = [
             escape(states.get(name, "")),
             f"{len(fine)} of {len(table.cases)} finished",
