@@ -172,7 +172,7 @@ def _bearings(cases: Sequence[Case]) -> list[CaseQuantity]:
     for way, value in (("radial", _magnitude), ("axial", _signed)):
         ends = f".{way}"
         own = [
-            case | {"channels": {n: r for n, r in case["channels"].items() if n.endswith(f"{ends}]")}}
+            {"channels": {n: r for n, r in case["channels"].items() if n.endswith(f"{ends}]")}}
             for case in cases
         ]
         part = _quantity(own, f"{way}_bearing_force", f"maximum {way} bearing force", "bearing_force", value)
