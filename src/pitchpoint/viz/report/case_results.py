@@ -78,8 +78,8 @@ def case_quantities(cases: Sequence[Case]) -> list[CaseQuantity]:
     )
     listed: tuple[tuple[str, str, str, Callable[[Row], float]], ...] = (
         (FACTOR, "mesh load factor of the planets", FACTOR, lambda row: row["mean"]),
-        ("mesh_force", "maximum mesh force", "mesh_force", _magnitude),
         varying,
+        ("mesh_force", "maximum mesh force", "mesh_force", _magnitude),
         *((name, title, "contact_state", _number(name)) for name, title in CONTACT.items()),
     )
     found = [_quantity(cases, *entry) for entry in listed]
