@@ -114,7 +114,7 @@ FEW = 12
 
 
 def body_of_speeds(model: Model) -> str | None:
-    """Reference body of the speed: the first rotating one with a gear in mesh, else the first rotating one."""
+    """Reference body of the speed: the first rotating one with a gear in mesh, else the first rotating."""
     in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
     turning = []
     for name, body in model.bodies.items():

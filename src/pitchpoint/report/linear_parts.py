@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.linear_system import Linearised
     from pitchpoint.system.system import System
     from pitchpoint.viz.report.build import ModeData
 
@@ -131,12 +132,14 @@ def linear_parts(
             f"the first {MAX_CONDITIONS} are computed, without those of {left}."
         )
     listed = listed[:MAX_CONDITIONS]
+    known = {name for one in listed for name in one.same}
+    others = tuple(n for n, own in model.scenarios.items() if n not in known and own.kind != "quasi_static")
     whole = before + UNITS_OF_WORK * len(listed)
     for k, one in enumerate(listed):
         parts = [part_of(progress, before + UNITS_OF_WORK * k + i, whole) for i in range(UNITS_OF_WORK)]
         name = ", ".join(one.scenarios)
         try:
-            _add(found, name, model, one, parts)
+            _add(found, name, model, one, others, parts)
         except PitchpointError as error:
             of = f" of {name}" if len(listed) > 1 else ""
             what = "No Campbell diagram" if name in found.modes else "No modes"
@@ -144,8 +147,15 @@ def linear_parts(
     return found
 
 
-def _add(found: LinearParts, name: str, model: Model, one: Condition, parts: Sequence[Progress]) -> None:
-    """Add modes and diagram of one set of prescribed motions."""
+def _add(
+    found: LinearParts,
+    name: str,
+    model: Model,
+    one: Condition,
+    others: tuple[str, ...],
+    parts: Sequence[Progress],
+) -> None:
+    """Add modes and diagram of one set of prescribed motions; `others` are scenarios with further sets."""
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
@@ -160,7 +170,7 @@ def _add(found: LinearParts, name: str, model: Model, one: Condition, parts: Seq
         frequency=modes.frequency.tolist(),
         damping_ratio=modes.damping_ratio.tolist(),
         scenarios=one.scenarios,
-        others=tuple(n for n, own in model.scenarios.items() if n not in one.same and _vibrates(own)),
+        others=others,
         held=one.held,
         total=modes.total,
         components=modes.groups.components,
@@ -169,12 +179,8 @@ def _add(found: LinearParts, name: str, model: Model, one: Condition, parts: Seq
     found.campbells[name] = _diagram(system, one, linear, modes.frequency, parts[1])
 
 
-def _vibrates(scenario: Scenario) -> bool:
-    return scenario.kind != "quasi_static"
-
-
 def _diagram(
-    system: System, one: Condition, linear: object, frequency: NDArray[np.float64], progress: Progress
+    system: System, one: Condition, linear: Linearised, frequency: NDArray[np.float64], progress: Progress
 ) -> xr.Dataset | str:
     """Campbell diagram up to 1.2 times the highest speed, or the reason why there is none."""
     from pitchpoint.analysis.campbell_ranking import select_modes

@@ -37,7 +37,7 @@ def model_of(system: System) -> Model:
 def operating_range(
     system: System, body: str, scenarios: Iterable[Scenario] | None = None
 ) -> tuple[float, float] | None:
-    """Lowest and highest speed of a body in some or all scenarios [rad/s]; None if none of them rotates it."""
+    """Lowest and highest speed of a body in some or all scenarios [rad/s]; None if it rotates in none."""
     chosen = model_of(system).scenarios.values() if scenarios is None else scenarios
     found = [own for scenario in chosen if (own := speed_range(system, scenario, body))[1] > 0.0]
     return (min(low for low, _ in found), max(high for _, high in found)) if found else None

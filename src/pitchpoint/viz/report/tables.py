@@ -67,9 +67,13 @@ def _conditions(modes: Any) -> str:
         words += "; no prescribed motion"
     words += "."
     if len(modes.scenarios) > 1:
-        words += f" The same motions are prescribed in {', '.join(modes.scenarios[1:])}."
+        words += f" Scenarios with the same prescribed motions: {', '.join(modes.scenarios[1:])}."
     if modes.others:
-        words += f" Other motions, with other modes, are prescribed in {', '.join(modes.others)}."
+        plural = "s" if len(modes.others) > 1 else ""
+        words += (
+            f" The prescribed motions of scenario{plural} {', '.join(modes.others)} differ, and so do the "
+            f"modes: for a report of these, give {'their results' if plural else 'its result'}."
+        )
     return words
 
 
