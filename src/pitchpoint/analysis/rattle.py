@@ -106,8 +106,8 @@ def rattle(
     loss of contact or the change of the flank. For a mass m that hits an elastic flank at the speed v and
     carries no load it is 2 m v. Under a constant load the flanks rebound within one natural period or not at
     all: the integral over a longer contact is that of the load. The contact frequency is that of an
-    oscillation through the backlash; without backlash, contact of a flank begins where the other one ends. Times as in
-    `contact_statistics` [1]_.
+    oscillation through the backlash; without backlash, contact of a flank begins where the other one ends.
+    Times as in `contact_statistics` [1]_.
 
     References
     ----------

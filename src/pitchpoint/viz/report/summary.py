@@ -21,6 +21,7 @@ from pitchpoint.viz.quantities import (
     channel_scale,
     channels,
     number,
+    span,
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
@@ -39,6 +40,10 @@ MAX_ENDS = 4
 """Inputs or outputs named for one run."""
 NO_POWER = 1e-4
 """Power relative to the largest one below which an element does not count as input or output."""
+SPEEDS = "Speeds of input and output"
+"""Title of the speeds among the curves of a run."""
+VARIES = 0.02
+"""Variation of a speed relative to its largest value from which its range is given."""
 MAX_CRITICAL = 3
 """Critical speeds within the operating range that are named."""
 RIPPLE = 1.005
@@ -117,6 +122,7 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
         row["input power"] = amount(flow.put_in, "W") if flow.put_in else ""
         row["losses"] = amount(flow.lost, "W") if flow.lost else ""
+    row["speed"] = _speeds(run, found, window, known=bool(row.get("input") or row.get("output")))
     row["maximum mesh force"] = _largest(
         found, "mesh_force", window, lambda low, high: max(abs(low), abs(high)), over_mean=True
     )
@@ -150,6 +156,23 @@ def _ends(flow: PowerFlow, links: Sequence[PowerLink], *, starts: bool) -> str:
         torque = f", {amount(power / abs(speed), 'N m')}" if abs(speed) > 0.0 else ""
         rows.append(f"{escape(link.name)}: {amount(speed, 'rad/s')}{torque}, {amount(power, 'W')}")
     rows += [f"{len(links) - MAX_ENDS} more"] if len(links) > MAX_ENDS else []
+    return "<br>".join(rows)
+
+
+def _speeds(run: Any, found: Mapping[str, Channel], window: np.ndarray, *, known: bool) -> str:
+    """Speeds of the ends of the machine; only those that vary if the mean ones are `known`."""
+    names = [name for title, own in run.groups if title == SPEEDS for name in own if name in found]
+    rows = []
+    for channel in (found[name] for name in names[:MAX_ENDS]):
+        values = channel.values[window]
+        if not values.size or not np.all(np.isfinite(values)):
+            continue
+        low, high = float(values.min()), float(values.max())
+        steady = high - low <= VARIES * max(abs(low), abs(high))
+        if steady and not known:
+            rows.append(f"{escape(owner(channel))}: {amount(float(values.mean()), 'rad/s')}")
+        elif not steady:
+            rows.append(f"{escape(owner(channel))}: {span(low, high, 'rad/s')}")
     return "<br>".join(rows)
 
 
