@@ -247,7 +247,7 @@ class TimeRun:
     angle
         Angle channel of the reference shaft of orders; default: shaft of gear 1 of each mesh.
     highest_order
-        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 20.
+        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 10.
     mesh_frequencies
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     groups

@@ -147,7 +147,7 @@ def default_highest_order(teeth: Sequence[int]) -> float:
 
     Without teeth: orders of shafts and rolling bearings.
     """
-    return 3.2 * max(teeth) if teeth else 20.0
+    return 3.2 * max(teeth) if teeth else 10.0
 
 
 def _is_one_way(angle: Array) -> bool:
