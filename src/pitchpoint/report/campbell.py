@@ -15,7 +15,7 @@ from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
     import xarray as xr
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
@@ -125,7 +125,7 @@ def body_of_speeds(model: Model) -> str | None:
     return next(geared, turning[0] if turning else None)
 
 
-def highest_speed(system: System, body: str, frequency: NDArray[np.float64]) -> float:
+def highest_speed(system: System, body: str, frequency: ArrayLike) -> float:
     """End of a Campbell diagram without scenario [rad/s]: the slowest mesh frequency exceeds all modes there.
 
     Zero if the body turns no mesh.

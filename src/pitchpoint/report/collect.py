@@ -141,7 +141,8 @@ def collect(
     }
     conditions = conditions_of(model, found.scenarios)
     filled, notes = with_rolls(model, cycles, progress, UNITS_OF_WORK * len(conditions))
-    linear = linear_parts(model, conditions, progress, len(rolled_meshes(model, cycles)[0]))
+    rolled = len(rolled_meshes(model, cycles)[0])
+    linear = linear_parts(model, conditions, progress, rolled, diagrams=not found.campbells)
     shown = ReportResults(
         mesh_cycles=without_given(filled, found.rolls),
         rolls=found.rolls,

@@ -17,7 +17,6 @@ from pitchpoint.viz.quantities import amount
 
 if TYPE_CHECKING:
     import xarray as xr
-    from numpy.typing import NDArray
 
     from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
@@ -109,6 +108,8 @@ def linear_parts(
     conditions: Sequence[Condition] | None = None,
     progress: Progress = silent,
     before: int = 0,
+    *,
+    diagrams: bool = True,
 ) -> LinearParts:
     """Modes about the loaded state and Campbell diagram for each set of prescribed motions.
 
@@ -120,6 +121,8 @@ def linear_parts(
         As from `conditions_of`, the default.
     progress, before
         Progress callback, and the number of work units completed before.
+    diagrams
+        Whether to compute Campbell diagrams, too.
     """
     found = LinearParts()
     if not model.bodies:
@@ -139,7 +142,9 @@ def linear_parts(
         parts = [part_of(progress, before + UNITS_OF_WORK * k + i, whole) for i in range(UNITS_OF_WORK)]
         name = ", ".join(one.scenarios)
         try:
-            _add(found, name, model, one, others, parts)
+            system, linear = _add_modes(found, name, model, one, others, parts[0])
+            if diagrams:
+                found.campbells[name] = _diagram(system, one, linear, found.modes[name].frequency, parts[1])
         except PitchpointError as error:
             of = f" of {name}" if len(listed) > 1 else ""
             what = "No Campbell diagram" if name in found.modes else "No modes"
@@ -147,15 +152,15 @@ def linear_parts(
     return found
 
 
-def _add(
+def _add_modes(
     found: LinearParts,
     name: str,
     model: Model,
     one: Condition,
     others: tuple[str, ...],
-    parts: Sequence[Progress],
-) -> None:
-    """Add modes and diagram of one set of prescribed motions; `others` are scenarios with further sets."""
+    progress: Progress,
+) -> tuple[System, Linearised]:
+    """Add the modes of one set of prescribed motions; `others` are scenarios with further sets."""
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
@@ -163,7 +168,7 @@ def _add(
 
     scenario = model.scenarios[one.scenarios[0]] if one.scenarios else None
     system = compile_model(model, scenario)
-    linear = linearise(system, scenario, progress=parts[0])
+    linear = linearise(system, scenario, progress=progress)
     modes = find_modes(system, scenario, linear=linear)
     found.modes[name] = ModeData(
         names=modes.names,
@@ -176,11 +181,11 @@ def _add(
         components=modes.groups.components,
         strain_share=modes.energies.strain,
     )
-    found.campbells[name] = _diagram(system, one, linear, modes.frequency, parts[1])
+    return system, linear
 
 
 def _diagram(
-    system: System, one: Condition, linear: Linearised, frequency: NDArray[np.float64], progress: Progress
+    system: System, one: Condition, linear: Linearised, frequency: Sequence[float], progress: Progress
 ) -> xr.Dataset | str:
     """Campbell diagram up to 1.2 times the highest speed, or the reason why there is none."""
     from pitchpoint.analysis.campbell_ranking import select_modes
@@ -193,7 +198,7 @@ def _diagram(
     body = body_of_speeds(model)
     if body is None:
         return "No body rotates."
-    if not frequency.size:
+    if not frequency:
         return "There are no modes."
     scenario = model.scenarios[one.scenarios[0]] if one.scenarios else None
     operating = operating_range(system, body, [model.scenarios[name] for name in one.same])

@@ -18,6 +18,7 @@ from pitchpoint.report.flanks import flank_lines
 from pitchpoint.report.linear_parts import held_bodies
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.overview import power_part, scene_part
+from pitchpoint.report.provenance import source_of
 from pitchpoint.viz.report.build import TimeRun
 
 TEXT = """
@@ -200,6 +201,13 @@ def test_where_results_come_from_stands_in_the_report(file: Path, tmp_path: Path
     assert (
         dict(found.sources[0].rows)["duration"] == f"{float(model.scenarios['steady'].duration) * 1e3:g} ms"
     )
+
+
+def test_units_of_varied_values_are_in_the_table_of_the_cases_not_in_the_provenance() -> None:
+    header = {"kind": "cases", "options": {"vary_units": {"loads.drag.torque": "N m"}, "settle_time": 0.1}}
+    rows = dict(source_of("idle", header, "").rows)
+    assert "settle time" in rows
+    assert not any("N m" in text for text in rows.values())
 
 
 def test_a_run_that_failed_is_shown_as_far_as_its_numbers_go(file: Path) -> None:
