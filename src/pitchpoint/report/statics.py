@@ -8,6 +8,7 @@ tooth carries) are omitted with a remark.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
@@ -89,11 +90,13 @@ def with_rolls(
 
 def part_of(progress: Progress, before: int, parts: int) -> Progress:
     """Progress callback for one of several equal parts."""
+    return partial(_report_part, progress, before, parts)
 
-    def own(done: float, total: float, note: str = "") -> None:
-        progress(before + done / total, parts, note)
 
-    return own
+def _report_part(
+    progress: Progress, before: int, parts: int, done: float, total: float, note: str = ""
+) -> None:
+    progress(before + done / total, parts, note)
 
 
 def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:

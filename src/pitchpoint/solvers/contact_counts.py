@@ -34,7 +34,7 @@ COUNTS = np.dtype(
         ("momentum", "f8"),
         *((name, "f8") for name in ("closing", "closing_squares", "closing_most")),
         *((name, "f8") for name in ("impulse", "impulse_sum", "impulse_most", "touched_at")),
-        ("period", "f8"),  # natural period of the flanks in contact: longer contacts are no impacts
+        ("period", "f8"),  # natural period of the flanks in contact: impulses of longer contacts do not count
         *((name, "f8") for name in ("shortest_contact", "resolution")),
         *((name, "f8") for name in ("least_1", "most_1", "least_2", "most_2")),
     ],
