@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,8 +12,9 @@ from pitchpoint.analysis.orders import order_map
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import theme
-from pitchpoint.viz.campbell_plot import plot_campbell
+from pitchpoint.viz.campbell_plot import ROOM, plot_campbell
 from pitchpoint.viz.mesh_cycle_plot import plot_load_sharing, plot_mesh_stiffness, plot_transmission_error
+from pitchpoint.viz.mode_plot import plot_modes
 from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
@@ -67,16 +70,68 @@ def test_names_of_a_campbell_diagram_never_overlap() -> None:
     figure = plot_campbell(campbell(modes, orders))
     right = [a for a in figure.layout.annotations if a.x == 1 and a.text]
     assert {a.text for a in right} >= set(modes)
-    low, high = figure.layout.yaxis.range
-    room = 560 - 48 - 34
-    shown = sorted(room * (a.y - low) / (high - low) - a.ay for a in right)
-    assert np.diff(shown).min() >= 14 - 1e-6
-    assert shown[0] >= -1e-6 and shown[-1] <= room + 1e-6
+    boxes = right_boxes(figure)
+    assert all(b[0] >= a[1] - 1e-6 for a, b in zip(boxes, boxes[1:], strict=False))
+    assert boxes[0][0] >= -1e-6 and boxes[-1][1] <= ROOM + 1e-6
     above = [a for a in figure.layout.annotations if a.textangle == -90]
     assert len(above) == 3
     at = sorted(560 * a.x + a.xshift for a in above)
     assert np.diff(at).min() >= 14 - 1e-6
     assert figure.layout.margin.r > 60
+
+
+def right_boxes(figure: Any) -> list[tuple[float, float]]:
+    """Lower and upper ends of the names right of a Campbell diagram [pixels], from the lowest."""
+    low, high = figure.layout.yaxis.range
+    margin = figure.layout.margin
+    assert figure.layout.height - margin.t - margin.b == pytest.approx(ROOM)
+    # automatic margins would make the plot lower than the distances of the names assume
+    assert figure.layout.xaxis.automargin is False and figure.layout.yaxis.automargin is False
+    found = []
+    for a in (a for a in figure.layout.annotations if a.x == 1 and a.text):
+        middle, half = ROOM * (a.y - low) / (high - low) - a.ay, 7.0 * (1 + a.text.count("<br>"))
+        found.append((middle - half, middle + half))
+    return sorted(found)
+
+
+def test_long_names_of_modes_leave_most_of_the_width_to_the_diagram() -> None:
+    """Sixteen modes of a planetary set: names of 49 letters in two lines, within the height of the plot."""
+    modes = {f"{k}nd translational mode of planetary stage set (b)": 1e3 + 50.0 * k for k in range(16)}
+    figure = plot_campbell(campbell(modes))
+    assert 680.0 - figure.layout.margin.l - figure.layout.margin.r > 0.55 * 680.0
+    boxes = right_boxes(figure)
+    assert len(boxes) >= 16 and boxes[0][0] >= -1e-6 and boxes[-1][1] <= ROOM + 1e-6
+    assert all(b[0] >= a[1] - 1e-6 for a, b in zip(boxes, boxes[1:], strict=False))
+
+
+def test_shaft_orders_at_one_place_are_named_by_their_range() -> None:
+    """Fourteen orders of seven shafts within a tenth of the height, and one far above them."""
+    orders = {f"{n}× shaft_{k}": (n * (1.0 + 0.1 * k), "shaft") for k in range(7) for n in (1, 2)}
+    figure = plot_campbell(campbell({"high": 2958.0}, orders | {"20× shaft_0": (20.0, "shaft")}))
+    names = [a.text.replace("<br>", " ").replace("\xa0", " ") for a in figure.layout.annotations if a.x == 1]
+    assert set(names) == {"high", "14 shaft orders, 1× shaft_0 to 2× shaft_6", "20× shaft_0"}
+    assert sum(t.line.dash == "dash" for t in figure.data) == 15, "all lines are drawn"
+
+
+def test_names_of_modes_are_above_their_bars_and_texts_fit_into_them() -> None:
+    """Long names, and eleven equal parts: six with a colour, the others named as far as there is room."""
+    parts = [f"mesh sun-planet_{k}" for k in range(11)]
+    share = np.array([np.full(11, 1.0 / 11.0), np.eye(11)[10], np.eye(11)[0]])
+    names = ["1st translational mode of planetary stage set (a)", "mesh mode", "rigid rotation"]
+    figure = plot_modes(names, [1405.0, 5264.0, 0.0], [0.026, 0.05, np.nan], parts, share)
+    labels = [a.text for a in figure.layout.annotations]
+    assert labels == [
+        "1: 1st translational mode of planetary stage set (a), 1405 Hz, ζ 2.6 %",
+        "2: mesh mode, 5264 Hz, ζ 5 %",
+        "3: rigid rotation, 0 Hz",
+    ]
+    assert figure.layout.yaxis.showticklabels is False and figure.layout.margin.l < 20
+    others = next(bar for bar in figure.data if bar.name == "others")
+    # 45 % of 648 pixels at 6 pixels per letter
+    text = others.text[0]
+    assert 0 < len(text) <= 0.01 * others.x[0] * 648.0 / 6.0
+    assert text.startswith("mesh sun-planet_") and text.endswith("more 36 %"), "the parts add up to the bar"
+    assert others.text[1:] == ("", "") and others.x[2] == pytest.approx(0.0)
 
 
 def test_every_rank_of_close_critical_speeds_is_shown() -> None:
@@ -87,7 +142,7 @@ def test_every_rank_of_close_critical_speeds_is_shown() -> None:
     critical = next(t for t in figure.data if t.name == "critical speeds")
     led = [a for a in figure.layout.annotations if a.x != 1 and a.text and a.textangle is None]
     assert sorted(map(int, [t for t in critical.text if t] + [a.text for a in led])) == list(range(1, 13))
-    scale = np.array([560.0, 478.0])
+    scale = np.array([560.0, ROOM])
     low = np.array([figure.layout.xaxis.range[0], figure.layout.yaxis.range[0]])
     span = np.array([figure.layout.xaxis.range[1], figure.layout.yaxis.range[1]]) - low
     places = np.array([(np.array([a.x, a.y]) - low) / span * scale + (a.ax, -a.ay) for a in led])
@@ -206,6 +261,54 @@ def test_spectrum_axes_and_labels() -> None:
     assert figure.layout.yaxis.type == "log"
     assert {a.text for a in figure.layout.annotations} == {"1000", "4000"}
     assert max(figure.data[0].y) == pytest.approx(3.0, rel=1e-5)
+
+
+def test_numbers_at_peaks_do_not_overlap_in_a_narrow_plot() -> None:
+    """Peaks of four digits a tenth of the axis apart; one of two plots on paper has an axis of 240 pixels."""
+    hertz = (1230, 1630, 1800, 2085, 2500, 2960)
+    x = sum((1.0 + 0.1 * k) * np.sin(2 * np.pi * f * TIME) for k, f in enumerate(hertz))
+    figure = plot_spectrum({"": amplitude_spectrum(x, 1e5)}, unit="N", highest=3000.0)
+    ends = []
+    for a in figure.layout.annotations:
+        at, wide = 240.0 * a.x / 3000.0, 6.2 * len(a.text)
+        left = at - {"left": 0.0, "center": 0.5, "right": 1.0}[a.xanchor] * wide
+        ends.append((left, left + wide))
+    ends.sort()
+    assert len(ends) >= 3 and ends[-1][1] <= 242.0
+    assert all(b[0] >= a[1] + 3.0 for a, b in zip(ends, ends[1:], strict=False))
+    # as many ticks as there is room for
+    assert not figure.layout.xaxis.nticks
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0], ids=["up", "down"])
+def test_mesh_frequencies_are_curves_with_names_in_a_map_over_time(way: float) -> None:
+    """Chirps of two meshes: the named curves are on the ridges of the map, and the names apart."""
+    speed = 20.0 + 1000.0 * (TIME if way > 0.0 else TIME[-1] - TIME)
+    angle = 2 * np.pi * np.cumsum(speed) * 1e-5
+    x = np.sin(10 * angle) + np.sin(11 * angle)
+    data = time_frequency_map(x, 1e5, frame=1024, highest_frequency=3000.0)
+    at = np.interp(data.time, TIME, speed)
+    meshes = {"stage_1": 10.0 * at, "stage_2": 11.0 * at, "twin": 11.0 * at, "beyond": 400.0 * at}
+    figure = plot_time_frequency(data, unit="N", meshes=meshes)
+    curves = {t.name: t for t in figure.data if t.type == "scatter"}
+    assert set(curves) == {"stage_1", "stage_2, twin"}
+    assert titles(figure) == ("time [ms]", "frequency [Hz]")
+    # the ridge half-way through the map is at the curves
+    cells = figure.data[0]
+    column = np.asarray(cells.z, float)[:, len(cells.x) // 2]
+    ridge = float(cells.y[int(column.argmax())])
+    low, high = (float(np.interp(cells.x[len(cells.x) // 2], 1e3 * TIME, f * speed)) for f in (9.0, 12.0))
+    assert low < ridge < high
+    names = [a for a in figure.layout.annotations if a.name == "frequency"]
+    assert [a.text for a in names] == ["stage_1", "stage_2, twin"]
+    top = float(data.frequency[-1])
+    boxes = []
+    for a in names:
+        y = 330.0 * (1.0 - a.y / top) + a.ay
+        boxes.append((y - 7.0, y + 7.0))
+        assert 0.0 <= y <= 330.0 and a.xanchor == ("right" if way > 0.0 else "left")
+    boxes.sort()
+    assert boxes[1][0] >= boxes[0][1]
 
 
 def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:

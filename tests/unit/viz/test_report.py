@@ -255,11 +255,14 @@ def test_what_a_table_of_channels_leaves_out_is_said(model: ReportModel) -> None
 
 def test_maps_of_a_run_up_show_all_of_it(model: ReportModel) -> None:
     """Statistics begin after settling; maps show the start too."""
-    runs = {"r": TimeRun(data=run(500.0, 3000.0, 0.5), settle_time=0.1)}
+    meshes = {"mesh of the stage": 500.0}
+    runs = {"r": TimeRun(data=run(500.0, 3000.0, 0.5), settle_time=0.1, mesh_frequencies=meshes)}
     figures: list[Any] = Page(report_html(model, ReportResults(runs=runs))).figures
     maps = [f for f in figures if f["data"][0]["type"] == "heatmap"]
     over_time = [f for f in maps if f["layout"]["xaxis"]["title"]["text"] == "time [ms]"]
     assert over_time
+    for figure in maps:
+        assert "mesh of the stage" in [a["text"] for a in figure["layout"]["annotations"]]
     for figure in over_time:
         x = plotted(figure["data"][0], "x")
         assert 0.0 <= x[0] < 10.0
