@@ -386,6 +386,44 @@ def test_no_label_covers_another_one_or_a_block_or_leaves_the_drawing(case: str)
     assert max(box[3] for box in boxes) + float(dy) <= float(height)
 
 
+PLANETS = {"p1": 16750.0, "p2": 35530.0, "p3": 16870.0, "p4": 35500.0}
+
+
+def test_names_of_four_planets_are_on_no_band() -> None:
+    """Unequal planets, two with a small power to the ring: names only next to the bands that they name."""
+    blocks = [PowerBlock(name=n, speed=1.0) for n in ("sun", *PLANETS, "carrier")]
+    links = [link("motor", OUTSIDE, 0, 104650.0), link("output", 5, OUTSIDE, 104650.0)]
+    for k, (name, given) in enumerate(PLANETS.items(), start=1):
+        links.append(link(f"sun-planet_{k}", 0, k, given))
+        links.append(PowerLink(name=name, kind="carrier", start=k, end=5, given=given, taken=given))
+    links += [link(f"planet_{k}-ring", k, OUTSIDE, 0.66) for k in (1, 3)]
+    svg = power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=links))
+    texts = re.findall(
+        r'<text class="pp-(?:halo|small)" x="([-\d.]+)" y="([-\d.]+)" text-anchor="(start|end)">([^<]+)', svg
+    )
+    assert sum("sun-planet" in words for *_, words in texts) == 4
+    paths = re.findall(
+        r"M([-\d.]+) ([-\d.]+)H([-\d.]+)C([-\d.]+) [-\d.]+ ([-\d.]+) [-\d.]+ ([-\d.]+) ([-\d.]+)"
+        r"H([-\d.]+)V([-\d.]+)",
+        svg,
+    )
+    assert len(paths) == 12
+    t = np.linspace(0.0, 1.0, 200)
+    for x, y, anchor, words in texts:
+        wide = 7.0 * len(words)
+        left = float(x) - (wide if anchor == "end" else 0.0)
+        own = 0
+        for a, ya, begin, there, back, end, yb, b, bottom in (map(float, p) for p in paths):
+            high = bottom - yb
+            bend = 3.0 * t * (1.0 - t) ** 2, 3.0 * t**2 * (1.0 - t)
+            along = np.r_[a, begin * (1.0 - t) ** 3 + there * bend[0] + back * bend[1] + end * t**3, b]
+            top = np.r_[ya, ya + (yb - ya) * (bend[1] + t**3), yb]
+            over = np.interp(np.linspace(left, left + wide, 40), along, top, left=np.nan, right=np.nan)
+            assert not np.any((over < float(y) + 1.0) & (over + high > float(y) - 9.0)), words
+            own += bool(np.nanmin(np.abs(np.r_[over, over + high, 1e9] - float(y) + 4.0)) < 60.0)
+        assert own >= 1, f"{words} is near a band"
+
+
 def extremes(sizes: dict[str, float], seen: str = "") -> str:
     """Section about channels that swing once between plus and minus their size [m]."""
     time = np.linspace(0.0, 1.0, 101)
