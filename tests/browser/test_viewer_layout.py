@@ -42,7 +42,8 @@ CUT = """
   const more = $(".ppv-more").hidden ? null : box($(".ppv-more"));
   const covered = more ? all(".ppv-plot").filter((node) => getComputedStyle(node).opacity !== "0"
     && box(node).bottom > more.top + 1 && box(node).right > more.left).length : 0;
-  return {plots, covered, height: list.height, inked, words, below: root.bottom - box($(".ppv-curves-body")).bottom,
+  const below = root.bottom - box($(".ppv-curves-body")).bottom;
+  return {plots, covered, height: list.height, inked, words, below,
     wide: document.documentElement.scrollWidth,
     more: $(".ppv-more").hidden ? 0 : parseInt($(".ppv-more").textContent.slice(2)),
     scene: box($(".ppv-scene")).height};

@@ -225,7 +225,7 @@ class _Band:
             (min(p[0], q[0]), min(p[1], q[1]) - h, max(p[0], q[0]), max(p[1], q[1]) + h)
             for p, q in zip(corners, corners[1:], strict=False)
         ]
-        drop, labels = "", []
+        drop, labels = "", list[Label]()
         if self.named == "middle":
             drop, labels = _named(self.link, self.unit, 0.5 * (a + b), ya, self.width)
         elif self.named == "start":

@@ -283,7 +283,9 @@ def test_bearings_of_a_shaft_fit_on_it():
 @pytest.mark.parametrize("bore", ["", ", bore_diameter: 60 mm"], ids=["solid", "bored"])
 def test_bearings_of_gears_without_a_shaft_hide_no_teeth(bore):
     """A planet of 33 teeth, module 3: on its spindle, beside the gear, within the root circle of 91.5 mm."""
-    gear = f"{{number_of_teeth: 33, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0{bore}}}"
+    gear = (
+        f"{{number_of_teeth: 33, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0{bore}}}"
+    )
     model = loads_model(
         f"gears: {{planet: {gear}}}\n"
         "bodies: {wheel: {gears: [planet], motion: planar, position: [0, 0, 0]}}\n"
