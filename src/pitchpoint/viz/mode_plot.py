@@ -141,7 +141,7 @@ def _largest(components: Sequence[str], row: Array) -> str:
     """Largest shares of a mode and the sum of the other ones, in the space of their sum."""
     order = [int(k) for k in np.argsort(-row, kind="stable") if row[k] > 0.0]
     found = ""
-    for count in range(1, len(order) + 1):
+    for count in range(1, int((row > SMALL).sum()) + 1):
         parts = [f"{components[k]} {number(100.0 * row[k], 2)} %" for k in order[:count]]
         rest = order[count:]
         more = float(row[rest].sum())

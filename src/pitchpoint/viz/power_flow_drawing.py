@@ -16,7 +16,8 @@ from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
 WIDTH_BLOCK, BETWEEN, BEND = 122.0, 94.0, 60.0
-"""Width of a block, least distance of blocks of two columns, and length of a bend next to a name [pixels]."""
+"""Width of a block, least distance of blocks of two columns, and length of a bend next to a name, also the
+distance of sources and sinks [pixels]."""
 SLICES = 12
 """Rectangles along a band that names avoid."""
 WIDEST, THINNEST = 54.0, 1.5
@@ -197,7 +198,7 @@ class _Band:
     def needs(self) -> float:
         """Distance of the columns at its name that leaves room for it [pixels]."""
         if self.named in ("", "middle"):
-            return BETWEEN
+            return BETWEEN if self.named else BEND
         return max(BETWEEN, max(LETTER[style] * len(words) for words, style in self.lines) + BEND)
 
     def drawn(self, a: float, b: float) -> tuple[str, list[Label], list[Rectangle]]:
@@ -253,10 +254,10 @@ def _band(joined: _Joined, ends: Sequence[_Joined], unit: Scale) -> _Band:
 def _places(boxes: Sequence[_Box], bands: Sequence[_Band]) -> dict[int, float]:
     """Left edges of the columns [pixels], with room for the names between them."""
     columns = range(min(box.column for box in boxes), max(box.column for box in boxes) + 1)
-    gaps = dict.fromkeys(columns, BETWEEN)
+    gaps = dict.fromkeys(columns, BEND)
     for band in bands:
         before = band.end.column - 1 if band.named == "end" else band.start.column
-        gaps[before] = max(gaps.get(before, BETWEEN), band.needs)
+        gaps[before] = max(gaps.get(before, BEND), band.needs)
     found, at = {}, SIDE
     for column in columns:
         found[column] = at
