@@ -25,8 +25,8 @@ EQUAL = 1e-6
 """Relative difference up to which two frequencies are one."""
 PALE, BEHIND = "#ffffff", "rgba(0,32,77,0.65)"
 """Colours of lines and names above a map, and behind these names: its cells are dark and bright."""
-MAP = (560.0, 330.0)
-"""Width and height of the axes of a map on paper [pixels]."""
+MAP = (520.0, 260.0)
+"""Width and height of the axes of a map on paper, where it is smallest [pixels]."""
 ASIDE = 12.0
 """Distance of the name of a curve from its highest point [pixels]."""
 LONGEST = 36
