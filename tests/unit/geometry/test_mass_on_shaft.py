@@ -165,8 +165,9 @@ def test_a_bevel_gear_on_a_shaft() -> None:
         [(-1.0, 1.0, 0.02, 0.0)],
         [(-1.0, 0.05, 0.02, 0.01), (0.05, 1.0, 0.012, 0.0)],
         [(0.04, 1.0, 0.02, 0.0)],
+        [(-1.0, 0.03, 0.2, 0.0), (0.03, 1.0, 0.01, 0.0)],
     ):
-        less = [cylinder(d, max(a, low), min(b, high)) for a, b, d, _ in shaft]
+        less = [cylinder(d, max(a, low), min(b, high)) for a, b, d, _ in shaft if max(a, low) < min(b, high)]
         agree(bevel_mass(BEVEL, RHO, shaft=shaft), whole - sum(less), 1e-11)
     bored = bevel_mass(BEVEL, RHO, bore_diameter=0.02)
     assert astuple(bevel_mass(BEVEL, RHO, shaft=[(0.0, 1.0, 0.02, 0.0)])) == pytest.approx(astuple(bored))

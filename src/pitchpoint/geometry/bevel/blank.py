@@ -129,7 +129,7 @@ def revolved(corners: list[tuple[float, float]]) -> FloatArray:
     Parameters
     ----------
     corners
-        Corners (radius, height) [m], counter-clockwise with the radius to the right.
+        Corners (radius, height) [m], counter-clockwise with the radius to the right; none: all zero.
 
     Returns
     -------
@@ -151,7 +151,7 @@ def revolved(corners: list[tuple[float, float]]) -> FloatArray:
     """
     nodes, weights = np.polynomial.legendre.leggauss(3)
     total = np.zeros(4)
-    for (r_1, z_1), (r_2, z_2) in zip(corners, [*corners[1:], corners[0]], strict=True):
+    for (r_1, z_1), (r_2, z_2) in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         r = 0.5 * (r_1 + r_2) + 0.5 * (r_2 - r_1) * nodes
         z = 0.5 * (z_1 + z_2) + 0.5 * (z_2 - z_1) * nodes
         terms = np.stack([0.5 * r**2, 0.5 * r**2 * z, 0.5 * r**2 * z**2, 0.25 * r**4])
