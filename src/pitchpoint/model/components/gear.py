@@ -117,7 +117,8 @@ class Gear(Component):
     web_thickness: float | None = positive("length", "web thickness", None, display="face width")
     bore_diameter: float = quantity(
         "length",
-        "bore of an external gear, outside diameter of an internal gear; 0: not given",
+        "bore of an external gear, outside diameter of an internal gear; 0: not given. Of a gear on a shaft "
+        "only the part outside the sections of the shaft has mass",
         0.0,
         minimum=0.0,
     )
