@@ -334,6 +334,26 @@ def test_speed_is_the_rate_of_the_angle() -> None:
     assert along == pytest.approx(50.0 + math.sin(0.2) * 3.0, rel=1e-14)
 
 
+def test_shaft_and_gear_share_no_material() -> None:
+    text = (
+        "gears: {g: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, "
+        "profile_shift_coefficient: 0%s}}\n"
+        "shafts: {s: {sections: [{length: 100 mm, diameter: 50 mm%s}], gears: {g: 40 mm}, "
+        "position: [0, 0, 0]}}\n"
+    )
+    alone = 7830.0 * math.pi / 4.0 * 0.05**2 * 0.1
+
+    def mass(gear: str = "", section: str = "") -> float:
+        return loads_model(text % (gear, section)).body_inertia("s").mass
+
+    bored = mass(", bore_diameter: 50 mm")
+    assert mass() == pytest.approx(bored, rel=1e-12)
+    assert mass(", bore_diameter: 20 mm") == pytest.approx(bored, rel=1e-12)
+    hollow = mass("", ", bore: 20 mm")
+    assert bored - hollow == pytest.approx(alone * (20.0 / 50.0) ** 2, rel=1e-12)
+    assert mass(", mass: 2 kg") == pytest.approx(alone + 2.0, rel=1e-12)
+
+
 def test_a_given_mass_does_not_move_the_centre_of_mass() -> None:
     def inertia(more: str):
         return loads_model(FREE.replace("gears: [g]", "gears: {g: 30 mm}" + more)).body_inertia("rotor")

@@ -73,7 +73,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
-    from pitchpoint.report.masses import masses
+    from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
@@ -106,7 +106,8 @@ def summary(model: Model) -> dict[str, Any]:
         "gears": list(model.gears),
         "bevel_gears": list(model.bevel_gears),
         "bodies": bodies,
-        "masses": [entry for entry in masses(model) if len(entry["differences"]) > 1],
+        "masses": several_sources(masses(model)),
+        "shaft_masses": masses_of_shafts(model),
         "meshes": {
             name: {
                 "gears": list(mesh.gears),
@@ -251,6 +252,7 @@ def _direction(axis: list[float]) -> str:
 def _print(model: Model, file: str, found: dict[str, Any]) -> None:
     """Print the data as tables."""
     from pitchpoint.cli.balance import show_balance
+    from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
@@ -259,9 +261,8 @@ def _print(model: Model, file: str, found: dict[str, Any]) -> None:
     if model.parameters:
         table("Parameters", HEAD, parameter_lines(model))
     _show_bodies(found)
+    show_shaft_masses(found["shaft_masses"])
     if found["masses"]:
-        from pitchpoint.cli.mass import show_masses
-
         show_masses("Masses from several sources", found["masses"])
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)

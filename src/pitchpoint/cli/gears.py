@@ -214,6 +214,11 @@ def _print_gears(model: Model, only: str | None, *, quiet: bool) -> None:
         *number_rows(MEASURES, measures, symbols=False),
     ]
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
+    if any(model.body_of(n) in model.shafts for n in names):
+        notes.append(
+            "mass and inertia are those of the gears alone, including the material in the place of their "
+            "shafts; `check` lists what they add to the shafts"
+        )
     table(model.title or "Gears", ["", *names], rows, () if quiet else notes)
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
@@ -32,7 +32,8 @@ HEAD = (
 def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Compare mass and inertia of gears, shafts and bodies of FILE by geometry, CAD solids and given values.
 
-    Given values take precedence over solids, solids over geometry. Transverse inertia is about the centre of
+    Given values take precedence over solids, solids over geometry; of a gear on a shaft the part outside the
+    shaft counts. Transverse inertia is about the centre of
     mass; differences are relative to the values used.
     """
     from pitchpoint.cli.reading import read_model
@@ -85,6 +86,30 @@ def show_masses(title: str, found: Sequence[dict[str, Any]], *, quiet: bool = Fa
                 f"{entry['density']:g} kg/m^3"
             )
     table(title, HEAD, rows[:-1], () if quiet else notes, keys=2)
+
+
+def show_shaft_masses(found: Mapping[str, Any]) -> None:
+    """Print what sections and gears add to the mass of every shaft.
+
+    Parameters
+    ----------
+    found
+        Data of `pitchpoint.report.masses.masses_of_shafts`.
+    """
+    rows = [
+        [
+            name if part == "sections" else "",
+            part,
+            shown(numbers["mass"], "mass", 5),
+            shown(numbers["polar_inertia"], "inertia", 5),
+            "" if numbers["alone"] is None else shown(numbers["alone"], "mass", 5),
+        ]
+        for name, parts in found.items()
+        for part, numbers in parts.items()
+    ]
+    if rows:
+        head = ["shaft", "part", "mass", "polar inertia", "gear alone"]
+        table("Masses on shafts (of a gear, the part outside the shaft)", head, rows)
 
 
 def _percent(part: float | None) -> str:

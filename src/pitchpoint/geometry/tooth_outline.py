@@ -66,23 +66,38 @@ class ToothOutline:
         """Radius of the deepest point [m], positive."""
         return abs(float((gear.sign * np.abs(self.plane)).min()))
 
-    def section(self, z: int) -> tuple[float, float]:
-        """Area [m²] and polar second moment [m⁴] inside the outline of a gear with `z` teeth.
+    def section(self, z: int, radius: float = math.inf) -> tuple[float, float]:
+        """Area [m²] and polar second moment [m⁴] inside the outline of a gear with `z` teeth and a circle.
+
+        Parameters
+        ----------
+        z
+            Number of teeth.
+        radius
+            Radius of the circle about the axis [m]; infinite: all of the region inside the outline.
 
         Notes
         -----
         A = ½ ∮ r² dθ and I_p = ¼ ∮ r⁴ dθ with r linear in θ between the points: exact on circles, elsewhere
-        with an error of second order in the point spacing.
+        with an error of second order in the point spacing. Outside the circle, r is replaced by its radius.
 
         Examples
         --------
         >>> square = ToothOutline(((1.0, -1.0), (1.0, 1.0)))
         >>> [round(v, 3) for v in square.section(4)]    # between points r stays √2: a circle
         [6.283, 6.283]
+        >>> [round(v, 3) for v in square.section(4, 1.0)]
+        [3.142, 1.571]
         """
         closed = np.append(self.plane, self.plane[0] * np.exp(2j * math.pi / z))
-        a, b = np.abs(closed[:-1]), np.abs(closed[1:])
-        turn = np.angle(closed[1:] / closed[:-1])
+        r, turn = np.abs(closed), np.angle(closed[1:] / closed[:-1])
+        cross = np.flatnonzero((r[1:] - radius) * (r[:-1] - radius) < 0.0)
+        if cross.size:  # divided where they cross the circle
+            part = (radius - r[cross]) / (r[cross + 1] - r[cross])
+            turn, whole = np.insert(turn, cross, turn[cross] * part), turn[cross]
+            turn[cross + np.arange(1, cross.size + 1)] = whole * (1.0 - part)
+            r = np.insert(r, cross + 1, radius)
+        a, b = np.minimum(r[:-1], radius), np.minimum(r[1:], radius)
         area = float(np.sum(turn * (a * a + a * b + b * b))) / 6.0
         polar = float(np.sum(turn * (a**4 + a**3 * b + a * a * b * b + a * b**3 + b**4))) / 20.0
         return z * area, z * polar

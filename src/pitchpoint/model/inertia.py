@@ -15,10 +15,15 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from pitchpoint.geometry.mass_properties import ShaftPiece
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.solid import SolidReference
+
+Added = tuple[float, float, float, float]
+"""Mass [kg], polar inertia, inertia about a diameter through the centre of mass [kg m^2] and position of the
+centre of mass along the axis [m]."""
 
 
 @dataclass(frozen=True)
@@ -58,11 +63,7 @@ def gear_inertia(gear: Gear) -> tuple[float, float, float]:
 
     Given values take precedence, then those of the solid, then geometry and density of the material.
     """
-    given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
-    if None in given:
-        computed = gear_by_geometry(gear) if gear.solid is None else solid_of_gear(gear)
-        given = tuple(c if g is None else g for g, c in zip(given, computed, strict=True))  # type: ignore[assignment]
-    return given  # type: ignore[return-value]
+    return _gear_outside(gear, ())[:3]
 
 
 def gear_by_geometry(gear: Gear) -> tuple[float, float, float]:
@@ -78,18 +79,72 @@ def bevel_gear_inertia(gear: BevelGear) -> tuple[float, float, float, float]:
     The moments are about the centre of mass; its position is relative to the apex along the z axis of the
     body and does not depend on a given mass.
     """
+    return _bevel_gear_outside(gear, ())
+
+
+def gears_of_body(
+    body: Body, gears: Mapping[str, Gear], bevel_gears: Mapping[str, BevelGear] | None = None
+) -> dict[str, Added]:
+    """What the gears of a body add to its mass.
+
+    The sections of a shaft and its gears may share space, where only the material of the shaft counts: a gear
+    adds the part outside the shaft. Given masses and those of solids are added as they are.
+
+    Parameters
+    ----------
+    body
+        The body.
+    gears, bevel_gears
+        All gears of the model by name.
+
+    Returns
+    -------
+    dict
+        By gear: mass [kg], polar inertia and inertia about a diameter through the centre of mass [kg m^2],
+        and position of the centre of mass along the body [m].
+    """
+    found = {}
+    for name, place in body.gears.items():
+        shaft = body.shaft.pieces_from(place) if body.shaft is not None else ()
+        mass, polar, central, at = _gear_outside(gears[name], shaft)
+        found[name] = mass, polar, central, place + at
+    for name, apex in body.bevel_gears.items():
+        shaft = body.shaft.pieces_from(apex) if body.shaft is not None else ()
+        mass, polar, central, at = _bevel_gear_outside((bevel_gears or {})[name], shaft)
+        found[name] = mass, polar, central, apex + at
+    return found
+
+
+def _gear_outside(gear: Gear, shaft: Sequence[ShaftPiece]) -> Added:
+    """Mass, inertias and centre of mass from mid-face of the part of a gear outside a shaft."""
+    given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
+    if None not in given:
+        return (*given, 0.0)  # type: ignore[return-value]
+    if gear.solid is not None:
+        return (*_first(given, solid_of_gear(gear)), 0.0)
+    found = gear.mass_properties_on(shaft) if shaft else gear.mass_properties
+    computed = found.mass, found.polar_inertia, found.transverse_inertia
+    return (*_first(given, computed), found.center if gear.mass is None else 0.0)
+
+
+def _bevel_gear_outside(gear: BevelGear, shaft: Sequence[ShaftPiece]) -> Added:
+    """Mass, inertias and centre of mass from the apex of the part of a bevel gear outside a shaft."""
     from pitchpoint.geometry.bevel.blank import bevel_mass
 
-    found = bevel_mass(
-        gear.geometry,
-        gear.material_data.density,
-        bore_diameter=gear.bore_diameter,
-        rim_thickness=gear.rim_thickness,
-    )
+    way = gear.direction
+    along = [(min(way * a, way * b), max(way * a, way * b), outer, bore) for a, b, outer, bore in shaft]
+    density, blank = gear.material_data.density, (gear.bore_diameter, gear.rim_thickness)
+    found = bevel_mass(gear.geometry, density, *blank, shaft=along)
+    whole = bevel_mass(gear.geometry, density, *blank) if gear.mass is not None else found
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     computed = (found.mass, found.polar_inertia, found.transverse_inertia)
+    return (*_first(given, computed), way * whole.center)
+
+
+def _first(given: Sequence[float | None], computed: Sequence[float]) -> tuple[float, float, float]:
+    """Given values, computed ones for the others."""
     mass, polar, transverse = (c if g is None else g for g, c in zip(given, computed, strict=True))
-    return mass, polar, transverse, gear.direction * found.center
+    return mass, polar, transverse
 
 
 def asks_gears(body: Body) -> bool:
@@ -122,12 +177,9 @@ def body_inertia(
     """
     if body.solid is not None:
         return _of_solid(body, body.solid)
-    found = []
+    found: list[Added] = []
     if asks_gears(body):
-        found += [(*gear_inertia(gears[name]), at) for name, at in body.gears.items()]
-        for name, apex in body.bevel_gears.items():
-            mass, polar, central, at = bevel_gear_inertia((bevel_gears or {})[name])
-            found.append((mass, polar, central, apex + at))
+        found += gears_of_body(body, gears, bevel_gears).values()
     if body.shaft is not None:
         found += body.shaft.pieces()
     mass = sum(m for m, _, _, _ in found)

@@ -10,7 +10,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.model.inertia import bevel_gear_inertia, body_inertia, gear_by_geometry, gear_inertia
+from pitchpoint.model.inertia import (
+    bevel_gear_inertia,
+    body_inertia,
+    gear_by_geometry,
+    gear_inertia,
+    gears_of_body,
+)
 from pitchpoint.model.solids import solid_mass, solid_of_gear
 
 if TYPE_CHECKING:
@@ -21,8 +27,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.solid import SolidReference
     from pitchpoint.model.model import Model
 
-SOURCES = ("geometry", "gears", "solid", "given", "effective")
-"""Sources of a mass; "gears" is the sum over the gears of a body."""
+SOURCES = ("geometry", "outside shaft", "gears", "solid", "given", "effective")
+"""Sources of a mass: "outside shaft" is the part of a gear outside the sections of its shaft, "gears" the sum
+over the gears of a body."""
+_BARE: dict[str, Any] = {"mass": None, "polar_inertia": None, "transverse_inertia": None}
 VALUES = ("mass", "polar_inertia", "transverse_inertia")
 
 
@@ -44,10 +52,11 @@ def masses(model: Model) -> list[dict[str, Any]]:
         `unit`, `density` [kg/m³].
     """
     found = [
-        _entry("gear", name, _of_gear(gear), gear.solid, gear.material) for name, gear in model.gears.items()
+        _entry("gear", name, _of_gear(model, name, gear), gear.solid, gear.material)
+        for name, gear in model.gears.items()
     ]
     found += [
-        _entry("gear", name, _of_bevel_gear(gear), None, gear.material)
+        _entry("gear", name, _of_bevel_gear(model, name, gear), None, gear.material)
         for name, gear in model.bevel_gears.items()
     ]
     found += [
@@ -57,6 +66,43 @@ def masses(model: Model) -> list[dict[str, Any]]:
     for name, body in model.bodies.items():
         if body.shaft is None and body.elastic is None:
             found.append(_entry("body", name, _of_body(model, body), body.solid, "steel"))
+    return found
+
+
+def several_sources(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Entries of `masses` with more than one of geometry, gears, solid and given values."""
+    return [entry for entry in found if len(entry["differences"].keys() - {"outside shaft"}) > 1]
+
+
+def masses_of_shafts(model: Model) -> dict[str, dict[str, dict[str, Any]]]:
+    """Mass data of what the sections and the gears of every shaft with gears contribute.
+
+    Parameters
+    ----------
+    model
+        The model.
+
+    Returns
+    -------
+    dict
+        By shaft and by "sections" or gear: `mass` [kg], `polar_inertia` and `transverse_inertia` about the
+        centre of mass of the part [kg m²], and `alone`: mass of the gear without shaft [kg], None for the
+        sections.
+    """
+    found = {}
+    for name, shaft in model.shafts.items():
+        body = model.bodies[name]
+        parts = gears_of_body(body, model.gears, model.bevel_gears)
+        if not parts:
+            continue
+        sections = _numbers(*(_of_shaft(shaft)["effective"][key] for key in VALUES), alone=None)
+        found[name] = {"sections": sections}
+        for gear, values in parts.items():
+            if gear in model.gears:
+                alone = gear_inertia(model.gears[gear])[0]
+            else:
+                alone = bevel_gear_inertia(model.bevel_gears[gear])[0]
+            found[name][gear] = _numbers(*values[:3], alone=alone)
     return found
 
 
@@ -93,28 +139,43 @@ def _numbers(
     return {"mass": mass, "polar_inertia": polar, "transverse_inertia": transverse, **more}
 
 
-def _of_gear(gear: Gear) -> dict[str, Any]:
+def _seated(model: Model, name: str, gear: Gear | BevelGear) -> dict[str, Any] | None:
+    """Mass data of what a gear adds to its shaft; None if it is not on a shaft."""
+    body = model.body_of(name)
+    if body is None or body not in model.shafts:
+        return None
+    gears = {**model.gears, **model.bevel_gears, name: gear}
+    return _numbers(*gears_of_body(model.bodies[body], gears, gears)[name][:3])  # type: ignore[arg-type]
+
+
+def _of_gear(model: Model, name: str, gear: Gear) -> dict[str, Any]:
     sources = {}
     # the blank may be inconsistent with the teeth if all values are given elsewhere
     with contextlib.suppress(GeometryError):
         sources["geometry"] = _numbers(*gear_by_geometry(gear))
+        outside = _seated(model, name, dataclasses.replace(gear, solid=None, **_BARE))
+        if outside is not None:
+            sources["outside shaft"] = outside
     if gear.solid is not None:
         sources["solid"] = _numbers(*solid_of_gear(gear))
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if any(v is not None for v in given):
         sources["given"] = _numbers(*given)
-    return {**sources, "effective": _numbers(*gear_inertia(gear))}
+    return {**sources, "effective": _seated(model, name, gear) or _numbers(*gear_inertia(gear))}
 
 
-def _of_bevel_gear(gear: BevelGear) -> dict[str, Any]:
+def _of_bevel_gear(model: Model, name: str, gear: BevelGear) -> dict[str, Any]:
     sources = {}
-    bare = dataclasses.replace(gear, mass=None, polar_inertia=None, transverse_inertia=None)
+    bare = dataclasses.replace(gear, **_BARE)
     with contextlib.suppress(GeometryError):
         sources["geometry"] = _numbers(*bevel_gear_inertia(bare)[:3])
+        outside = _seated(model, name, bare)
+        if outside is not None:
+            sources["outside shaft"] = outside
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if any(v is not None for v in given):
         sources["given"] = _numbers(*given)
-    return {**sources, "effective": _numbers(*bevel_gear_inertia(gear)[:3])}
+    return {**sources, "effective": _seated(model, name, gear) or _numbers(*bevel_gear_inertia(gear)[:3])}
 
 
 def _of_shaft(shaft: Shaft) -> dict[str, Any]:

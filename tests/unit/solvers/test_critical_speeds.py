@@ -216,7 +216,7 @@ def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
     """The reduced basis and the inverse iteration against the eigenvalues of all coordinates."""
     found = follow_modes(geared, np.linspace(300.0, 7200.0, 31) * RPM, "rotor")
     assert found.modes.basis is not None
-    assert len(found.modes.exact) < 8
+    assert len(found.modes.exact) <= 31 // 3
     for s in (3, 12, 22):
         linear = at_speeds(found.modes.linear, found.speed[s] * found.rates)
         exact = damped_modes(linear, found.modes.modes)[0]

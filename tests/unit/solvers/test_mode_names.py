@@ -88,7 +88,7 @@ def test_modes_of_a_geared_rotor() -> None:
         "torsion of rotor against drive",
         "2nd bending of rotor (x)",
         "axial mode of rotor",
-        "2nd bending of rotor (y)",
+        "2nd bending of rotor (backward)",
     )
     assert len(set(modes.names)) == len(modes.names)
     at_rest = find_modes(compile_model(model))

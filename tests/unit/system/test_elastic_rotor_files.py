@@ -19,8 +19,10 @@ from pitchpoint.system.compile import compile_model
 
 GEARS = """\
 gears:
-  pinion: {number_of_teeth: 25, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
-  wheel: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0}
+  pinion: {number_of_teeth: 25, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0,
+    bore_diameter: 50 mm}
+  wheel: {number_of_teeth: 40, normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0,
+    bore_diameter: 45 mm}
 meshes:
   stage: {gears: [pinion, wheel], stiffness: {law: constant, value: 4e8 N/m}}
 scenarios:

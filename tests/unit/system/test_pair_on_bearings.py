@@ -26,7 +26,7 @@ gravity: [0, 0, -9.81]
 loads: {motor: {body: input, torque: 200 N m}, brake: {body: output, torque: balance}}
 rolling_bearings:
 """
-WEIGHTS = {"input": 17.04, "output": 52.3}
+WEIGHTS = {"input": 15.41, "output": 49.31}
 """Weights of the shafts with their gears as of `pitchpoint check` [N]."""
 
 

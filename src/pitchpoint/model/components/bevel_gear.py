@@ -112,7 +112,12 @@ class BevelGear(Component):
         None,
         display="whole depth of the outer end",
     )
-    bore_diameter: float = quantity("length", "bore (0: none)", 0.0, minimum=0.0)
+    bore_diameter: float = quantity(
+        "length",
+        "bore (0: none); of a gear on a shaft only the part outside the sections of the shaft has mass",
+        0.0,
+        minimum=0.0,
+    )
     material: Material | str = key("material", "name in the material library, or the properties", "steel")
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
     polar_inertia: float | None = quantity(

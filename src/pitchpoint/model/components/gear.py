@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ from pitchpoint.model.keys import choice, component, derived, integer, key, posi
 if TYPE_CHECKING:
     from pitchpoint.geometry.cutter import PinionCutter
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    from pitchpoint.geometry.mass_properties import MassProperties
+    from pitchpoint.geometry.mass_properties import MassProperties, ShaftPiece
     from pitchpoint.geometry.materials import Material
 
 
@@ -117,7 +117,8 @@ class Gear(Component):
     web_thickness: float | None = positive("length", "web thickness", None, display="face width")
     bore_diameter: float = quantity(
         "length",
-        "bore of an external gear, outside diameter of an internal gear; 0: not given",
+        "bore of an external gear, outside diameter of an internal gear; 0: not given. Of a gear on a shaft "
+        "only the part outside the sections of the shaft has mass",
         0.0,
         minimum=0.0,
     )
@@ -194,6 +195,13 @@ class Gear(Component):
     @cached_property
     def mass_properties(self) -> MassProperties:
         """Mass and moments of inertia of teeth and blank, by geometry and density."""
+        return self.mass_properties_on(())
+
+    def mass_properties_on(self, shaft: Sequence[ShaftPiece]) -> MassProperties:
+        """Mass and moments of inertia of the part of teeth and blank outside a shaft.
+
+        Pieces of the shaft as in `pitchpoint.geometry.mass_properties.gear_mass_properties`.
+        """
         from pitchpoint.geometry.mass_properties import gear_mass_properties
 
         return gear_mass_properties(
@@ -202,6 +210,7 @@ class Gear(Component):
             rim_thickness=self.rim_thickness,
             web_thickness=self.web_thickness,
             bore_diameter=self.bore_diameter,
+            shaft=shaft,
         )
 
     def with_profile_shift(self, x: float) -> CylindricalGear:

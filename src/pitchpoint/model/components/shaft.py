@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import component, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.mass_properties import ShaftPiece
     from pitchpoint.geometry.materials import Material
 
 
@@ -102,6 +104,13 @@ class Shaft(Component):
     def dimensions(self) -> list[tuple[float, float, float]]:
         """Length, diameter and bore of every section [m]."""
         return [(s.length, s.diameter, s.bore) for s in self.sections]
+
+    def pieces_from(self, origin: float) -> list[ShaftPiece]:
+        """Start and end from `origin`, diameter and bore of every section [m]."""
+        ends = list(itertools.accumulate((s.length for s in self.sections), initial=-origin))
+        return [
+            (a, b, s.diameter, s.bore) for a, b, s in zip(ends[:-1], ends[1:], self.sections, strict=True)
+        ]
 
     @cached_property
     def density(self) -> float:

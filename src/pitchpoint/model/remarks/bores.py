@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings whose bore is far from the diameter of their shaft: a wrong designation or position."""
+"""Bearings and gears whose bore does not fit their shaft: a wrong designation, position or section."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 APART = 1.25
 """Ratio of bore and shaft diameter, either way, from which there is a remark: shafts of a model are often
 simplified."""
+PRESSED = 3e-3
+"""Relative interference that is attributed to a press fit."""
 
 
 def bores_off_their_shafts(model: Model) -> tuple[Message, ...]:
@@ -42,3 +44,38 @@ def bores_off_their_shafts(model: Model) -> tuple[Message, ...]:
                 )
             )
     return tuple(found)
+
+
+def gears_thinner_than_their_shafts(model: Model) -> tuple[Message, ...]:
+    """A remark for every gear with a bore smaller than its shaft: its mass does not depend on the bore."""
+    found = []
+    for shaft in model.shafts:
+        for at, low, high in _seats(model, shaft):
+            section, gear = at
+            bore, mass = (getattr(getattr(model, section)[gear], key) for key in ("bore_diameter", "mass"))
+            sizes = [d for a, b, d, _ in model.shafts[shaft].pieces_from(0.0) if a < high and b > low]
+            if mass is None and sizes and 0.0 < bore < max(sizes) * (1.0 - PRESSED):
+                found.append(
+                    remark(
+                        f"{section}.{gear}.bore_diameter",
+                        f"{1e3 * bore:.6g} mm is less than the {1e3 * max(sizes):.6g} mm of the shaft "
+                        f"{shaft} there; the mass of the gear is that of its part outside the shaft",
+                        "correct the bore, or the section of the shaft",
+                        line=model.line((*at, "bore_diameter")),
+                    )
+                )
+    return tuple(found)
+
+
+def _seats(model: Model, shaft: str) -> list[tuple[tuple[str, str], float, float]]:
+    """External and bevel gears of a shaft with the ends of their bores [m]."""
+    body, found = model.bodies[shaft], []
+    for name, place in body.gears.items():
+        gear = model.gears[name]
+        if gear.type == "external":
+            found.append((("gears", name), place - 0.5 * gear.face_width, place + 0.5 * gear.face_width))
+    for name, apex in body.bevel_gears.items():
+        part = model.bevel_gears[name]
+        low, high = sorted(apex + part.direction * z for z in (part.blank.toe[1], part.blank.back[1]))
+        found.append((("bevel_gears", name), low, high))
+    return found

@@ -18,7 +18,7 @@ from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.remarks.beams import ends_left_behind
-from pitchpoint.model.remarks.bores import bores_off_their_shafts
+from pitchpoint.model.remarks.bores import bores_off_their_shafts, gears_thinner_than_their_shafts
 from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
@@ -222,7 +222,8 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
 
 def remarks_of_file(model: Model) -> tuple[Message, ...]:
     """Remarks on the values in the file, which runs do not repeat."""
-    return (*numbers_without_unit(model), *unused_parameters(model), *bores_off_their_shafts(model))
+    bores = (*bores_off_their_shafts(model), *gears_thinner_than_their_shafts(model))
+    return (*numbers_without_unit(model), *unused_parameters(model), *bores)
 
 
 def warn_of_remarks(model: Model) -> None:

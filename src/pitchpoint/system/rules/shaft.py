@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements.shaft_beam import RECORD, shaft_row
 from pitchpoint.model.frames import Array, body_frame
-from pitchpoint.model.inertia import bevel_gear_inertia, gear_inertia
+from pitchpoint.model.inertia import gears_of_body
 from pitchpoint.model.shafts import cut, middle_of, on_shaft, section_at, station_names
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import FREE, Body
@@ -153,15 +153,13 @@ def shaft_parts(
 def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
     """Bodies and beams of a shaft in a model, with its gears; `first` is the number of its first station."""
     shaft, body = model.shafts[name], model.bodies[name]
-    riders = {}
-    for gear, place in body.gears.items():
-        mass, polar, transverse = gear_inertia(model.gears[gear])
-        riders[gear] = Rider(place=place, mass=mass, polar=polar, central=transverse)
-    for gear, apex in body.bevel_gears.items():
-        mass, polar, transverse, center = bevel_gear_inertia(model.bevel_gears[gear])
-        middle = middle_of(model.bevel_gears[gear], apex)
-        off = apex + center - middle
-        riders[gear] = Rider(place=middle, mass=mass, polar=polar, central=transverse, center=off)
+    seats = body.gears | {
+        gear: middle_of(model.bevel_gears[gear], apex) for gear, apex in body.bevel_gears.items()
+    }
+    riders = {
+        gear: Rider(place=seats[gear], mass=mass, polar=polar, central=central, center=at - seats[gear])
+        for gear, (mass, polar, central, at) in gears_of_body(body, model.gears, model.bevel_gears).items()
+    }
     return shaft_parts(
         name,
         shaft,

@@ -38,6 +38,11 @@ def gear_section(
     """
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
+    if gears:
+        section.add(
+            "<p>Mass and moment of inertia are those of the gear alone, including the material in the place "
+            "of its shaft.</p>"
+        )
     table = quantity_table(MEASURE_ROWS, gears)
     section.add(f"<h3>Inspection dimensions</h3>{table}" if table else "")
     narrow = [name for name, gear in gears.items() if gear.get("span_measurable") is False]
