@@ -7,7 +7,8 @@ with the ripple s of the free speeds and a of the free angles. Unknown are the c
 s(0). Newton's method solves the two means for them: the motion is integrated by the trapezoidal rule, with its
 derivatives by both unknowns. Over a period the second mean is the condition s(period) = s(0), and the first one
 a(period) = 0. The unknowns over a short smooth window are the initial values of a window twice as long: over
-many periods a wrong torque would carry the train away from the mean speed.
+many periods a wrong torque would carry the train away from the mean speed. If the iteration fails in the
+shortest window, it proceeds from a part of the torques to the whole of them.
 
 Source of the window: S. Das, Y. Saiki, E. Sander, J. A. Yorke, Quantitative quasiperiodicity, Nonlinearity 30
 (2017) 4111-4140: the weighted mean converges faster than any power of the number of periods.
@@ -36,6 +37,8 @@ CLOSE = 1e-6
 """Relative change of the speeds below which Newton's method ends; the error is about its square."""
 ACCURATE = 1e-11
 """The same for the motion over a chunk."""
+LEAST_STEP = 1.0 / 256.0
+"""Least step of the part of the torques."""
 SAME = 1e-7
 """Relative change from one window to the next below which a longer one would not change the result."""
 
@@ -100,7 +103,11 @@ def steady_motion(torques: Torques, mass: Array, h: float, points: int, periodic
         sizes.insert(0, sizes[0] // 2)
     found: Motion | None = None
     for size in sizes:
-        new = _over(torques, mass, h, _weights(size, points, periodic), found)
+        weights = _weights(size, points, periodic)
+        if found is None:
+            new = _by_parts(torques, mass, h, weights)
+        else:
+            new = _over(torques, mass, h, weights, (found.speed[:, 0], found.torque))
         if new is None:
             return found
         settled = found is not None and _unchanged(found, new)
@@ -121,14 +128,39 @@ def _unchanged(before: Motion, after: Motion) -> bool:
     return moved <= SAME * size and turned <= SAME * float(np.abs(after.torque).max(initial=0.0))
 
 
-def _over(torques: Torques, mass: Array, h: float, weights: Array, before: Motion | None) -> Motion | None:
-    """Motion over a window, from the unknowns of a shorter one; None if Newton's method does not converge."""
+def _by_parts(torques: Torques, mass: Array, h: float, weights: Array) -> Motion | None:
+    """Motion over the shortest window; the part of the torques grows in steps that are halved on failure."""
+    n, part, step = len(mass), 0.0, 1.0
+    rest = np.zeros((n, weights.size))
+    begin, level = np.zeros(n), torques(slice(0, weights.size), rest, rest)[0] @ weights
+    while step >= LEAST_STEP:
+        tried = min(part + step, 1.0)
+        found = _over(_share(torques, tried), mass, h, weights, (begin, tried * level))
+        if found is None:
+            step *= 0.5
+        elif tried == 1.0:
+            return found
+        else:
+            part, begin, level = tried, found.speed[:, 0], found.torque / tried
+    return None
+
+
+def _share(torques: Torques, part: float) -> Torques:
+    """A part of all torques."""
+
+    def over(points: slice, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
+        value, by_angle, by_speed = torques(points, speed, angle)
+        return part * value, part * by_angle, part * by_speed
+
+    return over
+
+
+def _over(
+    torques: Torques, mass: Array, h: float, weights: Array, unknowns: tuple[Array, Array]
+) -> Motion | None:
+    """Motion over a window, from estimates of the unknowns; None if Newton's method does not converge."""
     n, points = len(mass), weights.size
-    guess, begin = np.zeros((2 * n, points)), np.zeros(n)
-    if before is None:
-        level = torques(slice(0, points), guess[:n], guess[n:])[0] @ weights
-    else:
-        begin, level = before.speed[:, 0], before.torque
+    guess, (begin, level) = np.zeros((2 * n, points)), unknowns
     last = np.inf
     for k in range(PASSES):
         path = _path(torques, mass, h, (begin, level), guess)
