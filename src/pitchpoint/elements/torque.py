@@ -70,7 +70,7 @@ def entry(ctl, rec, n):
 
 @kernel
 def values_entry(out, rec, n):
-    """Values and slopes of one load at n times, angles and speeds, which they replace in the rows of `out`."""
+    """Values and slopes of one load; they replace its n times, angles and speeds in the rows of `out`."""
     rows = view(out, (n, 3), F8)
     b = view(rec, 1, RECORD)[0]
     for e in range(n):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steady motion of a train under pulsating torques: mean torques over the period, ripple of the speed.
 
-The train moves as a rigid body with the mean speeds of the scenario and a ripple of zero mean (`steady_motion`).
-Constant torques that balance the mean torques over this motion keep the mean speed exactly; their work over the
-period balances, too. All loads share one time grid over their common period. Without a common period they are
-averaged over many periods with a smooth window.
+The train moves as a rigid body with the mean speeds of the scenario and a ripple of zero mean, by
+`steady_motion`. Constant torques that balance the mean torques over this motion keep the mean speed exactly;
+their work over the period balances, too. All loads share one time grid over their common period. Without a
+common period they are averaged over many periods with a smooth window.
 """
 
 from __future__ import annotations
@@ -102,22 +102,24 @@ class LoadCycle:
 
 @dataclass(frozen=True)
 class _Load:
-    """A torque over a rigid motion: record, angle and mean speed of its body, share of every free rotation.
+    """A torque over a rigid motion: record, time, angle and mean speed of its body at the beginning, share of
+    every free rotation.
 
     `rates`: those of its arguments [rad/s].
     """
 
     number: int
     record: np.void
+    begin: float
     angle: float
     speed: float
     share: Array
     rates: tuple[float, ...]
 
     def over(self, t: Array, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
-        """Torque and slopes over angle and speed at times, for ripples of the free speeds and angles (n, times)."""
+        """Torque and slopes over angle and speed, for times since the beginning and ripples (n, times)."""
         turned = self.angle + self.speed * t + self.share @ angle
-        return slopes_of(self.record, t, turned, self.speed + self.share @ speed)
+        return slopes_of(self.record, self.begin + t, turned, self.speed + self.share @ speed)
 
 
 def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequence[int]) -> LoadCycle | None:
@@ -126,7 +128,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     Parameters
     ----------
     system, state
-        The system and the state at t = 0 with the mean rates.
+        The system and the state at the beginning, with the mean rates.
     held
         Spins held at the start, one for every free rotation.
     driven
@@ -147,7 +149,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     torques = _torques(loads, h, len(free))
     found = steady_motion(torques, mass, h, points, period > 0.0)
     motion = found or _constant_speed(torques, len(free), points, period > 0.0)
-    t, weights = h * np.arange(motion.weights.size), motion.weights
+    t, weights = np.arange(motion.weights.size) * h, motion.weights
     values = {load.number: load.over(t, motion.speed, motion.angle)[0] for load in loads}
     means = {k: _without_round_off(float(weights @ over), over) for k, over in values.items()}
     # every second point of a period, or the second half without one
@@ -166,7 +168,9 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
         highest=ranges[1],
         swing=ranges[2],
         steady=found is not None,
-        stops={} if found is not None else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
+        stops={}
+        if found is not None
+        else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
     )
 
 
@@ -237,6 +241,7 @@ def _repeating(system: System, state: State, motions: Array) -> list[_Load]:
                 _Load(
                     number=k,
                     record=record,
+                    begin=state.t,
                     angle=float(rest + TURNS * turns),
                     speed=speed,
                     share=row @ motions,

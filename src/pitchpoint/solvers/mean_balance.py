@@ -98,7 +98,11 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
         return (
             text,
-            note(f"no steady motion under these loads was found, so they count at constant speed{then}", "", remedy),
+            note(
+                f"no steady motion under these loads was found, so they count at constant speed{then}",
+                "",
+                remedy,
+            ),
         )
     starts = []
     for k in balancing:

@@ -3,12 +3,12 @@
 
     M s' = Q(t, a, s) - q,    a' = s,    a(0) = 0,    mean of s = 0,    mean of s' = 0
 
-with the ripple s of the free speeds and a of the free angles. Unknown are the constant torques q and the speeds
-s(0). Newton's method solves the two means for them: the motion is integrated by the trapezoidal rule, with its
-derivatives by both unknowns. Over a period the second mean is the condition s(period) = s(0), and the first one
-a(period) = 0. The unknowns over a short smooth window are the initial values of a window twice as long: over
-many periods a wrong torque would carry the train away from the mean speed. If the iteration fails in the
-shortest window, it proceeds from a part of the torques to the whole of them.
+with the ripple s of the free speeds and a of the free angles. Unknown are the constant torques q and the
+speeds s(0). Newton's method solves the two means for them: the motion is integrated by the trapezoidal rule,
+with its derivatives by both unknowns. Over a period the second mean is the condition s(period) = s(0), and
+the first one a(period) = 0. The unknowns over a short smooth window are the initial values of a window twice
+as long: over many periods a wrong torque would carry the train away from the mean speed. If the iteration
+fails in the shortest window, it proceeds from a part of the torques to the whole of them.
 
 Source of the window: S. Das, Y. Saiki, E. Sander, J. A. Yorke, Quantitative quasiperiodicity, Nonlinearity 30
 (2017) 4111-4140: the weighted mean converges faster than any power of the number of periods.
@@ -45,19 +45,28 @@ SAME = 1e-7
 
 @dataclass(frozen=True)
 class Motion:
-    """Ripples of the free speeds [rad/s] and angles [rad], shape (n, points), and the weights of their means."""
+    """A motion with ripple.
+
+    Parameters
+    ----------
+    speed, angle
+        Ripples of the free speeds [rad/s] and angles [rad], shape (n, points).
+    weights
+        Weights of their means, shape (points,).
+    torque
+        Means of the torques on the free rotations [N m], shape (n,).
+    """
 
     speed: Array
     angle: Array
     weights: Array
     torque: Array
-    """Constant torques on the free rotations that the pulsating ones balance [N m], shape (n,)."""
 
 
 @dataclass(frozen=True)
 class _Path:
-    """Motion from initial speeds: `ripple` of speeds and angles (2n, points), its derivatives by initial speeds
-    and constant torques (2n, points, 2n), and the torques over it."""
+    """Motion from initial speeds: `ripple` of speeds and angles (2n, points), its derivatives by initial
+    speeds and constant torques (2n, points, 2n), and the torques over it."""
 
     ripple: Array
     by: Array
@@ -240,8 +249,8 @@ def _path(torques: Torques, mass: Array, h: float, given: tuple[Array, Array], g
 def _linear(mass: Array, h: float, y: Array, torques: tuple[Array, Array, Array], begin: Array) -> Array:
     """Newton step of the motion over a chunk and its derivatives, shape (2n, points, 1 + 2n).
 
-    The trapezoidal rule B (y' - y) = h/2 (f' + f) with f = (torque, speed) is linearised about `y`; `begin` are
-    the derivatives at the first point, which remains.
+    The trapezoidal rule B (y' - y) = h/2 (f' + f) with f = (torque, speed) is linearised about `y`; `begin`
+    are the derivatives at the first point, which remains.
     """
     from scipy.linalg import solve_banded
 
