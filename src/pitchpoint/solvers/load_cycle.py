@@ -43,6 +43,8 @@ POINTS = 64
 """Points per period of the fastest argument: the mean is exact for harmonics of lower order."""
 LEAST = 4096
 """Least number of points in a common period, for tables and formulas with kinks."""
+GOLDEN = 0.5 * (5.0**0.5 - 1.0)
+"""Added to a number of points per period, so that they have different phases in all periods."""
 MAX_CYCLES = 2048
 """Periods of the fastest argument: the longest common period, and the longest mean without one."""
 MAX_TURNS = 12
@@ -149,7 +151,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     torques = _torques(loads, h, len(free))
     found = steady_motion(torques, mass, h, points, period > 0.0)
     motion = found or _constant_speed(torques, len(free), points, period > 0.0)
-    t, weights = np.arange(motion.weights.size) * h, motion.weights
+    t, weights = np.linspace(0.0, h * (motion.weights.size - 1), motion.weights.size), motion.weights
     values = {load.number: load.over(t, motion.speed, motion.angle)[0] for load in loads}
     means = {k: _without_round_off(float(weights @ over), over) for k, over in values.items()}
     # every second point of a period, or the second half without one
@@ -283,13 +285,20 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
 
 
 def _grid(rates: Array) -> tuple[float, int, float]:
-    """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0."""
+    """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
+
+    No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of
+    a single period on all points.
+    """
     base = common_rate(rates)
     if base > 0.0 and rates[-1] / base <= MAX_CYCLES:
-        n = 2 * math.ceil(max(LEAST, POINTS * rates[-1] / base) / 2)
+        cycles = [round(float(rate / base)) for rate in rates]
+        n = math.ceil(max(LEAST, POINTS * rates[-1] / base))
+        while any(math.gcd(n, count) > 1 for count in cycles):
+            n += 1
         period = TURNS / base
         return period / n, n, period
-    return TURNS / float(rates[-1]) / (POINTS // 2), POINTS // 2 * MAX_CYCLES, 0.0
+    return TURNS / float(rates[-1]) / (POINTS // 2 + GOLDEN), POINTS // 2 * MAX_CYCLES, 0.0
 
 
 def common_rate(rates: Array) -> float:
