@@ -39,7 +39,7 @@ ACCURATE = 1e-11
 """The same for the motion over a chunk."""
 LEAST_STEP = 1.0 / 256.0
 """Least step of the part of the torques."""
-SAME = 1e-7
+SAME = 1e-5
 """Relative change from one window to the next below which a longer one would not change the result."""
 
 
