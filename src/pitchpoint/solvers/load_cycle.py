@@ -180,6 +180,7 @@ def _torques(loads: list[_Load], h: float, n: int) -> Torques:
     """Sum of the loads on the free rotations at points of distance h [s]."""
 
     def over(part: slice, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
+        """Torques and slopes, see `Torques`."""
         t = h * np.arange(part.start, part.stop)
         total, by_angle, by_speed = np.zeros((n, t.size)), np.zeros((n, n, t.size)), np.zeros((n, n, t.size))
         for load in loads:

@@ -158,6 +158,7 @@ def _share(torques: Torques, part: float) -> Torques:
     """A part of all torques."""
 
     def over(points: slice, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
+        """Torques and slopes, see `Torques`."""
         value, by_angle, by_speed = torques(points, speed, angle)
         return part * value, part * by_angle, part * by_speed
 

@@ -36,7 +36,7 @@ class Balances:
     def __init__(self, begin: Start, speeds: Iterable[float], start_at: Callable[[float], Start]) -> None:
         self.loads = balancing_loads(begin.system)
         self.own = begin.system.copy()
-        """System for computations beside the run."""
+        """System for computations outside the run."""
         first, *others = dict.fromkeys(speeds)
         self.starts = {first: begin} | {speed: start_at(speed) for speed in others if self.loads}
         self.torques = {

@@ -36,18 +36,18 @@ def integrated(start, load, time, **more):
 
 LOADS = {
     "a fan and a slow wave": (
-        '"60*(speed/50)^2 + 5*sin(2*pi*2 Hz*t)"',
-        lambda t, a, w: 60.0 * (w / 50.0) ** 2 + 5.0 * np.sin(4.0 * np.pi * t),
+        '"360*(speed/50)^2 + 30*sin(2*pi*2 Hz*t)"',
+        lambda t, a, w: 360.0 * (w / 50.0) ** 2 + 30.0 * np.sin(4.0 * np.pi * t),
         0.5,
     ),
     "an order and a slow wave": (
-        '"60*(1 + 0.2*sin(angle)) - 8*(1 - cos(2*pi*0.5 Hz*t))"',
-        lambda t, a, w: 60.0 * (1.0 + 0.2 * np.sin(a)) - 8.0 * (1.0 - np.cos(np.pi * t)),
+        '"360*(1 + 0.2*sin(angle)) - 20*(1 - cos(2*pi*0.5 Hz*t))"',
+        lambda t, a, w: 360.0 * (1.0 + 0.2 * np.sin(a)) - 20.0 * (1.0 - np.cos(np.pi * t)),
         6.0,
     ),
     "several orders and a fan": (
-        '"40*(1 + 0.5*sin(3*angle) + 0.2*cos(angle/4)) + 20*(speed/50)^2"',
-        lambda t, a, w: 40.0 * (1.0 + 0.5 * np.sin(3.0 * a) + 0.2 * np.cos(a / 4.0)) + 20.0 * (w / 50.0) ** 2,
+        '"200*(1 + 0.5*sin(3*angle) + 0.2*cos(angle/4)) + 400*(speed/50)^2"',
+        lambda t, a, w: 200.0 * (1.0 + 0.5 * np.sin(3 * a) + 0.2 * np.cos(a / 4)) + 400.0 * (w / 50.0) ** 2,
         0.48,
     ),
     "a wave over eight revolutions": (
