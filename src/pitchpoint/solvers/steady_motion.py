@@ -79,7 +79,7 @@ def window(points: int) -> Array:
     Examples
     --------
     >>> window(3).round(4)
-    array([0.1075, 0.785 , 0.1075])
+    array([0.0377, 0.9246, 0.0377])
     """
     x = (np.arange(points) + 0.5) / points
     weights = np.exp(-1.0 / (x * (1.0 - x)))
