@@ -200,8 +200,14 @@ def _add_maps(
     values, rate = uniform(time, channel.values)
     top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
     data = time_frequency_map(values, rate, highest_frequency=top, start=float(time[0]))
+    turning = np.abs(_speed_at(data.time, time, angle)) / (2.0 * np.pi)
     section.add_figure(
-        spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
+        spectrum_plots.plot_time_frequency(
+            data,
+            unit=channel.unit,
+            quantity=channel.label,
+            meshes={name: order * turning for name, order in shafts.meshes.items()},
+        ),
         "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
         name=f"time_frequency[{channel.name}]",
     )
@@ -229,6 +235,14 @@ def _long_enough(angle: Array, limit: float) -> None:
 def _top_speed(time: Array, angle: Array) -> float:
     marks = np.linspace(0, time.size - 1, min(101, time.size)).round().astype(np.int64)
     return float(np.abs(np.diff(angle[marks]) / np.diff(time[marks])).max())
+
+
+def _speed_at(moments: Array, time: Array, angle: Array) -> Array:
+    """Mean speeds around instants of a record [rad/s]: over a hundredth of it, within its ends."""
+    half = 0.005 * float(time[-1] - time[0])
+    before, after = (np.clip(moments + way, time[0], time[-1]) for way in (-half, half))
+    angles = (np.interp(at, time, angle) for at in (after, before))
+    return np.asarray(np.subtract(*angles) / (after - before))
 
 
 def _frame(angle: Array) -> float:
