@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, number, scale
+from pitchpoint.viz.quantities import Array, damping_words, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -57,7 +57,7 @@ def plot_modes(
     n = hertz.size
     labels = []
     for k in range(n):
-        damping = f", ζ {number(100.0 * ratio[k], 2)} %" if np.isfinite(ratio[k]) and hertz[k] > 0.0 else ""
+        damping = f", ζ {damping_words(ratio[k], 2)}" if np.isfinite(ratio[k]) and hertz[k] > 0.0 else ""
         labels.append(f"{k + 1}: {names[k]}, {scale('Hz', [hertz[k]]).text(hertz[k])}{damping}")
     order = np.argsort(-share.sum(axis=0), kind="stable")
     largest = [int(c) for c in order[:MAX_PARTS] if share[:, c].max(initial=0.0) > 1e-3]

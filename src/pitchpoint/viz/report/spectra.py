@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from html import escape
@@ -36,6 +37,9 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 QUANTITIES = ("deflection", "mesh_force")
+WITHOUT_MESHES = re.compile(r"(?:bearing|coupling)_force\[.*\.(?:fx|mz)\]")
+"""Channels of machines without meshes: forces of bearings across the shaft, which an unbalance rotates, while
+their resultant is constant; torques of couplings."""
 MAX_CHANNELS = 8
 HARMONICS = 12.5
 """End of a frequency axis in mesh frequencies."""
@@ -63,7 +67,8 @@ def spectrum_section(
     shafts
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
     wanted
-        Channels; default: deflections and mesh forces.
+        Channels; default: deflections and mesh forces, of machines without meshes forces of bearings and
+        couplings.
     overlaid
         Runs with spectra in a common picture, which are omitted here if their speed is steady.
     """
@@ -71,6 +76,8 @@ def spectrum_section(
     for name, run in runs.items():
         time, found = channels(run.data)
         picked = [c for q in QUANTITIES for c in found.values() if c.quantity == q]
+        if not picked and not wanted:
+            picked = [c for name, c in found.items() if WITHOUT_MESHES.fullmatch(name)]
         picked = [found[n] for n in wanted if n in found] if wanted else picked
         if time.size < 64 or not picked:
             continue
@@ -136,8 +143,11 @@ def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
 
 
 def default_highest_order(teeth: Sequence[int]) -> float:
-    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame."""
-    return 3.2 * max(teeth) if teeth else 100.0
+    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame.
+
+    Without teeth: orders of shafts and rolling bearings.
+    """
+    return 3.2 * max(teeth) if teeth else 10.0
 
 
 def _is_one_way(angle: Array) -> bool:
