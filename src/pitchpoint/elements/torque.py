@@ -70,11 +70,14 @@ def entry(ctl, rec, n):
 
 @kernel
 def values_entry(out, rec, n):
-    """Values of one load at n times, angles and speeds; the first item of each row of `out` is replaced."""
+    """Values and slopes of one load; they replace its n times, angles and speeds in the rows of `out`."""
     rows = view(out, (n, 3), F8)
     b = view(rec, 1, RECORD)[0]
     for e in range(n):
-        rows[e, 0] = signal(b, rows[e, 0], rows[e, 1], 0, rows[e, 2], 0)[0]
+        value, by_angle, by_speed = signal(b, rows[e, 0], rows[e, 1], 0, rows[e, 2], 1)
+        rows[e, 0] = value
+        rows[e, 1] = by_angle
+        rows[e, 2] = by_speed
     return OK
 
 
@@ -88,10 +91,18 @@ def values_of(record: np.void, t: ArrayLike, angle: ArrayLike, speed: ArrayLike)
     t, angle, speed
         Arguments of its law; the angle includes whole turns.
     """
+    return slopes_of(record, t, angle, speed)[0]
+
+
+def slopes_of(
+    record: np.void, t: ArrayLike, angle: ArrayLike, speed: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Torque of a load [N m] and its slopes over angle [N m/rad] and speed [N m s/rad], as in `values_of`."""
     rows = np.ascontiguousarray(np.stack(np.broadcast_arrays(t, angle, speed), axis=-1), float)
     rec = np.array([record], RECORD)
     invoke(values_entry, rows.ctypes.data, rec.ctypes.data, len(rows))
-    return np.array(rows[:, 0])
+    value, by_angle, by_speed = rows.T.copy()
+    return value, by_angle, by_speed
 
 
 KIND = Kind(

@@ -1,24 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steady motion of a train under pulsating torques: mean torques over the period, ripple of the speed.
 
-The train moves as a rigid body with the speed eta + d_eta(t), where d_eta has zero mean. Its momentum balance
-
-    M d_eta' = Q(t, angle, speed) - mean of Q
-
-is iterated: loads over the motion, their mean, the ripple of speed and angle that the rest causes, loads over
-the new motion. In the converged motion constant torques that balance the mean torques keep the mean speed
-exactly; their work over the period balances, too. All loads share one time grid over their common period.
-Without a common period they are averaged over many periods with a smooth window.
-
-Source of the window: S. Das, Y. Saiki, E. Sander, J. A. Yorke, Quantitative quasiperiodicity, Nonlinearity 30
-(2017) 4111-4140: the weighted mean converges faster than any power of the number of periods.
+The train moves as a rigid body with the mean speeds of the scenario and a ripple of zero mean, by
+`steady_motion`. Constant torques that balance the mean torques over this motion keep the mean speed exactly;
+their work over the period balances, too. All loads share one time grid over their common period. Without a
+common period they are averaged over many periods with a smooth window.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 import numpy as np
@@ -27,11 +20,12 @@ from numpy.typing import NDArray
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.formula.periods import phases_of
 from pitchpoint.elements.signal import CONSTANT, FORMULA, LAW, OVER_ANGLE, TABLE, set_constant
-from pitchpoint.elements.torque import KIND, values_of
+from pitchpoint.elements.torque import KIND, slopes_of, values_of
 from pitchpoint.elements.torsion import sense_of, turn_between
 from pitchpoint.model.components.law import FormulaLaw
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.steady_motion import Motion, Torques, path_from, steady_motion, window
 from pitchpoint.solvers.torque_paths import turning
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
@@ -49,12 +43,12 @@ POINTS = 64
 """Points per period of the fastest argument: the mean is exact for harmonics of lower order."""
 LEAST = 4096
 """Least number of points in a common period, for tables and formulas with kinks."""
+GOLDEN = 0.5 * (5.0**0.5 - 1.0)
+"""Added to a number of points per period, so that they have different phases in all periods."""
 MAX_CYCLES = 2048
-"""Periods of the fastest argument: the longest common period, and the time of the mean without one."""
+"""Periods of the fastest argument: the longest common period, and the longest mean without one."""
 MAX_TURNS = 12
 """Revolutions within which a user law of the angle must repeat to count as periodic."""
-PASSES = 100
-"""Largest number of iterations of the steady motion."""
 
 
 @dataclass(frozen=True)
@@ -71,25 +65,29 @@ class LoadCycle:
         Time over which the torques were averaged [s].
     error
         Estimated error of the mean torques [N m].
-    slowest
-        Period of the slowest argument of a load [s].
     offset
         Deviation of the rates at the start from their means, shape (nd,); zero for trains at rest.
-    ripple
-        Upper bound of the deviation of the rates from their means, shape (nd,).
-    stalls
-        Bodies that the loads would stop or reverse, or whose steady motion was not found; all loads were then
-        averaged at constant speed.
+    lowest, highest
+        Least and largest deviation of the rates from their means, shape (nd,).
+    swing
+        Peak-to-peak value of the ripple of the coordinates, shape (nd,).
+    steady
+        Whether the steady motion was found. If not, all loads were averaged at constant speed.
+    stops
+        Bodies that a rigid train would stop within the time of the mean, and when [s], if it started at
+        constant speed; computed without steady motion only.
     """
 
     means: dict[int, float]
     period: float
     averaged: float
     error: float
-    slowest: float
     offset: Array
-    ripple: Array
-    stalls: tuple[str, ...] = ()
+    lowest: Array
+    highest: Array
+    swing: Array
+    steady: bool = True
+    stops: dict[str, float] = field(default_factory=dict)
 
     def applied(self, system: System) -> System:
         """Copy of the system with the mean torques."""
@@ -98,26 +96,32 @@ class LoadCycle:
             set_constant(records[k], mean)
         return system.with_params({LOAD: records})
 
+    def allowance(self, spin: int, window: float) -> float:
+        """Largest deviation of the mean rate of a spin over a window [s] from that of the steady motion."""
+        largest = max(-float(self.lowest[spin]), float(self.highest[spin]))
+        return min(largest, float(self.swing[spin]) / window) if window > 0.0 else largest
+
 
 @dataclass(frozen=True)
 class _Load:
-    """A torque over a rigid motion: record, angle and mean speed of its body, share of every free rotation.
+    """A torque over a rigid motion: record, time, angle and mean speed of its body at the beginning, share of
+    every free rotation.
 
-    `turns`: it depends on the angle; `rates`: those of its arguments [rad/s].
+    `rates`: those of its arguments [rad/s].
     """
 
     number: int
     record: np.void
+    begin: float
     angle: float
     speed: float
     share: Array
-    turns: bool
     rates: tuple[float, ...]
 
-    def over(self, t: Array, speed: Array, angle: Array) -> Array:
-        """Torque at times, for ripples of the free speeds and angles, shape (free, n)."""
+    def over(self, t: Array, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
+        """Torque and slopes over angle and speed, for times since the beginning and ripples (n, times)."""
         turned = self.angle + self.speed * t + self.share @ angle
-        return values_of(self.record, t, turned, self.speed + self.share @ speed)
+        return slopes_of(self.record, self.begin + t, turned, self.speed + self.share @ speed)
 
 
 def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequence[int]) -> LoadCycle | None:
@@ -126,7 +130,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     Parameters
     ----------
     system, state
-        The system and the state at t = 0 with the mean rates.
+        The system and the state at the beginning, with the mean rates.
     held
         Spins held at the start, one for every free rotation.
     driven
@@ -142,32 +146,78 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     rates = np.array(sorted({abs(rate) for load in loads for rate in load.rates}))
     if not rates.size:
         return None
-    t, weights, period = _grid(rates)
+    h, points, period = _grid(rates)
     mass = motions.T @ rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0)) @ motions
-    found = _steady(loads, mass, t, weights)
-    stalls = [
-        load
-        for load in loads
-        if found is None
-        or (load.turns and 0.0 < abs(load.speed) <= np.abs(load.share @ found[0]).max(initial=0.0))
-    ]
-    steady = np.zeros((2, len(free), t.size)) if found is None or stalls else found
-    torques = {load.number: load.over(t, *steady) for load in loads}
-    means = {k: _without_round_off(float(weights @ values), values) for k, values in torques.items()}
+    torques = _torques(loads, h, len(free))
+    found = steady_motion(torques, mass, h, points, period > 0.0)
+    motion = found or _constant_speed(torques, len(free), points, period > 0.0)
+    t, weights = np.linspace(0.0, h * (motion.weights.size - 1), motion.weights.size), motion.weights
+    values = {load.number: load.over(t, motion.speed, motion.angle)[0] for load in loads}
+    means = {k: _without_round_off(float(weights @ over), over) for k, over in values.items()}
     # every second point of a period, or the second half without one
-    part = slice(None, None, 2) if period > 0.0 else slice(t.size // 2, None)
-    fewer = weights[::2] / weights[::2].sum() if period > 0.0 else _window(t.size - t.size // 2)
+    whole = period > 0.0 and t.size == points
+    part = slice(None, None, 2) if whole else slice(t.size // 2, None)
+    fewer = weights[::2] / weights[::2].sum() if whole else window(t.size - t.size // 2)
     moving = (np.abs(motions.T) @ np.abs(state.v) > 0.0).astype(float)
+    ranges = np.array([_range_of(row, motion) for row in motions]).reshape(-1, 3).T
     return LoadCycle(
         means=means,
         period=period,
-        averaged=period or float(t[-1]),
-        error=max(abs(float(fewer @ torques[k][part]) - means[k]) for k in means),
-        slowest=TURNS / float(rates[0]),
-        offset=np.asarray(motions @ (moving * steady[0][:, 0])),
-        ripple=np.asarray(np.abs(motions) @ np.abs(steady[0]).max(axis=1, initial=0.0)),
-        stalls=tuple(dict.fromkeys(system.layout.bodies[int(load.record["i"])] for load in stalls)),
+        averaged=period if whole else float(t[-1]),
+        error=max(abs(float(fewer @ values[k][part]) - means[k]) for k in means),
+        offset=np.asarray(motions @ (moving * motion.speed[:, 0])),
+        lowest=ranges[0],
+        highest=ranges[1],
+        swing=ranges[2],
+        steady=found is not None,
+        stops={}
+        if found is not None
+        else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
     )
+
+
+def _torques(loads: list[_Load], h: float, n: int) -> Torques:
+    """Sum of the loads on the free rotations at points of distance h [s]."""
+
+    def over(part: slice, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
+        """Torques and slopes, see `Torques`."""
+        t = h * np.arange(part.start, part.stop)
+        total, by_angle, by_speed = np.zeros((n, t.size)), np.zeros((n, n, t.size)), np.zeros((n, n, t.size))
+        for load in loads:
+            value, over_angle, over_speed = load.over(t, speed, angle)
+            shares = np.outer(load.share, load.share)[:, :, None]
+            total += np.outer(load.share, value)
+            by_angle += shares * over_angle
+            by_speed += shares * over_speed
+        return total, by_angle, by_speed
+
+    return over
+
+
+def _constant_speed(torques: Torques, n: int, points: int, periodic: bool) -> Motion:
+    """Motion without ripple."""
+    rest, weights = np.zeros((n, points)), np.full(points, 1.0 / points) if periodic else window(points)
+    return Motion(rest, rest, weights, torques(slice(0, points), rest, rest)[0] @ weights)
+
+
+def _range_of(row: Array, motion: Motion) -> tuple[float, float, float]:
+    """Least and largest ripple of a rate, and peak-to-peak ripple of its coordinate."""
+    if not row.any():
+        return 0.0, 0.0, 0.0
+    speed, angle = row @ motion.speed, row @ motion.angle
+    return float(speed.min()), float(speed.max()), float(np.ptp(angle))
+
+
+def _stops(system: System, loads: list[_Load], path: Array | None, h: float) -> dict[str, float]:
+    """Loaded bodies that reach standstill in a motion of the free rotations, and when [s]."""
+    found: dict[str, float] = {}
+    for load in loads:
+        if path is None or load.speed == 0.0:
+            continue
+        still = np.flatnonzero(load.share @ path / load.speed <= -1.0)
+        if still.size:
+            found[system.layout.bodies[int(load.record["i"])]] = float(still[0]) * h
+    return found
 
 
 def _repeating(system: System, state: State, motions: Array) -> list[_Load]:
@@ -194,10 +244,10 @@ def _repeating(system: System, state: State, motions: Array) -> list[_Load]:
                 _Load(
                     number=k,
                     record=record,
+                    begin=state.t,
                     angle=float(rest + TURNS * turns),
                     speed=speed,
                     share=row @ motions,
-                    turns=any(by_angle != 0.0 for _, by_angle in phases),
                     rates=tuple(rate for rate in rates if rate != 0.0),
                 )
             )
@@ -235,15 +285,21 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
     return None
 
 
-def _grid(rates: Array) -> tuple[Array, Array, float]:
-    """Times and weights of the mean for rates [rad/s] of the arguments, and their common period [s] or 0."""
+def _grid(rates: Array) -> tuple[float, int, float]:
+    """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
+
+    No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of
+    a single period on all points.
+    """
     base = common_rate(rates)
     if base > 0.0 and rates[-1] / base <= MAX_CYCLES:
-        n = 2 * math.ceil(max(LEAST, POINTS * rates[-1] / base) / 2)
+        cycles = [round(float(rate / base)) for rate in rates]
+        n = math.ceil(max(LEAST, POINTS * rates[-1] / base))
+        while any(math.gcd(n, count) > 1 for count in cycles):
+            n += 1
         period = TURNS / base
-        return np.arange(n) * (period / n), np.full(n, 1.0 / n), period
-    n = POINTS // 2 * MAX_CYCLES
-    return np.arange(n) * (TURNS / rates[-1] / (POINTS // 2)), _window(n), 0.0
+        return period / n, n, period
+    return TURNS / float(rates[-1]) / (POINTS // 2 + GOLDEN), POINTS // 2 * MAX_CYCLES, 0.0
 
 
 def common_rate(rates: Array) -> float:
@@ -261,46 +317,6 @@ def common_rate(rates: Array) -> float:
             return 0.0
         multiples.append(near.denominator)
     return float(rates[0]) / math.lcm(*multiples)
-
-
-def _window(n: int) -> Array:
-    """Weights exp(-1/(x (1 - x))) over n points; they sum to one."""
-    x = (np.arange(n) + 0.5) / n
-    weights = np.exp(-1.0 / (x * (1.0 - x)))
-    return np.asarray(weights / weights.sum())
-
-
-def _steady(loads: list[_Load], mass: Array, t: Array, weights: Array) -> Array | None:
-    """Ripples of the free speeds and angles, shape (2, free, n); None if the iteration does not converge."""
-    n = len(mass)
-    speed, angle = np.zeros((n, t.size)), np.zeros((n, t.size))
-    if n == 0:
-        return np.stack([speed, angle])
-    inverse, h = np.linalg.inv(mass), float(t[1])
-    relax, last = 1.0, math.inf
-    for _ in range(PASSES):
-        torque = np.zeros((n, t.size))
-        for load in loads:
-            torque += np.outer(load.share, load.over(t, speed, angle))
-        if not np.all(np.isfinite(torque)):
-            return None
-        torque -= (torque @ weights)[:, None]
-        new = _integrated(inverse @ torque, h)
-        new -= (new @ weights)[:, None]
-        change, size = float(np.abs(new - speed).max()), float(np.abs(new).max())
-        if change <= SAME * size:
-            return np.stack([speed, angle])
-        relax = 0.5 * relax if change > 0.9 * last else relax
-        last = change
-        speed = speed + relax * (new - speed)
-        angle = _integrated(speed, h)
-    return None
-
-
-def _integrated(rate: Array, h: float) -> Array:
-    """Integral from the first point by the trapezoidal rule, shape of `rate`."""
-    steps = 0.5 * h * (rate[:, 1:] + rate[:, :-1])
-    return np.concatenate([np.zeros((len(rate), 1)), np.cumsum(steps, axis=1)], axis=1)
 
 
 def _without_round_off(mean: float, values: Array) -> float:

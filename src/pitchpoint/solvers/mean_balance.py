@@ -92,12 +92,17 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     torques = listed([names[k] for k in balancing])
     verb = "balance" if len(balancing) > 1 else "balances"
     text = f"{torques} {verb} {_mean_of(system, cycle)}"
-    if cycle.stalls:
-        bodies = listed(list(cycle.stalls))
+    if not cycle.steady:
+        stops = [f"{body} after {format_quantity(t, 'time', 3)}" for body, t in cycle.stops.items()]
+        then = f"; the rigid train, started at constant speed, would stop {listed(stops)}" if stops else ""
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
         return (
             text,
-            note(f"these loads would stop or reverse {bodies}: its mean speed will change", "", remedy),
+            note(
+                f"no steady motion under these loads was found, so they count at constant speed{then}",
+                "",
+                remedy,
+            ),
         )
     starts = []
     for k in balancing:
@@ -105,8 +110,10 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
         spin = spin_of(system.program["body"], body)
         mean = float(state.v[spin])
         if abs(cycle.offset[spin]) > RIPPLE * abs(mean):
-            now, wanted = (format_quantity(x, "angular_speed", 5) for x in (mean + cycle.offset[spin], mean))
-            starts.append(f"{system.layout.bodies[body]} starts at {now} for a mean speed of {wanted}")
+            ripples = (cycle.offset[spin], 0.0, cycle.lowest[spin], cycle.highest[spin])
+            now, wanted, least, most = (format_quantity(mean + x, "angular_speed", 5) for x in ripples)
+            name = system.layout.bodies[body]
+            starts.append(f"{name} starts at {now} for a mean speed of {wanted} (from {least} to {most})")
     return (": ".join([text, *starts]),)
 
 
@@ -115,11 +122,12 @@ def _mean_of(system: System, cycle: LoadCycle) -> str:
     names = system.names[LOAD]
     loads = listed([names[k] for k in cycle.means])
     time = format_quantity(cycle.averaged, "time", 4)
-    if cycle.period > 0.0:
+    if cycle.averaged == cycle.period:
         over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
     else:
-        error = format_quantity(cycle.error, "torque", 2)
-        over = f"{time} (no common period; estimated error {error})"
+        period = format_quantity(cycle.period, "time", 4)
+        part = f"a part of their period of {period}" if cycle.period > 0.0 else "no common period"
+        over = f"{time} ({part}; estimated error {format_quantity(cycle.error, 'torque', 2)})"
     return f"the mean torque of {loads} over {over}"
 
 

@@ -108,9 +108,7 @@ def _switched(law: Law | None) -> bool:
 
 def _allowance(start: Start, spin: int, window: float) -> float:
     """Deviation of the mean over a window [s] that a ripple may cause [rad/s]."""
-    if start.cycle is None:
-        return 0.0
-    return float(start.cycle.ripple[spin]) * min(1.0, start.cycle.slowest / (np.pi * max(window, 1e-300)))
+    return 0.0 if start.cycle is None else start.cycle.allowance(spin, window)
 
 
 def _net_torque(start: Start, spin: int, acceleration: float) -> float:
@@ -130,8 +128,8 @@ def _remark(
     own = [name for name in loads if model is not None and _grows(model.loads[name].torque)]
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
     net = f"net torque on {body} {format_quantity(left, 'torque', 3)} on average"
-    if start.cycle is not None and start.cycle.stalls:
-        cause = f"{net}: the loads would stop or reverse the train within their period"
+    if start.cycle is not None and not start.cycle.steady:
+        cause = f"{net}: no steady motion under the loads was found"
     elif own:
         cause = f"{own[0]} does not repeat with the angle and was balanced at its value at the start"
     elif rough:

@@ -34,7 +34,7 @@ def drift_notes(
         speed = abs(point["speed"])
         if speed > 0.0:
             deviation = point["channels"][f"speed[{body}]"]["mean"] / point["speed"] - 1.0
-            if abs(deviation) >= DRIFT + cut(speed, measure / point["mesh_frequency"]) / speed:
+            if abs(deviation) >= DRIFT + cut(point["speed"], measure / point["mesh_frequency"]) / speed:
                 off.append(deviation)
     if not off:
         return ()

@@ -29,10 +29,11 @@ from pitchpoint.solvers.contact_counts import new_counts, read_counts
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
+from pitchpoint.solvers.initial_state.start import Start, body_rates, prepare_start
 from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
 from pitchpoint.solvers.time import scenario_of
+from pitchpoint.sweep.balance import Balances
 from pitchpoint.sweep.drift import drift_notes
 from pitchpoint.sweep.tables import channel_tables, factor_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
@@ -164,18 +165,25 @@ class _SweepRun:
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
         first = next(plan.points())[1]
-        self.body = body = scenario.sweep.body  # type: ignore[union-attr]
-        own = system.copy()
-        for record in own.rows(DRIVE):
-            record["speed"] = first * plan.ratio[own.layout.bodies[int(record["i"])]]
-        start = prepare_start(own, replace(scenario, speed={body: first}, duration=1.0))
-        self.system, self.notes, self.cycle = start.system, start.notes, start.cycle
+        self.body = scenario.sweep.body  # type: ignore[union-attr]
+        start = self._start(system, scenario, first)
+        self.balances = Balances(
+            start, (speed for _, speed in plan.points()), lambda speed: self._start(system, scenario, speed)
+        )
+        self.system, self.notes = start.system, (*start.notes, *self.balances.notes())
         self.waves = {name: drive.ripple.values() for name, drive in scenario.drive.items()}
         self.mode = max(mesh_mode(row, self.system) for row in mesh_records(self.system))
         self.speed = first
         self.run = generalized_alpha.start(self.system, start.state, self._step(first))
         self.steps = 0
         self.chunk = 1000
+
+    def _start(self, system: System, scenario: Scenario, speed: float) -> Start:
+        """Start at a speed."""
+        own = system.copy()
+        for record in own.rows(DRIVE):
+            record["speed"] = speed * self.plan.ratio[own.layout.bodies[int(record["i"])]]
+        return prepare_start(own, replace(scenario, speed={self.body: speed}, duration=1.0))
 
     def _frequency(self, speed: float) -> float:
         return abs(speed) * self.plan.order / (2.0 * math.pi)
@@ -185,7 +193,7 @@ class _SweepRun:
         return 1.0 / (f * self.plan.steps_at(f, self.mode))
 
     def go_to(self, speed: float) -> None:
-        """Change the mean speed of the whole train, including drives with constant speed."""
+        """Change the mean speed of the whole train, with its drives and balancing torques."""
         w, t = self.system.workspace, self.run.t
         share = 1.0  # of the ripple of the swept body in its present speed
         for record in self.system.rows(DRIVE):
@@ -198,27 +206,19 @@ class _SweepRun:
         for name, ratio in self.plan.ratio.items():
             if ratio != 0.0:
                 w.v[self.system.spin(name)] += (speed - self.speed) * ratio * share
+        w.v += self.balances.set(self.system, self.run.state(), self.speed, speed)
         self.speed = speed
         self.run.change_step(self._step(speed))
 
     def cut_ripple(self, speed: float, window: float) -> float:
-        """Deviation of the mean speed [rad/s] over a window [s] that does not contain whole waves.
-
-        Waves of drives begin and end at any angle; those of loads as at the first point, at most in
-        proportion to the speed.
-        """
+        """Deviation of the mean speed [rad/s] over a window [s] that does not contain whole waves."""
         angle = sum(
             2.0 * wave.amplitude / abs(self.plan.ratio[name])
             for name, waves in self.waves.items()
             if self.plan.ratio.get(name)
             for wave in waves
         )
-        if self.cycle is None:
-            return angle / window
-        first = next(self.plan.points())[1]
-        longer = max(1.0, abs(first) / speed)
-        share = min(1.0, longer * self.cycle.slowest / (math.pi * window))
-        return angle / window + longer * float(self.cycle.ripple[self.system.spin(self.body)]) * share
+        return angle / window + self.balances.allowance(self.system.spin(self.body), speed, window)
 
     def advance(self, periods: int, sums: Accumulators | None) -> int:
         """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""

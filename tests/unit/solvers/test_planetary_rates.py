@@ -70,6 +70,42 @@ def test_a_sweep_counts_mesh_frequencies_against_the_carrier():
         assert SUN * (sun - carrier) == pytest.approx(point["mesh_frequency"], rel=1e-3)
 
 
+def test_a_fan_on_the_carrier_is_balanced_at_every_speed_of_a_sweep():
+    """The carrier turns at n_s z_s / (z_s + z_r), and so do the torques: T_s = T_c z_s / (z_s + z_r)."""
+    text = planetary(SWEEP).replace("sun, torque: 20 N m", "sun, torque: balance")
+    text = text.replace("carrier, torque: balance", 'carrier, torque: "-100*(speed/(20 rad/s))^2"')
+    model, system = compiled(text.replace("direction: up", "direction: both"), "up")
+    points = run_sweep(system, model.scenarios["up"]).points
+    assert [round(point["mesh_frequency"]) for point in points] == [300, 400, 400, 300]
+    for point in points:
+        ratio = SUN / (SUN + RING)
+        torque = 100.0 * (ratio * point["speed"] / 20.0) ** 2 * ratio
+        assert point["channels"]["torque[motor]"]["mean"] == pytest.approx(torque, rel=1e-6)
+        assert point["channels"]["speed[sun]"]["mean"] == pytest.approx(point["speed"], rel=1e-3)
+
+
+def test_meshes_that_repeat_together_share_one_note():
+    """Two planets of one set behind a pair 21/58: both their meshes repeat with it only."""
+    text = planetary("").replace("direction: up", "direction: both")
+    teeth = "normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    text = text.replace("gears: [s],", "gears: {s: 0, w: 60 mm},").replace(
+        "gears:\n",
+        f"gears:\n  m: {{number_of_teeth: 21, {teeth}}}\n  w: {{number_of_teeth: 58, {teeth}}}\n",
+        1,
+    )
+    text = text.replace(
+        "bodies:\n",
+        "bodies:\n  shaft: {gears: [m], motion: torsion, inertia: 1e-3, position: [79 mm, 0, 60 mm]}\n",
+        1,
+    )
+    text = text.replace("meshes:\n", "meshes:\n  first: {gears: [m, w]}\n", 1)
+    notes = roll_through(compiled(text)[1], "first", 20).cycle_notes
+    after = Fraction(ORDER / 58).limit_denominator(10000).denominator
+    assert notes == (
+        f"meshes sp and pr repeat after {after} periods of first, and their peak to peak is that of 1",
+    )
+
+
 def test_both_meshes_of_a_campbell_diagram_have_one_frequency():
     found = follow_modes(compiled(planetary(""))[1], [100.0], "sun")
     assert found.orders == pytest.approx({"sp": ORDER, "pr": ORDER})

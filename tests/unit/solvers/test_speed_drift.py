@@ -15,7 +15,7 @@ from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.speed_drift import watched
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
-from tests.unit.solvers.test_mean_balance import INERTIA, RPM, gearbox
+from tests.unit.solvers.test_mean_balance import RPM, gearbox
 
 SPRING = '"100 + 50*angle"'
 
@@ -53,17 +53,6 @@ def test_a_ripple_that_the_window_cuts_is_allowed_for():
     mean = found["speed[driver]"].attrs["statistics"][0]
     assert abs(mean / (1500.0 * RPM) - 1.0) > 0.01
     assert not [note for note in split_notes(found.attrs["notes"]) if "of the scenario" in note]
-
-
-def test_the_remark_names_the_net_torque_that_changed_the_speed():
-    """A wave over 31 revolutions would reverse the train: momentum over time, reduced to the driver."""
-    found = solve_time(compile_model(loads_model(gearbox('"100 + 90*sin(angle/31)"')), "run"))
-    (said,) = [note for note in split_notes(found.attrs["notes"]) if "of the scenario" in note]
-    assert "the loads would stop or reverse the train" in said
-    last = float(found["speed[driver]"][-1])
-    net = INERTIA * (last - 1500.0 * RPM) / 0.24
-    assert f"net torque on driver {net:.3g} N m" in said
-    assert f"{last / RPM:.4g} rpm at the end" in said
 
 
 def test_the_remark_is_in_the_terminal_the_file_the_report_and_the_notebook(tmp_path, monkeypatch, capsys):

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from pitchpoint.solvers.time import solve_time
@@ -47,15 +49,52 @@ def test_mass_proportional_damping_brakes_no_run_up():
 
 
 def test_a_train_that_leaves_the_speeds_of_a_sweep_is_told():
-    loads = '  output: {body: driven, torque: "-0.05 N m s*speed"}'
-    text = pair(LAW, rest="scenarios:\n  sweep: {" + SWEEP.replace("SPEEDS", "500 rpm, 3000 rpm") + "}\n")
-    text = text.replace("N,", "4,").replace("  output: {body: driven, torque: balance}", loads)
-    text = text.replace(
-        "  input: {body: driver, torque: 200 N m}", "  input: {body: driver, torque: balance}"
-    )
+    text = SWEEP.replace("SPEEDS", "500 rpm, 3000 rpm").replace("N,", "4,")
+    text = pair(LAW, rest=f"{RAYLEIGH}scenarios:\n  sweep: {{{text}}}\n")
+    text = text.replace("body: driven, torque: balance", "body: driven, torque: 301 N m")
     notes = run_sweep(compiled(text, "sweep")[1]).notes
     assert any("driver: the mean speed deviates by up to -" in note for note in notes)
     assert not any("mean speed deviates" in note for note in swept("500 rpm, 3000 rpm", 2).notes)
+
+
+def fan(law: str, settle: int = 150, measure: int = 90) -> list[dict]:
+    """Points of a sweep up and down whose driver balances a load of the driven gear, and its notes."""
+    text = SWEEP.replace("SPEEDS", "1000 rpm, 2000 rpm").replace("N,", "3,").replace("up", "both")
+    text = text.replace("150", f"{settle}, measure_periods: {measure}")
+    text = pair(LAW, rest=f"{RAYLEIGH}scenarios:\n  sweep: {{{text}}}\n")
+    text = text.replace("body: driven, torque: balance", f'body: driven, torque: "{law}"')
+    text = text.replace("body: driver, torque: 200 N m", "body: driver, torque: balance")
+    summary = run_sweep(compiled(text, "sweep")[1])
+    assert not any("mean speed deviates" in note for note in summary.notes)
+    return summary.points
+
+
+SPEEDS = [1000.0, 1500.0, 2000.0, 2000.0, 1500.0, 1000.0]
+
+
+def test_the_balancing_torque_follows_a_load_that_depends_on_the_speed():
+    """The law of a fan at every speed, up and down, over the gear ratio of 1.5; both gears drive forwards."""
+    points = fan("60 N m*(speed/(100 rad/s))^2")
+    for point, rpm in zip(points, SPEEDS, strict=True):
+        driven = rpm * math.pi / 30 / 1.5
+        channels = point["channels"]
+        torque = 60.0 * (driven / 100.0) ** 2 / 1.5
+        assert channels["torque[input]"]["mean"] == pytest.approx(torque, rel=1e-6)
+        assert channels["speed[driver]"]["mean"] == pytest.approx(rpm * math.pi / 30, rel=1e-4)
+
+
+LOADS = ["60 + 12*sin(2*angle)", "60 + 12*sin(2*angle) + 20*(speed/100)^2", "60 + 8*cos(2*pi*100 Hz*t)"]
+
+
+@pytest.mark.parametrize("law", LOADS)
+def test_the_ripple_of_a_load_has_its_amplitude_at_every_speed(law):
+    """The speed changes at any phase of a wave, which begins with the speed that the wave has there.
+
+    90 mesh cycles are three revolutions of the driver and two of the driven gear; at 1000, 1500 and 2000 rpm
+    they contain 18, 12 and 9 waves over time.
+    """
+    for point, rpm in zip(fan(law), SPEEDS, strict=True):
+        assert point["channels"]["speed[driver]"]["mean"] == pytest.approx(rpm * math.pi / 30, rel=1e-4)
 
 
 RIPPLE = "drive: {driver: {ripple: {w: {order: 0.25, fluctuation: 8 %}}}}, "

@@ -23,6 +23,7 @@ import numpy as np
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.core.words import listed
 from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import spin_of
@@ -117,21 +118,23 @@ class Roll:
         """Notes on other meshes whose cycle is not covered by whole periods in a finished roll."""
         if self.status != OK:
             return ()
-        periods, found = round(float(self.position[-1])), []
+        periods = round(float(self.position[-1]))
+        parts: dict[tuple[int, str], list[str]] = {}
         for name, mesh in self.meshes.items():
-            if mesh.pitches is None:
-                found.append(
-                    f"mesh {name} is driven through a closed loop, and its values are those of this "
-                    "part of the cycle"
-                )
-                continue
-            cycles = mesh.pitches * periods
-            if cycles.denominator != 1:
-                what = "peak to peak is" if cycles < 1 else "mean is"
-                found.append(
-                    f"mesh {name} repeats after {mesh.repeats_after} periods of {self.mesh}, "
-                    f"and its {what} that of {periods}"
-                )
+            cycles = Fraction(0) if mesh.pitches is None else mesh.pitches * periods
+            if mesh.pitches is None or cycles.denominator != 1:
+                what = "" if mesh.pitches is None else "peak to peak is" if cycles < 1 else "mean is"
+                parts.setdefault((mesh.repeats_after, what), []).append(name)
+        found = []
+        for (after, what), names in parts.items():
+            one = len(names) == 1
+            who, its = f"mesh{'' if one else 'es'} {listed(names)}", "its" if one else "their"
+            if what:
+                when = f"repeat{'s' if one else ''} after {after} periods of {self.mesh}"
+                found.append(f"{who} {when}, and {its} {what} that of {periods}")
+            else:
+                where = f"{'is' if one else 'are'} driven through a closed loop"
+                found.append(f"{who} {where}, and {its} values are those of this part of the cycle")
         return tuple(found)
 
 
