@@ -10,8 +10,11 @@ rolling. The approach of the raceways there is
 
 With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple model of
 balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
-angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Where balls have one shoulder only, a
-negative A sin(alpha) + a_z counts as 0: the rings come apart. The load of each element is
+angle: d = |(p, q)| - A with p = A cos(alpha) + a_r and q = A sin(alpha) + a_z, the radial and axial distance
+of the groove centres. A groove carries only within its arc, a right angle to either side of the radial
+direction: a negative p, where the groove centres have passed each other, counts as 0. So does a negative
+q of balls with one shoulder: the rings come apart. Washers of thrust bearings have no limit of p. The load of
+each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
@@ -50,7 +53,7 @@ from pitchpoint.elements.ring import (
     ring_tangents,
     whole_turns,
 )
-from pitchpoint.elements.rolling_bearing_forces import push_elements
+from pitchpoint.elements.rolling_bearing_forces import WASHER, push_elements
 from pitchpoint.elements.rolling_flange import push_flange
 from pitchpoint.elements.rolling_slices import add_slices, push_slices, slice_sums, tilt_gradient, tilt_of
 from pitchpoint.multibody.channels import frame_args, observations
@@ -220,11 +223,18 @@ def _approach(b, c, s, sa):
     if A > 0.0 and b["floats"] == 0:
         p = A * ca + radial
         q = A * sa + axial
+        bend = 1.0
+        if p < 0.0 and ca > WASHER:
+            p = 0.0
+            bend = 0.0
         if b["one_sided"] != 0 and q * sa < 0.0:
-            return abs(p) - A, 1.0 if p > 0.0 else -1.0, 0.0, 0.0
+            q = 0.0
+            bend = 0.0
         length = math.sqrt(p * p + q * q)
+        if length <= A:
+            return length - A, ca, sa, 0.0
         inverse = 1.0 / length
-        return length - A, p * inverse, q * inverse, inverse
+        return length - A, p * inverse, q * inverse, bend * inverse
     return radial * ca + axial * sa, ca, sa, 0.0
 
 
