@@ -36,6 +36,7 @@ spacing in the cage each element has an additional angle in psi_k.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -43,16 +44,18 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.bearing_fault import lost_approach, shifted
 from pitchpoint.elements.kind import FRAME, FREE, Kind
-from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
+    CLOSED,
     RESULTANTS,
     RING,
+    close_ring,
     ring_forces,
     ring_motion,
     ring_observations,
     ring_tangents,
     whole_turns,
 )
+from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.rolling_bearing_forces import WASHER, push_elements
 from pitchpoint.elements.rolling_flange import push_flange
 from pitchpoint.elements.rolling_slices import add_slices, push_slices, slice_sums, tilt_gradient, tilt_of
@@ -375,6 +378,13 @@ def entry(ctl, rec, n):
     return rolling_bearing(view(rec, n, RECORD), c, fr, kk)
 
 
+def close(records: Any) -> None:
+    """Remove the radial clearance and the axial play of flanges, in place."""
+    close_ring(records)
+    for field, side in (("flange_low", 1.0), ("flange_high", -1.0)):
+        records[field] = np.where(np.isfinite(records[field]), side * CLOSED, records[field])
+
+
 KIND = Kind(
     name="rolling_bearing",
     channel=FRAME,
@@ -384,6 +394,7 @@ KIND = Kind(
     body_fixed=True,
     massless=True,
     spins=FREE,
+    close=close,
     sections={"rolling_bearings": ""},
     plural="rolling bearings",
     arrow="ring",

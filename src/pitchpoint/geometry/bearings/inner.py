@@ -172,13 +172,14 @@ def inner_geometry(
             "and pitch_diameter",
         )
     section, typical = 0.5 * (outside - bore), usual.section[0] * (outside - bore)
-    if not typical / ODD_SIZE < best[1].element_diameter < typical * ODD_SIZE:
+    low, high = typical / ODD_SIZE, min(typical * ODD_SIZE, section)
+    if not low < best[1].element_diameter < high:
         raise GeometryError(
             f"leads to elements of {best[1].element_diameter * 1e3:.4g} mm in a section "
             f"(D - d)/2 = {1e3 * section:.4g} mm",
             where="radial_static_load_rating",
             value=f"{static:.6g} N",
-            limit=f"elements of {1e3 * typical / ODD_SIZE:.3g} to {1e3 * min(typical * ODD_SIZE, section):.3g} mm",
+            limit=f"elements of {1e3 * low:.3g} to {1e3 * high:.3g} mm",
             remedy="load ratings without unit are in N; write kN for those of a catalogue, or check the "
             "dimensions",
         )
