@@ -269,15 +269,7 @@ def section_at(shaft: Shaft, place: float) -> tuple[float, float]:
 
 
 def diameters_between(shaft: Shaft, low: float, high: float) -> set[float]:
-    """Diameters of all sections between two positions, including those that only touch them [m].
-
-    Examples
-    --------
-    >>> from pitchpoint.model.components.shaft import Shaft, ShaftSection
-    >>> stepped = Shaft(sections=[ShaftSection(length=0.05, diameter=d) for d in (0.03, 0.04, 0.05)])
-    >>> sorted(diameters_between(stepped, 0.05, 0.06)), sorted(diameters_between(stepped, 0.06, 0.07))
-    ([0.03, 0.04], [0.04])
-    """
+    """Diameters of all sections between two positions, including those that only touch them [m]."""
     slack = SAME * shaft.length
     found, end = set(), 0.0
     for section in shaft.sections:

@@ -17,7 +17,7 @@ from pitchpoint.model.keys import choice, end, integer, key, positive, quantitie
 
 RINGS = (
     "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second. A ring "
-    "on ground is where the other ring is. Instead of body"
+    "on ground, or on the carrier of the other body, is where the other ring is. Instead of body"
 )
 BODY = "body whose shaft is in the bearing, instead of ends"
 POSITION = "centre of the bearing relative to the origin of body, on its axis: [0, 0, z]"
