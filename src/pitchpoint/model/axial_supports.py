@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -86,7 +86,7 @@ def _held_otherwise(model: Model) -> set[str]:
     found: set[str] = set()
     for group in dataclasses.fields(model):
         parts = getattr(model, group.name, None)
-        if group.name not in NOT_HOLDING and hasattr(parts, "values"):
+        if group.name not in NOT_HOLDING and isinstance(parts, Mapping):
             for part in parts.values():
                 found |= {split(text)[0] for text in _texts(part)}
     for coupling in model.couplings.values():
@@ -94,8 +94,8 @@ def _held_otherwise(model: Model) -> set[str]:
             found |= set(coupling.bodies)
     for bearing in model.bearings.values():
         found.add(split(bearing.housing or GROUND)[0])
-    for ringed in (*model.rolling_bearings.values(), *model.plain_bearings.values()):
-        found.add(ring_bodies(ringed)[1])
+    found |= {ring_bodies(rolling)[1] for rolling in model.rolling_bearings.values()}
+    found |= {ring_bodies(plain)[1] for plain in model.plain_bearings.values()}
     return found
 
 

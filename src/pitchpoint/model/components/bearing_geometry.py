@@ -322,17 +322,12 @@ def _bought(part: RollingBearing) -> Catalogued | None:
 def _together(part: RollingBearing, names: tuple[str, ...], what: str) -> None:
     """Check that a bearing has all the named data."""
     missing = [name for name in names if getattr(part, name) is None]
-    if not missing:
-        return
-    remedy = f"add {' and '.join(missing)}"
+    sets = f"type with {', '.join(BOUGHT)}, or {', '.join(ELEMENTS)} of given rolling elements"
+    remedy = f"give designation, or {sets}"
     if missing == ["contact_angle"]:
-        remedy += CATALOGUE_ANGLE.get(str(part.type), " of the catalogue")
-    elif len(missing) == len(names):
-        remedy = (
-            f"give designation, or type with {', '.join(BOUGHT)}, or {', '.join(ELEMENTS)} of given rolling "
-            "elements"
-        )
-    raise GeometryError(f"has no {', '.join(missing)}{what}", remedy=remedy)
+        remedy = f"add contact_angle{CATALOGUE_ANGLE.get(str(part.type), ' of the catalogue')}"
+    if missing:
+        raise GeometryError(f"has no {', '.join(missing)}{what}", remedy=remedy)
 
 
 def _absorbs(part: RollingBearing, bought: Catalogued) -> str:

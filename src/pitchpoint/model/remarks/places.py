@@ -147,17 +147,18 @@ def _distant_housings(model: Model) -> Iterator[Message]:
                 sizes += [section.diameter for section in model.shafts[house].sections]
             if origin is None or at is None or not sizes:
                 continue
-            apart = np.linalg.norm(np.cross(axes[:, 2], at + own[:, 2] * part.position[2] - origin))
+            away = np.cross(axes[:, 2], at + own[:, 2] * part.position[2] - origin)
+            apart = float(np.linalg.norm(away))
             if apart > 0.5 * max(sizes):
-                found.setdefault(house, {})[group, name] = part.body, float(apart), max(sizes)
+                found.setdefault(house, {})[group, name] = part.body, apart, max(sizes)
     for house, bearings in found.items():
         if len({body for body, *_ in bearings.values()}) > 1:
             continue  # planets on bearings only
         for (group, name), (_, apart, size) in bearings.items():
+            far, wide = (format_quantity(length, "length", 4) for length in (apart, size))
             yield remark(
                 f"{group}.{name}.housing",
-                f"the axis of {house} is {format_quantity(apart, 'length', 4)} away from the bearing, outside "
-                f"its diameter of {format_quantity(size, 'length', 4)}",
+                f"the axis of {house} is {far} away from the bearing, outside its diameter of {wide}",
                 "name the housing, or remove housing for ground",
             )
 

@@ -93,7 +93,7 @@ def advice(names: tuple[str, ...]) -> str:
     bodies: dict[tuple[str, ...], list[str]] = {}
     for body, coordinates in found.items():
         bodies.setdefault(_directions(coordinates), []).append(body)
-    held = " and ".join(f"{' and '.join(who)} {_listed(how)}" for how, who in bodies.items())
+    held = " and ".join(f"{_listed(who)} {_in_words(how, len(who) > 1)}" for how, who in bodies.items())
     kinds = dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names)
     bearing = "a bearing" if len(found) == 1 else "bearings"
     return f"nothing holds {held}: add {bearing} with {_listed(kinds)} stiffness"
@@ -126,6 +126,12 @@ def _directions(coordinates: Iterable[str]) -> tuple[str, ...]:
     only = [c for c in coordinates if STIFFNESS[c] == "radial"]
     in_x = f" in {only[0]}" if len(only) == 1 else ""
     return tuple(WORDS[kind] + (in_x if kind == "radial" else "") for kind in seen)
+
+
+def _in_words(directions: Iterable[str], several: bool) -> str:
+    """Directions of one body or of several."""
+    found = _listed(directions)
+    return found.replace("its axis", "their axes") if several else found
 
 
 def _listed(words: Iterable[str]) -> str:
