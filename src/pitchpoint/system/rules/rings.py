@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.model.rings import following, rings_of
+from pitchpoint.model.rings import Ring, following, rings_of
 from pitchpoint.system.rules.bodies import frame_at
 
 if TYPE_CHECKING:
-    from pitchpoint.model.rings import Ring, Ringed
+    from pitchpoint.model.rings import Ringed
     from pitchpoint.system.rules.places import Array, Places
 
 
@@ -28,16 +28,15 @@ def mark_rings(places: Places, row: Any, part: Ringed) -> tuple[Array, Array]:
     part
         The bearing.
     """
-    rings = rings_of(places.model, part)
     if part.ends is None:
-        _put(places, row, "ij", rings)
-        return rings[0].axes, rings[1].axes
+        inner, outer = rings_of(places.model, part)
+        _put(places, row, "ij", (inner, outer))
+        return inner.axes, outer.axes
     places.mark(row, part.ends)
     turned = [places.axes(end) for end in part.ends]
     if (k := following(places.model, part)) is not None:
-        other = part.ends[1 - k]
-        turned[k] = turned[1 - k]
-        _put(places, row, "ij"[k], [rings[k]._replace(place=places.world(other), axes=turned[k])])
+        place, turned[k] = places.world(part.ends[1 - k]), turned[1 - k]
+        _put(places, row, "ij"[k], [Ring(part.ends[k], place, place, turned[k])])
     return turned[0], turned[1]
 
 
