@@ -12,9 +12,8 @@ With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) 
 balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
 angle: d = |(p, q)| - A with p = A cos(alpha) + a_r and q = A sin(alpha) + a_z, the radial and axial distance
 of the groove centres. A groove carries only within its arc, a right angle to either side of the radial
-direction: a negative p, where the groove centres have passed each other, counts as 0. So does a negative
-q of balls with one shoulder: the rings come apart. Washers of thrust bearings have no limit of p. The load of
-each element is
+direction: a negative p, where the groove centres have passed each other, counts as 0 (except in washers). So
+does a negative q of balls with one shoulder: the rings come apart. The load of each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
