@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.model.remarks.collect import remarks_of, remarks_of_file
 from pitchpoint.report.bearing_data import bearing_lines
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
@@ -238,3 +239,8 @@ def test_a_ring_on_a_body_elsewhere_names_the_other_form():
         loads_model(text + "  a: {ends: [rotor, frame], designation: 6308}\n")
     assert "are 100 mm apart in the initial position" in str(caught.value)
     assert "or write body: rotor, position: [0, 0, z], housing: frame instead of ends" in str(caught.value)
+
+
+def test_symbols_of_catalogues_in_python():
+    with pytest.raises(ModelError, match="is an unknown key; did you mean outer_diameter"):
+        RollingBearing(body="rotor", D=0.09)
