@@ -52,7 +52,7 @@ class Checked:
                     Message(
                         f"{cls.__name__}.{name}",
                         "is an unknown key",
-                        remedy=f"{did_you_mean(*of_symbol(name, keys) or [name], allowed)}allowed are "
+                        remedy=f"{did_you_mean((of_symbol(name, keys) or [name])[0], allowed)}allowed are "
                         f"{', '.join(allowed)}",
                     )
                     for name in given
