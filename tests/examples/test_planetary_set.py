@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 import pitchpoint
-from pitchpoint.io.yaml_model import load_model
+from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
 
@@ -64,3 +65,15 @@ def test_planets_fit_in_phase(model):
     straight = model.replace("planetary_stages.set.pin_errors.planet_1.tangential", 0.0)
     planets = stages_of_model(straight)["set"]["planets"].values()
     assert [row["phase_sun"] for row in planets] == pytest.approx([0.0] * 3, abs=1e-9)
+
+
+def test_planets_on_needle_bearings_as_on_the_page():
+    """Twice the tangential force 600 N m/3 at the working circle of 31.5 mm; radial forces cancel."""
+    page = (FOLDER.parents[1] / "docs" / "planetary_stages.md").read_text("utf-8")
+    (bearings,) = re.findall(r"```yaml\n(rolling_bearings:\n.*?)```", page, re.DOTALL)
+    text = (FOLDER / "model.yaml").read_text("utf-8")
+    text = re.sub(r"    (bearing: .*|pin_errors:|  planet_1: .*)\n", "", text)
+    found = solve_equilibrium(compile_model(loads_model(text + bearings)))
+    loads = [found[f"bearing_force[pin_{k}.radial]"].item() for k in (1, 2, 3)]
+    assert loads == pytest.approx([2.0 * 200.0 / 31.5e-3] * 3, rel=1e-4)
+    assert f"carries {loads[0] * 1e-3:.1f} kN at 600 N m" in page

@@ -22,6 +22,7 @@ from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
     RESULTANTS,
     RING,
+    close_ring,
     ring_forces,
     ring_motion,
     ring_observations,
@@ -128,6 +129,7 @@ KIND = Kind(
     body_fixed=True,
     massless=True,
     spins=FREE,
+    close=close_ring,
     sections={"plain_bearings": "journal"},
     arrow="ring",
 )

@@ -170,6 +170,9 @@ class Kind:
     lets_turn
         Function of the record: ends that rotate freely about their axis although other rotations are
         resisted.
+    close
+        Function that removes the clearance of records, in place, so that their stiffness shows all directions
+        that they can resist. None: the kind has no clearance.
     linear
         Whether its linearisation is constant in time, so that `reduce` may condense it: true or false, or a
         function of the record and of whether one of its bodies spins.
@@ -223,6 +226,7 @@ class Kind:
     spins: str | Callable[[np.void], str] = HOLDS
     resists: str | Callable[[np.void], str] | None = None
     lets_turn: Callable[[np.void], tuple[str, ...]] = field(default=lambda record: ())
+    close: Callable[[Any], None] | None = None
     linear: bool | Callable[[np.void, bool], bool] = False
     large: bool = False
     fine: bool = False

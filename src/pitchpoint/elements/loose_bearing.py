@@ -22,7 +22,14 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import FRAME, FREE, Kind
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
-from pitchpoint.elements.ring import RING, ring_forces, ring_motion, ring_observations, ring_tangents
+from pitchpoint.elements.ring import (
+    RING,
+    close_ring,
+    ring_forces,
+    ring_motion,
+    ring_observations,
+    ring_tangents,
+)
 from pitchpoint.multibody.channels import events, frame_args, observations
 
 RECORD = np.dtype(
@@ -149,6 +156,7 @@ KIND = Kind(
     events=EVENTS,
     body_fixed=True,
     spins=FREE,
+    close=close_ring,
     sections={"bearings": ""},
     plural="bearings with play",
     arrow="ring",

@@ -10,8 +10,10 @@ rolling. The approach of the raceways there is
 
 With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple model of
 balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
-angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Where balls have one shoulder only, a
-negative A sin(alpha) + a_z counts as 0: the rings come apart. The load of each element is
+angle: d = |(p, q)| - A with p = A cos(alpha) + a_r and q = A sin(alpha) + a_z, the radial and axial distance
+of the groove centres. A groove carries only within its arc, a right angle to either side of the radial
+direction: a negative p, where the groove centres have passed each other, counts as 0 (except in washers). So
+does a negative q of balls with one shoulder: the rings come apart. The load of each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
@@ -33,6 +35,7 @@ spacing in the cage each element has an additional angle in psi_k.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -40,17 +43,19 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.bearing_fault import lost_approach, shifted
 from pitchpoint.elements.kind import FRAME, FREE, Kind
-from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
+    CLOSED,
     RESULTANTS,
     RING,
+    close_ring,
     ring_forces,
     ring_motion,
     ring_observations,
     ring_tangents,
     whole_turns,
 )
-from pitchpoint.elements.rolling_bearing_forces import push_elements
+from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
+from pitchpoint.elements.rolling_bearing_forces import WASHER, push_elements
 from pitchpoint.elements.rolling_flange import push_flange
 from pitchpoint.elements.rolling_slices import add_slices, push_slices, slice_sums, tilt_gradient, tilt_of
 from pitchpoint.multibody.channels import frame_args, observations
@@ -220,11 +225,18 @@ def _approach(b, c, s, sa):
     if A > 0.0 and b["floats"] == 0:
         p = A * ca + radial
         q = A * sa + axial
+        bend = 1.0
+        if p < 0.0 and ca > WASHER:
+            p = 0.0
+            bend = 0.0
         if b["one_sided"] != 0 and q * sa < 0.0:
-            return abs(p) - A, 1.0 if p > 0.0 else -1.0, 0.0, 0.0
+            q = 0.0
+            bend = 0.0
         length = math.sqrt(p * p + q * q)
+        if length <= A:
+            return length - A, ca, sa, 0.0
         inverse = 1.0 / length
-        return length - A, p * inverse, q * inverse, inverse
+        return length - A, p * inverse, q * inverse, bend * inverse
     return radial * ca + axial * sa, ca, sa, 0.0
 
 
@@ -365,6 +377,13 @@ def entry(ctl, rec, n):
     return rolling_bearing(view(rec, n, RECORD), c, fr, kk)
 
 
+def close(records: Any) -> None:
+    """Remove the radial clearance and the axial play of flanges, in place."""
+    close_ring(records)
+    for field, side in (("flange_low", 1.0), ("flange_high", -1.0)):
+        records[field] = np.where(np.isfinite(records[field]), side * CLOSED, records[field])
+
+
 KIND = Kind(
     name="rolling_bearing",
     channel=FRAME,
@@ -374,6 +393,7 @@ KIND = Kind(
     body_fixed=True,
     massless=True,
     spins=FREE,
+    close=close,
     sections={"rolling_bearings": ""},
     plural="rolling bearings",
     arrow="ring",

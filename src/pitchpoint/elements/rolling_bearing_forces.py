@@ -11,6 +11,10 @@ import math
 
 from pitchpoint.core.kernel import kernel
 
+WASHER = 1e-6
+"""Cosine of the contact angle up to which grooves are those of washers, with an arc to both sides of the
+axial direction."""
+
 
 @kernel
 def push_elements(b, c, s, share, sa0):
@@ -47,13 +51,15 @@ def push_elements(b, c, s, share, sa0):
         if A > 0.0:
             p = A * ca0 + radial
             q = A * sa0 + axial
+            if p < 0.0 and ca0 > WASHER:
+                p = 0.0
             if b["one_sided"] != 0 and q * sa0 < 0.0:
                 q = 0.0
             length = math.sqrt(p * p + q * q)
             d = length - A
-            inverse = 1.0 / length
-            ca = p * inverse
-            sa = q * inverse
+            if d > 0.0:
+                ca = p / length
+                sa = q / length
         else:
             d = radial * ca0 + axial * sa0
         if d > 0.0:

@@ -10,7 +10,7 @@ from typing import Any, Self
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.model.keys import BAD, Key, keys_of
+from pitchpoint.model.keys import BAD, Key, keys_of, of_symbol
 
 WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
 """Kinds of keys whose texts are the same in a file and in a component."""
@@ -46,13 +46,14 @@ class Checked:
         """Check the names of the keys; the constructor of the dataclass follows."""
         names = {field.name for field in fields(cls)}  # type: ignore[arg-type]
         if not given.keys() <= names:
-            allowed = [*keys_of(cls)]
+            keys, allowed = keys_of(cls), [*keys_of(cls)]
             raise ModelError(
                 [
                     Message(
                         f"{cls.__name__}.{name}",
                         "is an unknown key",
-                        remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
+                        remedy=f"{did_you_mean((of_symbol(name, keys) or [name])[0], allowed)}allowed are "
+                        f"{', '.join(allowed)}",
                     )
                     for name in given
                     if name not in names

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -55,6 +55,7 @@ class Key:
     one_of: str = ""  # group of mutually exclusive keys of a component: exactly one is given
     needs: str = ""  # key that must be given together with this one
     range_words: str = ""  # description of a range that depends on another key
+    symbols: tuple[str, ...] = ()  # of catalogues, for which the key is suggested
 
     @property
     def limit(self) -> str:
@@ -164,6 +165,12 @@ def defaults_of(cls: type) -> dict[str, Any]:
                 out[f.name] = f.default_factory()
         _DEFAULTS[cls] = out
     return _DEFAULTS[cls]
+
+
+def of_symbol(symbol: object, keys: Iterable[str]) -> list[str]:
+    """Key that catalogues call by a symbol, such as D, as a list; empty without one, and for names only."""
+    described = keys.items() if isinstance(keys, Mapping) else ()
+    return [name for name, item in described if isinstance(item, Key) and symbol in item.symbols]
 
 
 _KEYS: dict[type, dict[str, Key]] = {}

@@ -57,8 +57,9 @@ def ring_bodies(part: Ringed) -> tuple[str, str]:
 def rings_of(machine: Any, part: Ringed) -> tuple[Ring, Ring]:
     """Inner and outer ring of a bearing as assembled.
 
-    A ring on ground has the position and axes of the other ring, wherever its shaft is. The rings of a
-    bearing with `body` coincide; they have the axes of this body.
+    A ring on ground has the position and axes of the other ring, wherever its shaft is. So has a ring on a
+    body without marker that carries the body of the other ring by a joint, such as a planet carrier. The
+    rings of a bearing with `body` coincide; they have the axes of this body.
 
     Parameters
     ----------
@@ -75,14 +76,25 @@ def rings_of(machine: Any, part: Ringed) -> tuple[Ring, Ring]:
         return Ring(one, place, place, axes), Ring(split(two)[0], seat, place, axes)
     places = [place_of(machine, end) for end in (one, two)]
     turned = [axes_of(machine, end) for end in (one, two)]
-    for k, end in enumerate((one, two)):
-        if end == GROUND:
-            places[k], turned[k] = places[1 - k], turned[1 - k]
+    if (k := following(machine, part)) is not None:
+        places[k], turned[k] = places[1 - k], turned[1 - k]
     inner, outer = (
         Ring(split(end)[0], place, place, axes)
         for end, place, axes in zip((one, two), places, turned, strict=True)
     )
     return inner, outer
+
+
+def following(machine: Any, part: Ringed) -> int | None:
+    """Index of the ring that is where the other one is, as of `rings_of`; None without one."""
+    ends = ring_ends(part)
+    seats = machine.mechanism.seats
+    for k, end in enumerate(ends):
+        other = split(ends[1 - k])[0]
+        carries = other in seats and seats[other].joint is not None and seats[other].parent == end
+        if end == GROUND or carries:
+            return k
+    return None
 
 
 def mounted_place(machine: Any, part: Ringed) -> Array | None:

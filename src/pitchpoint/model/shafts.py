@@ -268,6 +268,17 @@ def section_at(shaft: Shaft, place: float) -> tuple[float, float]:
     return section.diameter, section.bore
 
 
+def diameters_between(shaft: Shaft, low: float, high: float) -> set[float]:
+    """Diameters of all sections between two positions, including those that only touch them [m]."""
+    slack = SAME * shaft.length
+    found, end = set(), 0.0
+    for section in shaft.sections:
+        start, end = end, end + section.length
+        if start <= high + slack and end >= low - slack:
+            found.add(section.diameter)
+    return found
+
+
 def nearest_station(places: Sequence[float], place: float) -> int:
     """Index of the station nearest to a position."""
     return min(range(len(places)), key=lambda k: abs(places[k] - place))

@@ -74,7 +74,10 @@ def approaches(system, record, state):
     axial = z - 0.5 * b["pitch"] * (n[0] * c + n[1] * s)
     if b["grooves"] > 0.0:
         A = b["grooves"]
-        return np.hypot(A * np.cos(b["angle"]) + radial, A * np.sin(b["angle"]) + axial) - A
+        p, q = A * np.cos(b["angle"]) + radial, A * np.sin(b["angle"]) + axial + b["shift"]
+        # deepest point of the arc of a groove, a right angle to either side of the radial direction
+        deepest = np.clip(np.arctan2(q, p), -0.5 * np.pi, 0.5 * np.pi)
+        return p * np.cos(deepest) + q * np.sin(deepest) - A
     return radial * np.cos(b["angle"]) + axial * np.sin(b["angle"])
 
 
@@ -82,6 +85,7 @@ KINDS = {
     "roller": (rolling, {"gap": -0.2, "angle": 0.6, "azimuth": 0.1, "exponent": 10.0 / 9.0}),
     "play": (rolling, {"gap": 0.01, "angle": 0.2, "n": 12}),
     "grooves": (rolling, {"gap": -0.1, "angle": 0.3, "grooves": 0.4}),
+    "grooves passed": (rolling, {"gap": 0.2, "angle": 1.2, "grooves": 0.4, "shift": 0.25}),
     "journal": (journal, {}),
 }
 
@@ -103,7 +107,7 @@ def test_energy_balance_and_tangents_anywhere_in_a_tree(i, j, kind):
     h = 1e-4
     near, far = (approaches(system, record, along(system, state, s * h)) for s in (-1.0, 1.0))
     here, rate = approaches(system, record, state), (far - near) / (2.0 * h)
-    assert np.count_nonzero(here > 0.0) >= (1 if kind in ("play", "journal") else 5)
+    assert np.count_nonzero(here > 0.0) >= (1 if kind in ("play", "grooves passed", "journal") else 5)
     force = (
         record["stiffness"] * np.maximum(here, 0.0) ** record["exponent"] * np.maximum(1.0 + 0.3 * rate, 0.0)
     )
@@ -278,3 +282,36 @@ def test_a_journal_tells_when_it_touches():
     for x, y in ((0.3e-3, 0.4e-3), (0.9e-3, 1.2e-3)):
         state.q[:2] = x, y
         assert evaluate.event_values(system, state)[0] == pytest.approx(np.hypot(x, y) - 1e-3)
+
+
+@pytest.mark.nojit
+@pytest.mark.parametrize(("angle", "one_sided"), [(0.0, 0), (0.7, 1), (-0.7, 1), (0.5 * np.pi, 1)])
+def test_grooves_that_have_passed_each_other_carry_nothing(angle, one_sided):
+    """The largest distance of a groove arc from the ball, by search over its directions.
+
+    Arcs are a right angle to either side of the radial direction, with one shoulder only the quarter towards
+    it, and the half circle around the axis in washers. Displacements range over five groove distances.
+    """
+    bodies = shaft()
+    record = rolling(
+        bodies, 1, 0, n=1, angle=angle, grooves=0.05, one_sided=one_sided, pitch=1e-9, element=0.0
+    )
+    system = assemble(bodies, {"rolling_bearing": record})
+    state = system.initial_state()
+    ends = (0.0, 0.5 * np.pi) if one_sided else (-0.5 * np.pi, 0.5 * np.pi)
+    ends = (0.0, np.pi) if angle > 1.5 else tuple(np.copysign(1.0, angle) * np.array(ends))
+    arc = np.linspace(*ends, 20001)
+    rng, carried = np.random.default_rng(2), 0
+    for x, z in rng.uniform(-0.25, 0.25, (200, 2)):
+        state.q[:] = 0.0
+        state.q[0], state.q[2] = x, z
+        p, q = 0.05 * np.cos(angle) + x, 0.05 * np.sin(angle) + z
+        reach = p * np.cos(arc) + q * np.sin(arc)
+        d, at = reach.max() - 0.05, arc[reach.argmax()]
+        load = 200.0 * max(d, 0.0) ** 1.5
+        force = evaluate.residual(system, state)[[0, 2]]
+        np.testing.assert_allclose(
+            force, load * np.array([np.cos(at), np.sin(at)]), atol=2e-3 * (load + 1e-6)
+        )
+        carried += d > 0.0
+    assert 30 < carried < 195

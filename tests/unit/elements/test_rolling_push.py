@@ -19,6 +19,8 @@ rolling_bearings:
 KINDS = {
     "grooves": "grooves: [0.52, 0.53], clearance: -6 um",
     "grooves, angle": "grooves: [0.52, 0.53], contact_angle: 15 deg, clearance: 4 um",
+    "grooves passed": "grooves: [0.52, 0.53], contact_angle: 60 deg, clearance: 398 um, "
+    "preload_distance: 80 um",
     "constant angle": "stiffness: 1e10, contact_angle: -20 deg",
     "rollers": "type: roller, stiffness: 1e9, clearance: -2 um",
     "rollers in slices": "type: roller, effective_length: 9 mm, contact_angle: 15 deg, clearance: -2 um",

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from pitchpoint.report.frequencies import frequencies_of, turning_speeds
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
 
+DOCS = Path(__file__).parents[3] / "docs"
 PAIR = """\
 gears:
   pinion: {number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
@@ -163,6 +165,31 @@ def test_an_axial_load_on_a_preloaded_pair():
     assert row.thrust(s) == pytest.approx(800.0, rel=1e-9)
     assert row.thrust(s + z) - row.thrust(s - z) == pytest.approx(300.0, rel=1e-6)
     assert seen["bearing_force[b.axial]"] == pytest.approx(-row.thrust(s + z), rel=1e-6)
+
+
+@pytest.mark.parametrize("first", ["negative", "positive"])
+def test_preload_of_an_elastic_shaft(first):
+    """The shaft yields by F L/(E A), half of it at either bearing; docs/bearings.md prints the result."""
+    second = "positive" if first == "negative" else "negative"
+    text = "shafts: {s: {sections: [{length: 210 mm, diameter: 60 mm}], position: [0, 0, 0]}}\n"
+    text += "rolling_bearings:\n"
+    for name, place, side in (("a", 20, first), ("b", 190, second)):
+        text += (
+            f"  {name}: {{body: s, position: [0, 0, {place} mm], designation: 32212, axial_force_absorption: "
+            f"{side}, preload: 500 N}}\n"
+        )
+    model = loads_model(text)
+    system = compile_model(model)
+    found, record = solve_equilibrium(system), system.records["rolling_bearing"][0]
+    geometry = model.rolling_bearings["a"].geometry
+    slices = roller_slices(geometry.effective_length, geometry.element_diameter, 21)
+    row = Raceways(
+        geometry.elements, float(record["stiffness"]), LINE, abs(geometry.contact_angle), 0.0, 0.0, slices
+    )
+    force = abs(found["bearing_force[a.axial]"].item())
+    shortened = force * 0.17 / (206e9 * math.pi / 4.0 * 0.06**2)
+    assert row.thrust(abs(float(record["shift"])) - 0.5 * shortened) == pytest.approx(force, rel=2e-4)
+    assert f"have {force:.1f} N" in (DOCS / "bearings.md").read_text("utf-8")
 
 
 def test_resultants_have_the_direction_of_the_load():

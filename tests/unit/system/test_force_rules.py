@@ -56,7 +56,7 @@ PLACES = Places(end, world, lambda name: end(name)[2], {"m": 3}.__getitem__)
 
 def places(**sections):
     """What rules of a model with these sections read."""
-    return replace(PLACES, model=SimpleNamespace(**sections))
+    return replace(PLACES, model=SimpleNamespace(mechanism=SimpleNamespace(seats={}), **sections))
 
 
 def system_of(bank, states=()):

@@ -43,6 +43,9 @@ LOOSE_RATING = 0.03
 """Relative deviation of the dynamic load rating with the weight of one standard deviation."""
 RATINGS_APART = 0.25
 """Deviation of the dynamic load rating from ISO 281 beyond which the data are refused as contradictory."""
+ODD_SIZE = 2.0
+"""Ratio, either way, of an estimated element diameter to the usual one of the type beyond which the data are
+refused: 0.72 to 1.23 in the whole catalogue."""
 LONG = 0.9
 """Largest effective length of all rows over the width of the bearing."""
 
@@ -129,7 +132,7 @@ def inner_geometry(
     Raises
     ------
     GeometryError
-        If no set of elements has these load ratings in these dimensions.
+        If no set of elements of usual size has these load ratings in these dimensions.
 
     Examples
     --------
@@ -168,6 +171,18 @@ def inner_geometry(
             remedy="check the units of the dimensions and load ratings, or give elements, element_diameter "
             "and pitch_diameter",
         )
+    section, typical = 0.5 * (outside - bore), usual.section[0] * (outside - bore)
+    low, high = typical / ODD_SIZE, min(typical * ODD_SIZE, section)
+    if not low < best[1].element_diameter < high:
+        raise GeometryError(
+            f"leads to elements of {best[1].element_diameter * 1e3:.4g} mm in a section "
+            f"(D - d)/2 = {1e3 * section:.4g} mm",
+            where="radial_static_load_rating",
+            value=f"{static:.6g} N",
+            limit=f"elements of {1e3 * low:.3g} to {1e3 * high:.3g} mm",
+            remedy="load ratings without unit are in N; write kN for those of a catalogue, or check the "
+            "dimensions",
+        )
     apart = best[1].dynamic / dynamic - 1.0
     if abs(apart) > RATINGS_APART:
         raise GeometryError(
@@ -175,8 +190,8 @@ def inner_geometry(
             where="radial_dynamic_load_rating",
             value=f"{dynamic * 1e-3:.6g} kN",
             limit=f"{100 * RATINGS_APART:.0f} % difference",
-            remedy="check the type and both load ratings, or give elements, element_diameter and "
-            "pitch_diameter",
+            remedy="check the type and both load ratings, which are in N without unit, or give elements, "
+            "element_diameter and pitch_diameter",
         )
     return best[1]
 

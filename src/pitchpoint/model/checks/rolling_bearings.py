@@ -11,6 +11,10 @@ from pitchpoint.model.checks.bearing_faults import check_bearing_faults
 from pitchpoint.model.components.bearing_geometry import BearingGeometry
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.show import SI
+
+LOOSE = 0.05
+"""Largest clearance over the element diameter: more than any class (C4 of the catalogue: up to 3 %)."""
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.rolling_bearing import RollingBearing
@@ -30,6 +34,7 @@ def check_rolling_bearings(parts: Parts, report: Reader) -> None:
             continue
         _room(found, at, report)
         _keys(bearing, found, at, report)
+        _play(bearing, found, at, report)
         _preload(bearing, found, at, report)
         check_bearing_faults(name, bearing, report)
 
@@ -79,6 +84,35 @@ def _keys(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Re
         )
     elif bearing.stiffness is None and getattr(found, own) is None and at not in report.tainted:
         report.problem(at, f"gives neither {own} nor stiffness", remedy=f"give {own}")
+
+
+def _play(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Reader) -> None:
+    """Check that clearances are those of a bearing that is in one piece.
+
+    With a clearance of the distance A of the groove centres, the contact angle of an axial load is already
+    arccos(1 - 1/2) = 60 deg, which is over the shoulders of a groove.
+    """
+    size = LOOSE * found.element_diameter
+    radial = min(size, found.groove_distance) if found.groove_distance > 0.0 else size
+    limits = {"clearance": (radial, f"{100 * LOOSE:g} % of the element diameter")}
+    limits["preload_distance"] = limits["clearance"]
+    if radial < size:
+        limits["clearance"] = (radial, "the distance of the groove centres")
+    if found.effective_length is not None:
+        limits["axial_clearance"] = (0.5 * found.effective_length, "half the effective length of a roller")
+    for key, (limit, what) in limits.items():
+        value = getattr(bearing, key)
+        if value is None or abs(value) <= limit:
+            continue
+        report.problem(
+            (*at, key),
+            "is too large for a rolling bearing",
+            value=f"{value * 1e3:.6g} mm",
+            limit=f"{limit * 1e3:.4g} mm, {what}",
+            remedy="correct the value or its unit"
+            if (*at, key) in report.sources
+            else f"a bare number is in {SI['length']}; write {value:.6g} mm",
+        )
 
 
 def _preload(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Reader) -> None:

@@ -177,9 +177,17 @@ def _apart(at: Place, ends: tuple[str, str], places: tuple[Array, Array], report
         f"are {distance * 1e3:.6g} mm apart in the initial position",
         value=" and ".join(ends),
         limit=f"{limit * 1e3:.4g} mm",
-        remedy="correct the positions of the bodies or markers",
+        remedy="correct the positions of the bodies or markers" + _placed(ends),
     )
     return True
+
+
+def _placed(ends: tuple[str, str]) -> str:
+    """Remedy for rings on origins of bodies, which need not be on the axis of the bearing."""
+    if split(ends[1])[1] or GROUND in ends:
+        return ""
+    body = split(ends[0])[0]
+    return f", or write body: {body}, position: [0, 0, z], housing: {ends[1]} instead of ends"
 
 
 def _holds_sideways(coupling: Coupling) -> bool:

@@ -36,6 +36,10 @@ ANGLED = (
     *("tapered_roller", "spherical_roller"),
 )
 """Types whose contact angle is one of their catalogue data."""
+CATALOGUE_ANGLE = dict.fromkeys(
+    ("tapered_roller", "spherical_roller", "self_aligning_ball"), ": arctan(e/1.5) with e of the catalogue"
+)
+"""Where the contact angle is in a catalogue that lists the factor e instead."""
 UPRIGHT = {
     "deep_groove_ball": "it follows from the clearance; with a nominal angle, use type: angular_contact_ball",
     "thrust_ball": "it is 90 deg; with another angle, use type: angular_contact_ball",
@@ -181,7 +185,7 @@ def bearing_geometry(part: RollingBearing) -> BearingGeometry:
         elements=part.elements or inner.elements,
         element_diameter=size,
         pitch_diameter=part.pitch_diameter or inner.pitch_diameter,
-        contact_angle=-angle if absorbs == NEGATIVE else angle,
+        contact_angle=(-angle if absorbs == NEGATIVE else angle) + 0.0,  # no -0.0
         effective_length=part.effective_length or inner.effective_length,
         grooves=part.grooves or _grooves(bought.kind, inner, angle),
         clearance=clearance,
@@ -316,13 +320,14 @@ def _bought(part: RollingBearing) -> Catalogued | None:
 
 
 def _together(part: RollingBearing, names: tuple[str, ...], what: str) -> None:
+    """Check that a bearing has all the named data."""
     missing = [name for name in names if getattr(part, name) is None]
+    sets = f"type with {', '.join(BOUGHT)}, or {', '.join(ELEMENTS)} of given rolling elements"
+    remedy = f"give designation, or {sets}"
+    if missing == ["contact_angle"]:
+        remedy = f"add contact_angle{CATALOGUE_ANGLE.get(str(part.type), ' of the catalogue')}"
     if missing:
-        raise GeometryError(
-            f"has no {', '.join(missing)}{what}",
-            remedy="give designation, or type with "
-            f"{', '.join(BOUGHT)}, or {', '.join(ELEMENTS)} of given rolling elements",
-        )
+        raise GeometryError(f"has no {', '.join(missing)}{what}", remedy=remedy)
 
 
 def _absorbs(part: RollingBearing, bought: Catalogued) -> str:
@@ -378,6 +383,13 @@ def _clearance(part: RollingBearing, bought: Catalogued) -> tuple[float, str | N
                 f"does not apply to {bought.kind.replace('_', ' ')} bearings, whose clearance has no classes",
                 where="clearance_class",
                 remedy="give clearance or preload",
+            )
+        if bought.designation and bought.group not in (None, part.clearance_class):
+            raise GeometryError(
+                f"contradicts the suffix {bought.group} of designation: {part.designation}",
+                where="clearance_class",
+                value=part.clearance_class,
+                remedy="remove one of them",
             )
     if part.clearance is not None:
         return part.clearance, None

@@ -17,7 +17,7 @@ from pitchpoint.model.keys import choice, end, integer, key, positive, quantitie
 
 RINGS = (
     "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second. A ring "
-    "on ground is where the other ring is. Instead of body"
+    "on ground, or on the carrier of the other body, is where the other ring is. Instead of body"
 )
 BODY = "body whose shaft is in the bearing, instead of ends"
 POSITION = "centre of the bearing relative to the origin of body, on its axis: [0, 0, z]"
@@ -48,11 +48,17 @@ class RollingBearing(Component):
         None,
         display="that of designation, otherwise ball",
     )
-    inner_diameter: float | None = positive("length", "bore diameter d", None, later=True)
-    outer_diameter: float | None = positive("length", "outside diameter D", None, later=True)
-    width: float | None = positive("length", "width B; tapered bearings: overall width T", None, later=True)
-    radial_dynamic_load_rating: float | None = positive("force", "dynamic load rating C", None, later=True)
-    radial_static_load_rating: float | None = positive("force", "static load rating C0", None, later=True)
+    inner_diameter: float | None = positive("length", "bore diameter d", None, symbols=("d",), later=True)
+    outer_diameter: float | None = positive("length", "outside diameter D", None, symbols=("D",), later=True)
+    width: float | None = positive(
+        "length", "width B; tapered bearings: overall width T", None, symbols=("B", "T"), later=True
+    )
+    radial_dynamic_load_rating: float | None = positive(
+        "force", "dynamic load rating C", None, symbols=("C", "C_r", "Cr"), later=True
+    )
+    radial_static_load_rating: float | None = positive(
+        "force", "static load rating C0", None, symbols=("C0", "C_0", "C0r", "C_0r"), later=True
+    )
     axial_clearance: float | None = quantity(
         "length",
         "axial play of a cylindrical roller bearing with flanges: total (NUP), or displacement until the "

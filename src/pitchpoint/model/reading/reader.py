@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.model.component import as_written
-from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
+from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of, of_symbol
 from pitchpoint.model.origin import Bare, Source, is_kept
 from pitchpoint.model.reading import (
     data_files,
@@ -168,16 +168,17 @@ class Reader:
         )
 
     def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
-        """Report unknown keys, with the nearest spelling."""
-        allowed = list(allowed)
+        """Report unknown keys, with the key of this symbol or the nearest spelling."""
+        names = list(allowed)
         for name in data:
-            if name in allowed:
+            if name in names:
                 continue
-            near = nearest(name, allowed)
+            near = of_symbol(name, allowed) or nearest(name, names)
+            guess = f"did you mean {near[0]}? " if near else ""
             self.problem(
                 (*path, str(name)),
                 "is an unknown key",
-                remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
+                remedy=f"{guess}allowed are {', '.join(names)}",
                 taint=bool(near) and near[0] not in data,
             )
 

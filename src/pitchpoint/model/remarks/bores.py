@@ -8,20 +8,20 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.rings import rings_of
-from pitchpoint.model.shafts import section_at
+from pitchpoint.model.shafts import diameters_between
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-APART = 1.25
-"""Ratio of bore and shaft diameter, either way, from which there is a remark: shafts of a model are often
-simplified."""
-PRESSED = 3e-3
-"""Relative interference that is attributed to a press fit."""
+FIT = 0.005
+"""Relative difference of bore and shaft diameter up to which they fit: more than any tolerance of ISO 286."""
 
 
 def bores_off_their_shafts(model: Model) -> tuple[Message, ...]:
-    """A remark for every bearing with a bore that does not fit the sections of its shaft."""
+    """A remark for every bearing whose bore is the diameter of none of the shaft sections in its width.
+
+    At a shoulder a bearing may sit on either diameter.
+    """
     found = []
     for name, part in model.rolling_bearings.items():
         bore, ring = part.geometry.bore, rings_of(model, part)[0]
@@ -33,9 +33,9 @@ def bores_off_their_shafts(model: Model) -> tuple[Message, ...]:
             continue
         middle = float((ring.place - origin) @ axes[:, 2])
         half = 0.5 * (part.geometry.width or 0.0)
-        there = [section_at(shaft, middle + x)[0] for x in (-half, 0.0, half)]
-        if not min(there) / APART < bore < max(there) * APART:
-            size = " to ".join(f"{1e3 * d:.6g}" for d in sorted({min(there), max(there)}))
+        there = diameters_between(shaft, middle - half, middle + half)
+        if all(abs(bore - d) > FIT * d for d in there):
+            size = " and ".join(f"{1e3 * d:.6g}" for d in sorted(there))
             found.append(
                 remark(
                     f"rolling_bearings.{name}",
@@ -54,7 +54,7 @@ def gears_thinner_than_their_shafts(model: Model) -> tuple[Message, ...]:
             section, gear = at
             bore, mass = (getattr(getattr(model, section)[gear], key) for key in ("bore_diameter", "mass"))
             sizes = [d for a, b, d, _ in model.shafts[shaft].pieces_from(0.0) if a < high and b > low]
-            if mass is None and sizes and 0.0 < bore < max(sizes) * (1.0 - PRESSED):
+            if mass is None and sizes and 0.0 < bore < max(sizes) * (1.0 - FIT):
                 found.append(
                     remark(
                         f"{section}.{gear}.bore_diameter",

@@ -23,6 +23,7 @@ from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameter
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
+from pitchpoint.model.remarks.supports import axially_free
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -222,8 +223,13 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
 
 def remarks_of_file(model: Model) -> tuple[Message, ...]:
     """Remarks on the values in the file, which runs do not repeat."""
-    bores = (*bores_off_their_shafts(model), *gears_thinner_than_their_shafts(model))
-    return (*numbers_without_unit(model), *unused_parameters(model), *bores)
+    found = (
+        *bores_off_their_shafts(model),
+        *gears_thinner_than_their_shafts(model),
+        *axially_free(model),
+    )
+    named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
+    return (*numbers_without_unit(model), *unused_parameters(model), *named)
 
 
 def warn_of_remarks(model: Model) -> None:

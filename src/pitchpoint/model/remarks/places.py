@@ -12,6 +12,7 @@ from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.carried_meshes import off_axis
 from pitchpoint.model.frames import GROUND, Array, body_frame, split
+from pitchpoint.model.shafts import SEATED
 from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
@@ -29,9 +30,9 @@ SAME = 1e-6
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
     """A remark for every axis that is located by a joint, overlapping gears, the far end of a
-    shaft, torsional connections of distant axes, and carriers off the axis of their central gears."""
+    shaft, connections of distant axes, and carriers off the axis of their central gears."""
     beside = (remark(f"bodies.{o.carrier}.position", o.words, o.remedy) for o in off_axis(model))
-    apart = (*_far_ends(model), *_distant_axes(model))
+    apart = (*_far_ends(model), *_distant_axes(model), *_distant_housings(model))
     return (*_axes_by_joints(model), *_gears_in_gears(model), *apart, *beside)
 
 
@@ -129,6 +130,37 @@ def _distant_axes(model: Model) -> Iterator[Message]:
                     "apart, and the torque between them acts without a force",
                     "correct the positions, or connect them by a mesh or a ratio",
                 )
+
+
+def _distant_housings(model: Model) -> Iterator[Message]:
+    """Bearings outside the shaft or gear that is named as their housing, unless that is a planet carrier."""
+    found: dict[str, dict[tuple[str, str], tuple[str, float, float]]] = {}
+    carriers = {seat.parent for seat in model.mechanism.seats.values() if seat.joint is not None}
+    for group in SEATED:
+        for name, part in getattr(model, group).items():
+            house, marker = split(part.housing or GROUND)
+            if marker or house not in model.bodies or house in carriers:
+                continue
+            (origin, axes), (at, own) = body_frame(model, house), body_frame(model, part.body)
+            sizes = [abs(model.gears[gear].geometry.d_a) for gear in model.bodies[house].gears]
+            if house in model.shafts:
+                sizes += [section.diameter for section in model.shafts[house].sections]
+            if origin is None or at is None or not sizes:
+                continue
+            away = np.cross(axes[:, 2], at + own[:, 2] * part.position[2] - origin)
+            apart = float(np.linalg.norm(away))
+            if apart > 0.5 * max(sizes):
+                found.setdefault(house, {})[group, name] = part.body, apart, max(sizes)
+    for house, bearings in found.items():
+        if len({body for body, *_ in bearings.values()}) > 1:
+            continue  # planets on bearings only
+        for (group, name), (_, apart, size) in bearings.items():
+            far, wide = (format_quantity(length, "length", 4) for length in (apart, size))
+            yield remark(
+                f"{group}.{name}.housing",
+                f"the axis of {house} is {far} away from the bearing, outside its diameter of {wide}",
+                "name the housing, or remove housing for ground",
+            )
 
 
 def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, Span]]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
+from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import ring_bodies
 
@@ -72,6 +73,30 @@ def idle_supports(model: Model) -> Iterator[Message]:
                 f"has no effect and no force at any load: it acts in no direction in which "
                 f"{' or '.join(coupling.bodies)} moves",
             )
+
+
+def axially_free(model: Model) -> Iterator[Message]:
+    """Bodies with axial loads whose bearings hold them in one axial direction or in none."""
+    for body, bearings, side in without_axial_support(model):
+        where = f"{'shafts' if body in model.shafts else 'bodies'}.{body}"
+        one = len(bearings) == 1
+        these = f"{' and '.join([', '.join(bearings[:-1])] * (not one) + [bearings[-1]])}"
+        if side == 0:
+            yield remark(
+                where,
+                f"has axial loads, but nothing holds it along its axis: {these} "
+                f"support{'s' if one else ''} no axial force",
+                "use a bearing that supports axial forces",
+            )
+            continue
+        held, free = ("+z", "-z") if side > 0 else ("-z", "+z")
+        yield remark(
+            where,
+            f"is held along its axis in one direction only: {these} support{'s' if one else ''} axial forces "
+            f"on it in its {held} direction, and nothing supports those in {free}",
+            "turn one of the bearings around (axial_force_absorption), or add one, unless all axial loads "
+            f"are in {held}",
+        )
 
 
 def _preloaded(part: RollingBearing | PlainBearing) -> bool:

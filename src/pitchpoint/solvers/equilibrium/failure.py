@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.elements import registry
+from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
 from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.system import evaluate
@@ -27,12 +30,20 @@ LOADED = 1e-6
 SHARE = 0.5
 """Share of a coordinate in those directions, over the largest, from which it is listed."""
 STIFFNESS = {"x": "radial", "y": "radial", "z": "axial", "rx": "tilt", "ry": "tilt", "spin": "torsion"}
+FAR = 0.01
+"""Axial displacement [m] from which a body has left its bearings."""
+WORDS = {
+    "radial": "across its axis",
+    "axial": "along its axis",
+    "tilt": "against tilting",
+    "torsion": "about its axis",
+}
 NAMES = {"alpha": "rx", "beta": "ry"}
 """Names of coordinates in model files and channels."""
 
 
 def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
-    """Names of the loaded, unconstrained coordinates, with all flanks in contact.
+    """Names of the loaded, unconstrained coordinates, with flanks in contact and bearings without clearance.
 
     Loads in the null space of the (symmetric) stiffness matrix have no equilibrium.
 
@@ -48,10 +59,13 @@ def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tupl
     own, at = system.copy(), state.copy()
     close_backlash(own, at)
     weight = own.weight[free]
+    loads = evaluate.residual(own, at)[free] / weight
+    for kind, records in own.records.items():
+        if (close := registry.find(kind).close) is not None:
+            close(records)
     stiffness = evaluate.matrix(own, at, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
     _, sizes, rows = np.linalg.svd(stiffness / np.outer(weight, weight))
     null = rows[sizes <= HELD * sizes.max(initial=0.0)]
-    loads = evaluate.residual(own, at)[free] / weight
     pushed = np.abs((null @ loads) @ null)
     if not pushed.max(initial=0.0) > LOADED * np.abs(loads).max(initial=0.0):
         return ()
@@ -69,13 +83,61 @@ def advice(names: tuple[str, ...]) -> str:
 
     Examples
     --------
-    >>> advice(("driven.x", "driven.y", "driven.z"))
-    'nothing holds driven.x, driven.y, driven.z: add a bearing with radial and axial stiffness'
+    >>> advice(("driven.x", "driven.y", "driven.z", "driven.2.z"))
+    'nothing holds driven across its axis and along its axis: add a bearing with radial and axial stiffness'
     """
-    kinds = list(dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names))
-    bearing = "a bearing" if len({name.rpartition(".")[0] for name in names}) == 1 else "bearings"
-    listed = " and ".join([", ".join(kinds[:-1]), kinds[-1]] if len(kinds) > 1 else kinds)
-    return f"nothing holds {', '.join(names)}: add {bearing} with {listed} stiffness"
+    found: dict[str, dict[str, None]] = {}
+    for name in names:
+        body, _, coordinate = name.rpartition(".")
+        found.setdefault(body.partition(".")[0], {})[coordinate] = None
+    bodies: dict[tuple[str, ...], list[str]] = {}
+    for body, coordinates in found.items():
+        bodies.setdefault(_directions(coordinates), []).append(body)
+    held = " and ".join(f"{_listed(who)} {_in_words(how, len(who) > 1)}" for how, who in bodies.items())
+    kinds = dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names)
+    bearing = "a bearing" if len(found) == 1 else "bearings"
+    return f"nothing holds {held}: add {bearing} with {_listed(kinds)} stiffness"
+
+
+def run_away(system: System, state: State) -> tuple[str, str]:
+    """Name of a body that moved out of bearings that hold it in one axial direction, and the message; or ''.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Last state of the iteration, which did not converge.
+    """
+    for body, bearings, side in () if system.model is None else without_axial_support(system.model):
+        moved = float(state.q[system.layout.coordinates.index(f"{body}.z")])
+        if side and -side * moved > FAR:
+            held, free = ("+z", "-z") if side > 0 else ("-z", "+z")
+            return f"{body}.z", (
+                f"nothing holds {body} along its axis in its {free} direction: {_listed(bearings)} support "
+                f"{held} only; turn one of its bearings around (axial_force_absorption), or add one"
+            )
+    return "", ""
+
+
+def _directions(coordinates: Iterable[str]) -> tuple[str, ...]:
+    """Directions of the coordinates of a body in words; x or y alone are named."""
+    seen = dict.fromkeys(STIFFNESS[c] for c in coordinates)
+    only = [c for c in coordinates if STIFFNESS[c] == "radial"]
+    in_x = f" in {only[0]}" if len(only) == 1 else ""
+    return tuple(WORDS[kind] + (in_x if kind == "radial" else "") for kind in seen)
+
+
+def _in_words(directions: Iterable[str], several: bool) -> str:
+    """Directions of one body or of several."""
+    found = _listed(directions)
+    return found.replace("its axis", "their axes") if several else found
+
+
+def _listed(words: Iterable[str]) -> str:
+    """Words as a list with "and"."""
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def broken_tooth(system: System, state: State) -> str:

@@ -33,7 +33,7 @@ from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
-from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, unconstrained
+from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
 from pitchpoint.solvers.equilibrium.force_jumps import (
     Rest,
     Surface,
@@ -165,6 +165,10 @@ def find_equilibrium(
         if names := unconstrained(system, state, free):
             where = coordinate_source(system, names[0]).removeprefix(names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
+        name, words = run_away(system, found.state)
+        if name:
+            where = coordinate_source(system, name).removeprefix(name)
+            raise SolverError(f"no equilibrium: {words}{where}", SINGULAR, found.state)
         left = np.abs(found.residual / system.weight)[free]
         worst = int(free[np.argmax(left)])
         size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"

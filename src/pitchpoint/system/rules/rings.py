@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.model.frames import GROUND
-from pitchpoint.model.rings import rings_of
+from pitchpoint.model.rings import Ring, following, rings_of
 from pitchpoint.system.rules.bodies import frame_at
 
 if TYPE_CHECKING:
@@ -29,19 +29,21 @@ def mark_rings(places: Places, row: Any, part: Ringed) -> tuple[Array, Array]:
         The bearing.
     """
     if part.ends is None:
-        rings = rings_of(places.model, part)
-        for letter, ring in zip("ij", rings, strict=True):
-            number, at, axes = frame_at(places.model, ring.body, ring.seat)
-            place = np.zeros(3) if ring.place is None else ring.place
-            row[letter], row["p_" + letter] = number, axes.T @ (place - at)
-            row["A_" + letter] = axes.T @ ring.axes
-        return rings[0].axes, rings[1].axes
+        inner, outer = rings_of(places.model, part)
+        _put(places, row, "ij", (inner, outer))
+        return inner.axes, outer.axes
     places.mark(row, part.ends)
-    inner, outer = part.ends
-    for letter, end, other in (("i", inner, outer), ("j", outer, inner)):
-        if end == GROUND:
-            row["p_" + letter], row["A_" + letter] = places.world(other), places.axes(other)
-    return (
-        places.axes(outer if inner == GROUND else inner),
-        places.axes(inner if outer == GROUND else outer),
-    )
+    turned = [places.axes(end) for end in part.ends]
+    if (k := following(places.model, part)) is not None:
+        place, turned[k] = places.world(part.ends[1 - k]), turned[1 - k]
+        _put(places, row, "ij"[k], [Ring(part.ends[k], place, place, turned[k])])
+    return turned[0], turned[1]
+
+
+def _put(places: Places, row: Any, letters: str, rings: Sequence[Ring]) -> None:
+    """Set body, point and axes of rings that coincide with the other ring."""
+    for letter, ring in zip(letters, rings, strict=True):
+        number, at, axes = frame_at(places.model, ring.body, ring.seat)
+        place = np.zeros(3) if ring.place is None else ring.place
+        row[letter], row["p_" + letter] = number, axes.T @ (place - at)
+        row["A_" + letter] = axes.T @ ring.axes

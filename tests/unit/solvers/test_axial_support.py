@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shafts that their bearings do not hold along the axis: remark of `check`, and message of the statics."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import SINGULAR
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.axial_supports import without_axial_support
+from pitchpoint.model.remarks.collect import remarks_of_file
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.system.compile import compile_model
+
+PAIR = """\
+gears:
+  p: {number_of_teeth: 21, normal_module: 3 mm, helix_angle: 18 deg, hand: left, face_width: 40 mm}
+  w: {number_of_teeth: 67, normal_module: 3 mm, helix_angle: 18 deg, hand: right, face_width: 38 mm,
+    profile_shift_coefficient: 0}
+shafts:
+  s1: {sections: [{length: 200 mm, diameter: 40 mm}], gears: {p: 120 mm}, position: [0, 0, 0]}
+  s2: {sections: [{length: 210 mm, diameter: 60 mm}], gears: {w: 110 mm}}
+rolling_bearings:
+  a1: {body: s1, position: [0, 0, 20 mm], FIRST}
+  a2: {body: s1, position: [0, 0, 180 mm], SECOND}
+  b1: {body: s2, position: [0, 0, 20 mm], designation: 6212}
+  b2: {body: s2, position: [0, 0, 190 mm], designation: NU 212}
+meshes: {m: {gears: [p, w], center_distance: 140 mm}}
+loads: {d: {body: s1, torque: 250 N m}, b: {body: s2, torque: balance}}
+"""
+FLOATING, FIXED = "designation: NU 308", "designation: 6308"
+PLUS, MINUS = (
+    f"designation: 32208, axial_force_absorption: {side}, preload_distance: 0"
+    for side in ("positive", "negative")
+)
+
+
+def pair(first: str, second: str, text: str = PAIR) -> str:
+    return text.replace("FIRST", first).replace("SECOND", second)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "message"),
+    [
+        (FLOATING, FLOATING, "nothing holds s1 along its axis: add a bearing with axial stiffness (line 6)"),
+        (
+            PLUS,
+            PLUS,
+            "nothing holds s1 along its axis in its -z direction: a1 and a2 support +z only; turn one of its "
+            "bearings around (axial_force_absorption), or add one (line 6)",
+        ),
+    ],
+)
+def test_statics_name_the_shaft_and_the_direction(first, second, message):
+    """The axial force on the left-handed pinion is 250 N m tan(18 deg)/33.1 mm = 2.45 kN along -z.
+
+    All bearings have clearance, so that no shaft has any stiffness as assembled.
+    """
+    system = compile_model(loads_model(pair(first, second)))
+    with pytest.raises(SolverError) as failure:
+        solve_equilibrium(system)
+    assert str(failure.value) == f"no equilibrium: {message}"
+    assert failure.value.status == SINGULAR
+
+
+def test_bearings_that_support_the_force_of_the_mesh():
+    """Both on its side: they carry it, and the remark is only about the other direction."""
+    model = loads_model(pair(MINUS, MINUS))
+    found = solve_equilibrium(compile_model(model))
+    axial = found["bearing_force[a1.axial]"].item() + found["bearing_force[a2.axial]"].item()
+    assert axial == pytest.approx(found["bearing_force[b1.axial]"].item() * -1.0, rel=1e-6)
+    assert axial == pytest.approx(2452.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "side"),
+    [
+        (FLOATING, FLOATING, 0),
+        (PLUS, FLOATING, 1),
+        (MINUS, MINUS, -1),
+        (PLUS, MINUS, None),
+        (FIXED, FLOATING, None),
+        (FIXED, PLUS, None),
+    ],
+)
+def test_remark_on_the_bearings_of_a_shaft(first, second, side):
+    model = loads_model(pair(first, second))
+    found = [each for each in remarks_of_file(model) if each.where == "shafts.s1"]
+    assert [(e.body, e.side) for e in without_axial_support(model)] == (
+        [] if side is None else [("s1", side)]
+    )
+    words = {
+        0: "has axial loads, but nothing holds it along its axis: a1 and a2 support no axial force",
+        1: "is held along its axis in one direction only: a1 and a2 support axial forces on it in its +z",
+        -1: "is held along its axis in one direction only: a1 and a2 support axial forces on it in its -z",
+    }
+    assert len(found) == (side is not None)
+    assert all(words[side] in str(each) and each.line == 6 for each in found)
+
+
+def test_spur_gears_need_no_axial_support_unless_something_pushes():
+    spur = re.sub(r"helix_angle: 18 deg, hand: \w+, ", "", pair(FLOATING, FLOATING))
+    spur = spur.replace("center_distance: 140 mm", "center_distance: 134 mm")
+    assert not [*without_axial_support(loads_model(spur))]
+    for more in ("gravity: [0, 0, -9.81 m/s^2]\n", ""):
+        pushed = spur if more else spur.replace("loads: {", "loads: {f: {body: s1, force: [0, 0, 9 N]}, ")
+        assert [e.body for e in without_axial_support(loads_model(more + pushed))] == ["s1"]
+    across = spur.replace("loads: {", "loads: {f: {body: s1, force: [0, 9 N, 0]}, ")
+    assert not [*without_axial_support(loads_model("gravity: [0, -9.81 m/s^2, 0]\n" + across))]
+
+
+def test_double_helical_gears_hold_their_shaft():
+    """The statics agree: both halves carry half the torque, their axial forces cancel."""
+    gears = (
+        "  q: {number_of_teeth: 21, normal_module: 3 mm, helix_angle: 18 deg, hand: right,\n"
+        "    face_width: 40 mm}\n"
+        "  v: {number_of_teeth: 67, normal_module: 3 mm, helix_angle: 18 deg, hand: left,\n"
+        "    face_width: 38 mm, profile_shift_coefficient: 0}\n"
+    )
+    text = pair(FLOATING, FLOATING).replace("shafts:\n", gears + "shafts:\n")
+    text = text.replace("{p: 120 mm}", "{p: 80 mm, q: 130 mm}").replace(
+        "{w: 110 mm}", "{w: 80 mm, v: 130 mm}"
+    )
+    text = text.replace(
+        "center_distance: 140 mm}", "center_distance: 140 mm}, n: {gears: [q, v], center_distance: 140 mm}"
+    )
+    model = loads_model(text)
+    assert not [*without_axial_support(model)]
+    found = solve_equilibrium(compile_model(model))
+    assert found["bearing_force[b1.axial]"].item() == pytest.approx(0.0, abs=1.0)
+    assert found["bearing_force[a1.radial]"].item() > 100.0
+
+
+def test_directions_of_bearings_with_their_own_axes():
+    """A marker whose z axis is opposite to that of the shaft turns the supported direction around."""
+    text = pair(PLUS, PLUS).replace(
+        "gears: {p: 120 mm}",
+        "gears: {p: 120 mm}, markers: {low: {position: [0, 0, 20 mm], axes: {z: [0, 0, -1]}}}",
+    )
+    text = text.replace("a1: {body: s1, position: [0, 0, 20 mm]", "a1: {ends: [s1.low, ground]")
+    assert not [*without_axial_support(loads_model(text))]
