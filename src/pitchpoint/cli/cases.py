@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.output import NOTHING, emit_json, greatest, largest, show, show_notes, shown, table
-from pitchpoint.cli.settings import scalar, split_at_path
+from pitchpoint.cli.settings import say_bare, scalar, split_at_path
 from pitchpoint.core.load_sharing import factor_name, is_factor, stage_of
 
 if TYPE_CHECKING:
@@ -86,6 +86,7 @@ def run_varied(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
+    from pitchpoint.model.replace import bare_in
     from pitchpoint.sweep.cases import grid
 
     paths: dict[str, list[Any]] = {}
@@ -96,6 +97,7 @@ def run_varied(
         paths[path] = values
     cases = grid(paths)
     refuse_the_impossible(model, cases)
+    say_bare(bare for path in paths for value in paths[path] for bare in bare_in(model, path, value))
     begun = time.perf_counter()
     results: list[CaseResult] = []
     error: BaseException | None

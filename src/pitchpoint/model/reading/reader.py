@@ -16,7 +16,7 @@ from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.model.component import as_written
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.origin import Bare, Source, is_kept
+from pitchpoint.model.origin import Source, is_kept
 from pitchpoint.model.reading import (
     data_files,
     forms,
@@ -28,6 +28,7 @@ from pitchpoint.model.reading import (
     ranges,
     signals,
 )
+from pitchpoint.model.reading.bare_numbers import Bare
 from pitchpoint.model.show import dotted, example, shown
 
 if TYPE_CHECKING:
