@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from numbers import Real
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean
@@ -59,7 +60,7 @@ class Material:
             ("density", 0.0, math.inf, "above 0"),
         ):
             value = getattr(self, where)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
+            if isinstance(value, bool) or not isinstance(value, Real) or not low < value < high:
                 raise GeometryError(
                     "is not a property of a material", where=where, value=f"{value!r}", limit=limit
                 )

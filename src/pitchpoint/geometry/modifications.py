@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,7 +35,7 @@ _FIT = 1e-6
 
 
 def _length(where: str, value: float, limit: str, low: float = -math.inf, strict: bool = False) -> None:
-    good = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    good = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
     if not good or value < low or (strict and value == low):
         raise GeometryError("is not possible", where=where, value=f"{value!r}", limit=limit)
 

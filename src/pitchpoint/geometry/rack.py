@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from numbers import Real
 
 from pitchpoint.core.errors import GeometryError
 
@@ -41,7 +42,7 @@ class BasicRack:
     def __post_init__(self) -> None:
         for name, words in (("h_aP_star", "addendum"), ("h_fP_star", "dedendum")):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value <= 100.0:
+            if isinstance(value, bool) or not isinstance(value, Real) or not 0.0 < value <= 100.0:
                 raise GeometryError(
                     f"is not a {words} of a basic rack",
                     where=f"rack.{words}",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from numbers import Real
@@ -19,9 +20,12 @@ MAPPINGS = ("component", "variant", "tooth_profile", "pitch", "law", "code", "ma
 """Kinds of keys with a mapping in a file and another object in a component."""
 NUMBERS = ("law", "quantity", "quantities", "center")
 """Kinds of keys whose whole numbers become floating-point numbers."""
+_AFTER_NUMBER = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*[^\W\d_]\w*")
 HOOKS: dict[str, Callable[..., Any]] = {}
 """`read` of the reader, `component` and `law` of the writer, which import all components; they are here
 as soon as `Model` is imported."""
+PLAIN = (float, int, str, bool, type(None))
+"""Types of most values, which contain no arrays."""
 LONG = 20
 """Lists with more entries are shortened by `repr`."""
 
@@ -65,8 +69,13 @@ class Component(Checked):
     """A component: a frozen dataclass with keys.
 
     Numbers are in SI units and radians. Every value can also be given as in a file, as a text with its unit,
-    a formula, a list or a mapping; it is converted at once. Formulas with parameters are read by the `Model`,
-    which also reports the values that cannot be read.
+    a formula, a list or a mapping; it is converted at once. NumPy numbers and arrays are numbers and lists.
+    Formulas with parameters are read by the `Model`, which also reports what they give.
+
+    Raises
+    ------
+    ModelError
+        With the unknown keys, or with the texts of numbers that cannot be read whatever the parameters are.
 
     Examples
     --------
@@ -83,11 +92,20 @@ class Component(Checked):
         cls.__repr__ = Component.__repr__  # type: ignore[method-assign]
 
     def __post_init__(self) -> None:
+        problems: list[Message] = []
         for name, key in keys_of(type(self)).items():
             value = self.__dict__[name]
+            if type(value) not in PLAIN:
+                value = without_arrays(value)
+                object.__setattr__(self, name, value)
             if as_in_file(key, value):
-                found = HOOKS["read"](key, value, self.__dict__) if "read" in HOOKS else BAD
+                found, reasons = HOOKS["read"](key, value, self.__dict__) if "read" in HOOKS else (BAD, [])
+                if found is BAD and key.kind in (*NUMBERS, "integer") and is_hopeless(value):
+                    where = f"{type(self).__name__}.{name}"
+                    problems += [reason.changed(where=f"{where}{reason.where}") for reason in reasons]
                 object.__setattr__(self, name, Unread(value) if found is BAD else found)
+        if problems:
+            raise ModelError(problems)
 
     def __repr__(self) -> str:
         """Keys that differ from their defaults, in the notation of a model file."""
@@ -123,7 +141,7 @@ def as_in_file(key: Key, value: Any) -> bool:
     if value is None or isinstance(value, bool):
         return False
     if isinstance(value, float):
-        return kind == "law"
+        return kind in ("law", "integer")
     if isinstance(value, int | Real):
         return kind in NUMBERS
     if isinstance(value, str):
@@ -142,6 +160,48 @@ def as_in_file(key: Key, value: Any) -> bool:
             return any(_motion(laws) for laws in value.values())
         return kind not in WORDS and any(isinstance(v, str | int) for v in value.values())
     return False
+
+
+def without_arrays(value: Any) -> Any:
+    """A value with lists and numbers of Python in place of those of NumPy.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> without_arrays({"table": np.array([[0, 1], [2, 3]])}), without_arrays((np.int64(2), 1))
+    ({'table': [[0, 1], [2, 3]]}, (2, 1))
+    """
+    if type(value) in PLAIN:
+        return value
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if type(value) is list or type(value) is tuple:
+        if all(type(entry) in PLAIN for entry in value):
+            return value
+        return type(value)(map(without_arrays, value))
+    if type(value) is dict:
+        return {name: without_arrays(entry) for name, entry in value.items()}
+    return value
+
+
+def is_hopeless(value: Any) -> bool:
+    """Whether a text, or a list with texts, cannot contain a parameter.
+
+    Symbols of units, functions and a word after a number are no names of parameters.
+
+    Examples
+    --------
+    >>> is_hopeless("2 mmm"), is_hopeless("2 mm * cos(3 kg)"), is_hopeless("2 * m_n"), is_hopeless("m_n")
+    (True, True, False, False)
+    """
+    from pitchpoint.core.formula.language import CONSTANTS, FUNCTIONS
+    from pitchpoint.core.unit_table import UNITS
+    from pitchpoint.model.reading.formula_text import WORDS
+
+    entries = value if isinstance(value, list | tuple) else [value]
+    texts = [_AFTER_NUMBER.sub(" ", entry) for entry in entries if isinstance(entry, str)]
+    known = (*UNITS, *FUNCTIONS, *CONSTANTS)
+    return bool(texts) and all(word in known for text in texts for word in WORDS.findall(text))
 
 
 def _entry(key: Key, value: Any) -> bool:

@@ -16,6 +16,7 @@ from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.checks.gear_pairs import gap
 from pitchpoint.model.checks.python_components import recheck
 from pitchpoint.model.checks.validate import check
+from pitchpoint.model.component import without_arrays
 from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
@@ -224,7 +225,8 @@ class Model(Contents):
             sources=dict(self.origin.sources),
             bare=list(self.origin.bare),
         )
-        tops = changed_parts(self, changes, report)
+        plain = {path: without_arrays(value) for path, value in changes.items()}
+        tops = changed_parts(self, plain, report)
         others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
         known = self.origin.bare
         bare = tuple(b if b in known else b._replace(in_file=False) for b in report.bare)
