@@ -185,7 +185,7 @@ def test_all_problems_are_reported_with_the_path_of_their_key() -> None:
         gears={
             "a": {"number_of_teeth": 2, "normal_module": "2 kg", "face_width": "20 mm"},
             "b": {"number_of_teeth": 24, "normal_modul": "2 mm", "face_width": "20 mm"},
-            "c": pp.Gear(number_of_teeth=24, normal_module="mod", face_width="1 mm", rack={"adendum": 1}),
+            "c": pp.Gear(number_of_teeth=24, normal_module="module", face_width="1 mm", rack={"adendum": 1}),
         },
         bodies={"d": pp.Load(body="x"), "e": {"position": ["0 mm", "1 s", 0]}},
         loads=[1],
@@ -195,7 +195,7 @@ def test_all_problems_are_reported_with_the_path_of_their_key() -> None:
         "gears.a.number_of_teeth: 2 is out of range",
         "gears.b.normal_modul: is an unknown key; did you mean normal_module?",
         "gears.b.normal_module: is missing",
-        "gears.c.normal_module: 'mod'",
+        "gears.c.normal_module: 'module'",
         "gears.c.rack.adendum: is an unknown key",
         "bodies.d: Load is of the wrong type (limit Body)",
         "bodies.e.position[1]: '1 s'",
