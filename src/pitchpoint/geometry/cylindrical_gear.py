@@ -14,6 +14,7 @@ from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.core.whole import whole_number
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.involute import base_helix_angle, inv, transverse_pressure_angle
@@ -36,7 +37,7 @@ def _number(where: str, value: object, low: float, high: float, limit: str) -> N
 
 
 @dataclass(frozen=True, kw_only=True)
-class CylindricalGear:
+class CylindricalGear(ShortRepr):
     """An external or internal, spur or helical involute gear.
 
     Parameters
@@ -126,10 +127,9 @@ class CylindricalGear:
             message = "cannot be combined with tip_chamfer"
             raise GeometryError(message, where="tip_rounding", remedy="omit one of them")
         for where, diameter in (("tip_diameter", self.tip_diameter), ("root_diameter", self.root_diameter)):
-            if diameter is None:
-                continue
-            _number(where, diameter, -1e9, 1e9, "finite")
-            if diameter * self.sign <= 0.0:
+            if diameter is not None:
+                _number(where, diameter, -1e9, 1e9, "finite")
+            if diameter is not None and diameter * self.sign <= 0.0:
                 remedy = "give internal gears negative diameters, or use CylindricalGear.internal"
                 raise _refuse(where, diameter, "the sign of z", remedy)
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from numbers import Real
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, kw_only=True)
-class BasicRack:
+class BasicRack(ShortRepr):
     """Basic rack of a gear, lengths in normal modules.
 
     Parameters

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.model.keys import BAD, Key, keys_of
+from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of
 
 WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
 """Kinds of keys whose texts are the same in a file and in a component."""
@@ -112,7 +112,8 @@ class Component(Checked):
         try:
             values = HOOKS["component"](self)
         except (ValueError, TypeError, AttributeError, KeyError):  # a component that no model accepts
-            values = {name: getattr(self, name) for name in keys_of(type(self))}
+            usual, own = defaults_of(type(self)), vars(self)
+            values = {n: own[n] for n in keys_of(type(self)) if n not in usual or own[n] != usual[n]}
         shown = ", ".join(f"{name}={_short(value)}" for name, value in values.items())
         return f"{type(self).__name__}({shown})"
 

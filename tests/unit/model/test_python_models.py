@@ -6,6 +6,7 @@ from __future__ import annotations
 import copy
 import dataclasses
 import pickle
+import re
 from pathlib import Path
 from typing import Any
 
@@ -326,6 +327,38 @@ def test_a_model_and_a_system_are_described_in_one_line() -> None:
     assert repr(pp.Model()) == "Model: empty"
     text = repr(compile_model(model, "steady"))
     assert text.startswith("System 'helical stage': 2 bodies, 2 coordinates") and len(text) < 200
+
+
+def test_gear_pairs_bad_components_and_pictures_have_short_representations() -> None:
+    model = pp.load_model(text=PAIR_TEXT)
+    pair = model.pairs["st"]
+    assert repr(pair) == (
+        "GearPair(gear1=CylindricalGear(z=24, m_n=0.002, beta=0.2, b=0.02), "
+        "gear2=CylindricalGear(z=49, m_n=0.002, beta=-0.2, b=0.02), a_w=0.0744847357)"
+    )
+    one, two = (eval(repr(gear), vars(pp)) for gear in (pair.gear1, pair.gear2))
+    assert (one, two) == (pair.gear1, pair.gear2)
+    bad = pp.Gear(number_of_teeth=24, normal_module=float("nan"), face_width="20 mm", helix_angle="m_n")
+    assert repr(bad) == "Gear(number_of_teeth=24, normal_module=nan, helix_angle='m_n', face_width=0.02)"
+    assert repr(pp.plot(model)).startswith("<Picture: HTML, ")
+
+
+PAIR_TEXT = """
+gears:
+  p: {number_of_teeth: 24, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0,
+    helix_angle: 0.2 rad, hand: right}
+  w: {number_of_teeth: 49, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0,
+    helix_angle: 0.2 rad, hand: left}
+bodies: {i: {gears: [p]}, o: {gears: [w]}}
+meshes: {st: {gears: [p, w]}}
+"""
+
+
+def test_the_tables_of_a_notebook_have_printed_symbols() -> None:
+    html = pp.load_model(text=PAIR_TEXT)._repr_html_()
+    heads = re.findall("<th>(.*?)</th>", html)
+    assert heads[3:5] == ["m<sub>n</sub>", "β"] and "ε<sub>α</sub>" in heads
+    assert not [head for head in heads if "_" in head]
 
 
 def test_long_lists_are_shortened() -> None:

@@ -15,6 +15,7 @@ from numbers import Real
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.core.whole import whole_number
 from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.involute import transverse_pressure_angle
@@ -30,7 +31,7 @@ def _number(where: str, value: object, low: float, high: float, limit: str) -> N
 
 
 @dataclass(frozen=True, kw_only=True)
-class BevelGear:
+class BevelGear(ShortRepr):
     """An external straight or spiral bevel gear of uniform taper.
 
     Parameters
