@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.plain_numbers import real_number, whole_number
 from pitchpoint.core.short_repr import ShortRepr
-from pitchpoint.core.whole import whole_number
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.involute import base_helix_angle, inv, transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
@@ -32,7 +31,7 @@ def _refuse(where: str, value: object, limit: str, remedy: str | None = None) ->
 
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
     """Raise for booleans, NaN and numbers outside the open interval."""
-    if isinstance(value, bool) or not isinstance(value, Real) or not low < value < high:
+    if (number := real_number(value)) is None or not low < number < high:
         raise _refuse(where, value, limit)
 
 

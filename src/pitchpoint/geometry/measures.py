@@ -10,7 +10,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.core.whole import whole_number
+from pitchpoint.core.plain_numbers import whole_number
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inverse_inv
 from pitchpoint.geometry.tooth_thickness import pressure_angle_at

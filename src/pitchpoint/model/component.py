@@ -120,6 +120,8 @@ class Component(Checked):
 
 def _short(value: Any) -> str:
     """Representation of plain data, with long lists shortened."""
+    if isinstance(value, Unread):
+        return _short(value.data)
     if isinstance(value, dict):
         return "{" + ", ".join(f"{k!r}: {_short(v)}" for k, v in value.items()) + "}"
     if not isinstance(value, list):

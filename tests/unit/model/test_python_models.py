@@ -336,7 +336,9 @@ def test_gear_pairs_bad_components_and_pictures_have_short_representations() -> 
         "GearPair(gear1=CylindricalGear(z=24, m_n=0.002, beta=0.2, b=0.02), "
         "gear2=CylindricalGear(z=49, m_n=0.002, beta=-0.2, b=0.02), a_w=0.0744847357)"
     )
-    one, two = (eval(repr(gear), vars(pp)) for gear in (pair.gear1, pair.gear2))
+    one, two = (
+        eval(repr(gear), {"CylindricalGear": pp.CylindricalGear}) for gear in (pair.gear1, pair.gear2)
+    )
     assert (one, two) == (pair.gear1, pair.gear2)
     bad = pp.Gear(number_of_teeth=24, normal_module=float("nan"), face_width="20 mm", helix_angle="m_n")
     assert repr(bad) == "Gear(number_of_teeth=24, normal_module=nan, helix_angle='m_n', face_width=0.02)"

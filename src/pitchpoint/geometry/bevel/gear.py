@@ -11,12 +11,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from numbers import Real
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.plain_numbers import real_number, whole_number
 from pitchpoint.core.short_repr import ShortRepr
-from pitchpoint.core.whole import whole_number
 from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.involute import transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
@@ -24,7 +23,7 @@ from pitchpoint.geometry.rack import BasicRack
 
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
     """Raise for booleans, NaN and numbers outside the open interval."""
-    if isinstance(value, bool) or not isinstance(value, Real) or not low < value < high:
+    if (number := real_number(value)) is None or not low < number < high:
         raise GeometryError(
             "is not possible", where=where, value=f"{value!r}", limit=limit, remedy="give a number within"
         )
