@@ -10,8 +10,7 @@ from numbers import Real
 from typing import Any, Self
 
 from pitchpoint.core.errors import Message, ModelError
-from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of
+from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of, remedy_for_key
 
 WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
 """Kinds of keys whose texts are the same in a file and in a component."""
@@ -50,16 +49,11 @@ class Checked:
         """Check the names of the keys; the constructor of the dataclass follows."""
         names = {field.name for field in fields(cls)}  # type: ignore[arg-type]
         if not given.keys() <= names:
-            allowed = [*keys_of(cls)]
+            unknown = {name: remedy_for_key(name, keys_of(cls))[1] for name in given if name not in names}
             raise ModelError(
                 [
-                    Message(
-                        f"{cls.__name__}.{name}",
-                        "is an unknown key",
-                        remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
-                    )
-                    for name in given
-                    if name not in names
+                    Message(f"{cls.__name__}.{name}", "is an unknown key", remedy=remedy)
+                    for name, remedy in unknown.items()
                 ]
             )
         return super().__new__(cls)

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
+
+from pitchpoint.core.nearest import nearest
 
 REQUIRED: Any = dataclasses.MISSING
 BAD: Any = object()
@@ -54,6 +56,7 @@ class Key:
     names: str = ""  # section of the named components
     one_of: str = ""  # group of mutually exclusive keys of a component: exactly one is given
     needs: str = ""  # key that must be given together with this one
+    also: tuple[str, ...] = ()  # names of the quantity in other components, for suggestions
     range_words: str = ""  # description of a range that depends on another key
 
     @property
@@ -168,6 +171,29 @@ def defaults_of(cls: type) -> dict[str, Any]:
 
 _KEYS: dict[type, dict[str, Key]] = {}
 _DEFAULTS: dict[type, dict[str, Any]] = {}
+
+
+def remedy_for_key(name: object, allowed: Iterable[str]) -> tuple[str | None, str]:
+    """Key that an unknown one probably means, None if no name is similar, and the remedy for a message.
+
+    Parameters
+    ----------
+    name
+        Unknown key.
+    allowed
+        Names of the keys, or a mapping of names to keys, whose other names are compared too.
+
+    Examples
+    --------
+    >>> remedy_for_key("coefficient", {"mu": Key("quantity", "", also=("coefficient",)), "static": None})
+    ('mu', 'did you mean mu? allowed are mu, static')
+    """
+    keys = list(allowed)
+    meaning = {name: name for name in keys}
+    if isinstance(allowed, Mapping):
+        meaning = {other: key for key in keys for other in getattr(allowed[key], "also", ())} | meaning
+    near = next((meaning[found] for found in nearest(name, meaning)), None)
+    return near, f"{f'did you mean {near}? ' if near else ''}allowed are {', '.join(keys)}"
 
 
 def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:

@@ -47,6 +47,16 @@ def test_speeds_of_vary(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
         assert found == [f"warning: {path}: 300 {READ.replace(' rpm;', ' rpm, like 1 more of its values;')}"]
 
 
+def test_the_body_of_a_varied_speed_is_headed_by_its_key(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = written(tmp_path, MODEL)
+    vary = ["--vary", "scenarios.s.speed.i=300 rpm", "--vary", "parameters.n=3000 rpm"]
+    assert run_command(["run", file, "-s", "s", "-o", str(tmp_path / "o.h5"), *vary]) == 0
+    head = next(line for line in capsys.readouterr().out.splitlines() if "maximum force" in line)
+    assert head.split()[:2] == ["speed.i", "n"]
+
+
 @pytest.mark.parametrize(
     ("command", "option", "value", "doubtful"),
     [

@@ -236,6 +236,15 @@ def test_pin_errors_up_to_the_clearance_are_valid():
         loads_model(stage_file(f"planets: 3\npin_errors: {{planet_2: {{{error}}}}}", sun="planar"))
 
 
+def test_a_stage_with_unreadable_parameters_has_no_consequences():
+    """Meshes, pins and gears of the planets exist, although their module is unknown."""
+    text = stage_file().replace("normal_module: 3 mm", "normal_module: sin", 3)
+    (problem,) = refused(
+        "parameters: {sin: 3 mm}\n" + text.replace("mesh: sun-planet_1", "mesh: planet_1-ring")
+    )
+    assert problem.startswith("parameters.sin (line 1): is a function or constant of formulas")
+
+
 def test_planets_that_overlap():
     """Five planets of 123 mm tip diameter on a circle of 90 mm: 2 90 sin 36 deg = 105.80 mm."""
     (problem,) = refused(stage_file("planets: 5"))
