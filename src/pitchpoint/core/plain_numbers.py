@@ -8,7 +8,7 @@ from typing import Any
 
 
 def whole_number(value: Any) -> int | None:
-    """The whole number; None for a fraction, infinity, NaN, a truth value, and what is no number.
+    """The whole number; None for a fraction, infinity, NaN, a truth value, and what is not a number.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def whole_number(value: Any) -> int | None:
 
 
 def real_number(value: Any) -> float | None:
-    """The number; None for a truth value and for what is no number.
+    """The number; None for a truth value and for what is not a number.
 
     Parameters
     ----------

@@ -184,7 +184,7 @@ def without_arrays(value: Any) -> Any:
 def is_hopeless(value: Any) -> bool:
     """Whether a text, or a list with texts, cannot contain a parameter.
 
-    Symbols of units, functions and a word after a number are no names of parameters.
+    Symbols of units, functions and a word after a number cannot be names of parameters.
 
     Examples
     --------
