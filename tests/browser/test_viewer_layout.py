@@ -20,7 +20,8 @@ CUT = """
   const box = (node) => node.getBoundingClientRect();
   const list = box($(".ppv-plots")), root = box($(".ppv"));
   const plots = all(".ppv-plot").map((node) => ({
-    top: box(node).top - list.top, bottom: box(node).bottom - list.top}));
+    top: box(node).top - list.top, bottom: box(node).bottom - list.top,
+    drawn: getComputedStyle(node).opacity !== "0"}));
   // ink on the outermost pixels of a canvas is a label that is cut
   const inked = all(".ppv-plots canvas").map((canvas) => {
     const {width, height} = canvas;
@@ -38,7 +39,11 @@ CUT = """
     const wider = node.scrollWidth > node.clientWidth + 1;
     return own.right > around.right + 1 || own.left < around.left - 1
       || wider && getComputedStyle(node).display !== "inline"; }).map((node) => node.textContent);
-  return {plots, height: list.height, inked, words, below: root.bottom - list.bottom,
+  const more = $(".ppv-more").hidden ? null : box($(".ppv-more"));
+  const covered = more ? all(".ppv-plot").filter((node) => getComputedStyle(node).opacity !== "0"
+    && box(node).bottom > more.top + 1 && box(node).right > more.left).length : 0;
+  const below = root.bottom - box($(".ppv-curves-body")).bottom;
+  return {plots, covered, height: list.height, inked, words, below,
     wide: document.documentElement.scrollWidth,
     more: $(".ppv-more").hidden ? 0 : parseInt($(".ppv-more").textContent.slice(2)),
     scene: box($(".ppv-scene")).height};
@@ -82,8 +87,9 @@ def test_no_curve_is_cut_off(open_page: OpenPage, many: tuple[str, str], size: t
     found = asked(page, CUT)
     assert found["wide"] <= wide and found["scene"] >= 100 and abs(found["below"]) <= 1
     whole = [p for p in found["plots"] if p["top"] >= -1 and p["bottom"] <= found["height"] + 1]
-    cut = [p for p in found["plots"] if p not in whole and p["top"] < found["height"] - 6]
-    assert whole and not cut, found
+    cut = [p for p in found["plots"] if p not in whole and p["top"] < found["height"] and p["drawn"]]
+    assert whole and all(p["drawn"] for p in whole) and not cut, found
+    assert not found["covered"], "the button for the next plots covers nothing"
     assert found["more"] == len(found["plots"]) - len(whole)
     assert not any(found["inked"]), "labels of axes are complete"
     assert not found["words"], "captions are complete"
@@ -91,7 +97,9 @@ def test_no_curve_is_cut_off(open_page: OpenPage, many: tuple[str, str], size: t
     if found["more"]:
         after = asked(page, f"$('.ppv-more').click(); await wait(300); {CUT}")
         assert not any(-0.9 * (p["bottom"] - p["top"]) < p["top"] < -6 for p in after["plots"]), after
-        assert after["more"] < found["more"]
+        assert after["more"] < found["more"] and not after["covered"]
+        cut = [p for p in after["plots"] if p["bottom"] > after["height"] + 1 and p["top"] < after["height"]]
+        assert not any(p["drawn"] for p in cut), after
 
 
 @pytest.fixture(scope="module")

@@ -260,9 +260,13 @@ def report_results() -> ReportResults:
             "run-up": TimeRun(data=run(500.0, 3000.0, 0.5)),
         },
         sweeps={"sweep": sweep()},
-        modes=ModeData(
-            names=["rigid rotation", "mesh mode"], frequency=[0.0, 2958.0], damping_ratio=[float("nan"), 0.05]
-        ),
+        modes={
+            "": ModeData(
+                names=["rigid rotation", "mesh mode"],
+                frequency=[0.0, 2958.0],
+                damping_ratio=[float("nan"), 0.05],
+            )
+        },
         cases={"steady": cases()},
         powers={"steady": power(), "run-up": "No power flow of run-up: it is <not> known."},
         scene=SceneData(scene=scene(), run="steady", words="The scene shows <steady>."),

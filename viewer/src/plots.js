@@ -13,6 +13,7 @@ const COLUMNS = 3;
 export const SPARSE = 4;
 const AROUND = 8; // margins and borders of a row [px]
 const LINE = 20; // height of a caption of one line [px]
+const STRIP = 26; // height of the line with the button for the next plots [px]
 /**
  * Distance of the centres of two curves, in spans, above which a common plot would show both as straight
  * lines.
@@ -160,7 +161,7 @@ export class Plots {
       holder.append(caption, box);
       this.element.append(holder);
       const made = this.#plot(unit, members, box, caption);
-      this.drawn.push({ ...made, box, caption });
+      this.drawn.push({ ...made, holder, box, caption });
     }
     if (!groups.length)
       this.element.append(
@@ -341,10 +342,16 @@ export class Plots {
     this.cursor(this.time);
   }
 
-  /** Show how many plots are below. */
+  /** Show how many plots are below, and nothing of plots that are only partly in sight there. */
   #count() {
-    const { scrollTop, clientHeight } = this.element;
-    const below = this.drawn.filter(({ box }) => box.offsetTop > scrollTop + clientHeight - LOW / 2).length;
+    const { scrollTop, clientHeight, offsetTop } = this.element;
+    let below = 0;
+    for (const { holder } of this.drawn) {
+      const cut = holder.offsetTop - offsetTop + holder.offsetHeight > scrollTop + clientHeight + 1;
+      // Transparent plots can still get the focus, which scrolls to them.
+      holder.style.opacity = cut ? "0" : "";
+      below += Number(cut);
+    }
     this.more.hidden = !below;
     this.more.textContent = `▾ ${below} more`;
     this.more.setAttribute("aria-label", `Scroll to ${below} more plot${below === 1 ? "" : "s"}`);
@@ -353,6 +360,7 @@ export class Plots {
   /** Plots are next to each other where they fit, and rows are as high as makes whole ones visible. */
   resize() {
     const count = Math.max(1, this.drawn.length);
+    this.element.style.height = "";
     const { clientWidth: width } = this.element;
     const columns = Math.max(1, Math.min(count, COLUMNS, Math.floor(width / NARROW)));
     const most = Math.max(1, Math.floor(this.element.clientHeight / (LOW + LINE)));
@@ -364,11 +372,17 @@ export class Plots {
       const row = Math.floor(k / used);
       rows[row] = Math.max(rows[row] ?? 0, caption.offsetHeight);
     });
+    const fitting = () => {
+      const room = this.element.clientHeight - 4;
+      const seen = rows.findIndex((_, n) => rows.slice(0, n + 1).reduce((sum, high) => sum + high + LOW, 0) > room);
+      return { room, whole: seen < 0 ? rows.length : Math.max(1, seen) };
+    };
+    const fits = () => fitting().whole === rows.length;
     // The first row is always whole, at the expense of the scene.
-    this.needs(this.drawn.length ? rows[0] + LOW + AROUND : 0);
-    const room = this.element.clientHeight - 4;
-    const seen = rows.findIndex((_, n) => rows.slice(0, n + 1).reduce((sum, high) => sum + high + LOW, 0) > room);
-    const whole = seen < 0 ? rows.length : Math.max(1, seen);
+    this.needs(this.drawn.length ? rows[0] + LOW + AROUND + (rows.length > 1 && !fits() ? STRIP : 0) : 0);
+    // The button for the next plots covers nothing.
+    if (!fits()) this.element.style.height = `calc(100% - ${STRIP}px)`;
+    const { room, whole } = fitting();
     const captions = rows.slice(0, whole).reduce((sum, high) => sum + high, 0);
     const each = Math.max(LOW, Math.min(HIGH, Math.floor((room - captions) / whole)));
     this.drawn.forEach(({ plot, box, caption }, k) => {

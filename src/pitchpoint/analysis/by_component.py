@@ -22,6 +22,9 @@ OF_ELEMENT = {
     "bearing": "bearing_force cage_angle",
     "mesh": "transmission_error deflection mesh_force mesh_stiffness mesh_phase contact_state backlash "
     "normal_force circumferential_force radial_force axial_force radial_force_1 axial_force_1 "
+    "front_impacts back_impacts impact_rate contact_frequency closing_speed_mean closing_speed_rms "
+    "closing_speed_max impulse_mean impulse_max front_contact_share back_contact_share both_flanks_share "
+    "contact_loss_share longest_loss shortest_contact resolution rattle_index "
     "pair_force penetration friction_torque_1 friction_torque_2 friction_power damping_power "
     "parametric_power elastic_energy",
     "load": "torque force",
@@ -35,7 +38,7 @@ OF_ELEMENT = {
 }
 """Quantities by the dimension of their elements; the dimension of all others is `element`."""
 _DIMENSION = {quantity: name for name, words in OF_ELEMENT.items() for quantity in words.split()}
-_WORDS = r"[fmr]?[xyz]|w|z[xy]|[ij]|radial|radial\.direction|axial|eta\d+"
+_WORDS = r"[fmr]?[xyz]|w|z[xy]|[ij]|radial|direction|axial|eta\d+"
 SECOND = {
     "pair_force": ("tooth_pair", re.compile(r"(.+)\.(\d+)")),
     **dict.fromkeys(

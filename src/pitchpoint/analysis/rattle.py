@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.sampled import as_increasing, as_signal, positive, same_length
+from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, positive, same_length
 from pitchpoint.analysis.statistics import BACK, BOTH, FRONT, SEPARATED, contact_statistics, time_weights
 
 
@@ -28,7 +29,8 @@ class Rattle:
     closing_speed_mean, closing_speed_rms, closing_speed_max
         Speed at which the flanks meet, normal to them [m/s]; 0 without impacts.
     impulse_mean, impulse_max
-        Integral of the force over a contact that begins with an impact and ends within the record [N s].
+        Integral of the force over a contact that begins with an impact and ends within the record and one
+        natural period [N s]; 0 without any.
     front_contact_share, back_contact_share, both_flanks_share, contact_loss_share
         Shares of the time with contact of the front flanks, of the back flanks, of both, and without contact
         [-]; contact of both flanks is included in front and back.
@@ -59,7 +61,13 @@ class Rattle:
 
 
 def rattle(
-    time: ArrayLike, contact_state: ArrayLike, deflection: ArrayLike, force: ArrayLike, *, normal: float = 1.0
+    time: ArrayLike,
+    contact_state: ArrayLike,
+    deflection: ArrayLike,
+    force: ArrayLike,
+    *,
+    normal: float = 1.0,
+    period: float = math.inf,
 ) -> Rattle:
     """Impacts, closing speeds, impulses and contact shares of one mesh.
 
@@ -75,6 +83,9 @@ def rattle(
         Mesh force along the base tangent [N], shape (n,).
     normal
         1/cos(beta_b), to convert speeds along the base tangent to speeds normal to the flanks [-].
+    period
+        Natural period of the flanks in contact [s]: impulses of longer contacts do not count. Runs use that
+        of both gears on the mesh stiffness.
 
     Returns
     -------
@@ -93,8 +104,10 @@ def rattle(
     interval; with the step h it is low by up to (omega h)^2/6, with omega the natural frequency of the flanks
     in contact. The impulse is the integral of the magnitude of the force by the trapezoidal rule, up to the
     loss of contact or the change of the flank. For a mass m that hits an elastic flank at the speed v and
-    carries no load it is 2 m v. The contact frequency is that of an oscillation through the backlash; without
-    backlash, contact of a flank begins where the other one ends. Times as in `contact_statistics` [1]_.
+    carries no load it is 2 m v. Under a constant load the flanks rebound within one natural period or not at
+    all: the integral over a longer contact is that of the load. The contact frequency is that of an
+    oscillation through the backlash; without backlash, contact of a flank begins where the other one ends.
+    Times as in `contact_statistics` [1]_.
 
     References
     ----------
@@ -114,6 +127,8 @@ def rattle(
     same_length(clock, x, "time, deflection")
     same_length(clock, load, "time, force")
     positive(normal, "normal")
+    if not period > 0.0:
+        raise SignalError(f"period: {period:g} s; a natural period is above 0")
     state = np.asarray(contact_state, dtype=np.int64)
     h = np.diff(clock)
     swapped = state[1:] * state[:-1] == -1
@@ -127,8 +142,9 @@ def rattle(
         last = ends[ends > first]
         if last.size:
             touching = slice(first + 1, last[0] + 1)
-            impulses.append(float(weights[touching] @ np.abs(load[touching])))
             lasting.append(float(middle[last[0]] - middle[first]))
+            if lasting[-1] <= period:
+                impulses.append(float(weights[touching] @ np.abs(load[touching])))
     back = int(np.sum(state[begins + 1] == BACK))
     total = float(clock[-1] - clock[0])
     begun = [

@@ -228,7 +228,7 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 shown(row["longest_loss"], "time", 3),
                 f"{row['front_impacts']} front, {row['back_impacts']} back",
                 f"{1e3 * row['closing_speed_max']:.4g} mm/s",
-                f"{row['impulse_max']:.4g} N s",
+                f"{row['impulse_max']:.4g} N s" if row["impulse_max"] > 0.0 else "-",
                 f"{index:.3g}" if math.isfinite(index) else "not known",
             ]
         )

@@ -50,17 +50,19 @@ def quantity_text(value: float, dimension: str) -> float | str:
     return f"{value!r} {DIMENSIONS[dimension].si}"
 
 
-def plain(model: Model) -> dict[str, Any]:
+def plain(model: Model, *, as_written: bool = True) -> dict[str, Any]:
     """Nested dictionaries as in a model file; values equal to their defaults are omitted.
 
     Parameters
     ----------
     model
         The model. Paths of Python files become relative to the model file.
+    as_written
+        Texts and formulas of the file; else all quantities as numbers with customary units.
     """
     base = Path(model.file).parent if model.file else Path()
     writer = _Writer(base)
-    writer.sources = model.origin.sources
+    writer.sources = model.origin.sources if as_written else {}
     writer.reader = Reader(parameters=model.amounts)
     out: dict[str, Any] = writer.component(model)
     return out

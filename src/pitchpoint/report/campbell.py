@@ -15,10 +15,12 @@ from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
     import xarray as xr
+    from numpy.typing import ArrayLike
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.excitation_orders import Orders
+    from pitchpoint.system.system import System
 
 BEARINGS = "bearings"
 """Word for the orders of the faults of all rolling bearings."""
@@ -56,7 +58,8 @@ def campbell_of(
     count, frequency
         Number of modes; highest frequency [Hz] up to which modes are followed otherwise.
     operating
-        Operating range of the body [rad/s]; default: the speeds of the scenario or of all scenarios.
+        Operating range of the body [rad/s]; default: lowest to highest speed of the scenario or of all
+        scenarios, see `operating_range`.
     progress
         Called after every speed.
 
@@ -65,23 +68,26 @@ def campbell_of(
     SolverError
         If nothing rotates, or as for `solve_campbell`.
     """
-    from pitchpoint.report.statics import highest_speed, reference_body, speeds_of_scenarios
+    from pitchpoint.report.operating_range import operating_range
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
     from pitchpoint.solvers.excitation_orders import USUAL, order_words
     from pitchpoint.solvers.linear_system import linearise, lowest
     from pitchpoint.system.compile import compile_model
 
-    body = body or reference_body(model) or _first_rotating(model)
+    body = body or body_of_speeds(model)
+    if body is None:
+        raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
     system = compile_model(model, scenario)
     linear = linearise(system, scenario)
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
-    reached = speeds_of_scenarios(system, scenario, body)
+    chosen = None if scenario is None else [model.scenarios[scenario]]
+    reached = operating_range(system, body, chosen)
     if speeds is None:
         top = (
-            1.2 * max(reached)
+            1.2 * reached[1]
             if reached
             else highest_speed(system, body, lowest(linear, FEW).omega / (2.0 * math.pi))
         )
@@ -90,7 +96,7 @@ def campbell_of(
                 f"no scenario gives a speed of {body}; give --speeds, such as 0..3000rpm", INCONSISTENT
             )
         speeds = (0.0, top)
-    operating = operating or ((min(reached), max(reached)) if reached else None)
+    operating = operating or reached
     words = order_words(USUAL if orders is None else orders)
     more = _bearing_orders(model, body) if BEARINGS in words else None
     found = follow_modes(
@@ -107,13 +113,29 @@ FEW = 12
 """Number of modes that define the speeds without a scenario."""
 
 
-def _first_rotating(model: Model) -> str:
-    """First body that can rotate."""
+def body_of_speeds(model: Model) -> str | None:
+    """Reference body of the speed: the first rotating one with a gear in mesh, else the first rotating."""
+    in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
+    turning = []
     for name, body in model.bodies.items():
         seat = model.mechanism.seats.get(name)
         if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
-            return name
-    raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
+            turning.append(name)
+    geared = (n for n in turning if in_mesh & {*model.bodies[n].gears, *model.bodies[n].bevel_gears})
+    return next(geared, turning[0] if turning else None)
+
+
+def highest_speed(system: System, body: str, frequency: ArrayLike) -> float:
+    """End of a Campbell diagram without scenario [rad/s]: the slowest mesh frequency exceeds all modes there.
+
+    Zero if the body turns no mesh.
+    """
+    from pitchpoint.solvers.gear_trains import mesh_orders
+    from pitchpoint.solvers.initial_state.start import body_rates
+
+    orders = mesh_orders(system, body_rates(system, body)).values()
+    lowest = min((o for o in orders if o > 0.0), default=math.inf)
+    return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
 
 
 def _bearing_orders(model: Model, body: str) -> dict[str, float]:

@@ -98,8 +98,10 @@ class _Found:
     remarks: list[str] = field(default_factory=list)
     notes: list[tuple[str, list[str]]] = field(default_factory=list)
     """Name of a result and its notes."""
-    variants: dict[str, tuple[str, str]] = field(default_factory=dict)
-    """Scenario and text of the model by name of the run or sweep."""
+    variants: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    """Scenario, text of the model and file by name of the run or sweep."""
+    scenarios: list[str] = field(default_factory=list)
+    """Scenarios of the runs, sweeps and cases."""
     others: dict[str, str] = field(default_factory=dict)
     """Remarks on other versions of the model by name."""
 
@@ -115,10 +117,11 @@ def collect(
     `compare`: overlay runs of different scenarios as well.
     """
     from pitchpoint.io.opening import understood
+    from pitchpoint.report.linear_parts import UNITS_OF_WORK, conditions_of, linear_parts
     from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
-    from pitchpoint.report.statics import linear_parts, rolled_meshes, with_rolls
+    from pitchpoint.report.statics import rolled_meshes, with_rolls
 
     found = _Found()
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
@@ -136,13 +139,15 @@ def collect(
         )
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
     }
-    filled, notes = with_rolls(model, cycles, progress)
-    modes, campbell, more = linear_parts(model, progress, len(rolled_meshes(model, cycles)[0]))
+    conditions = conditions_of(model, found.scenarios)
+    filled, notes = with_rolls(model, cycles, progress, UNITS_OF_WORK * len(conditions))
+    rolled = len(rolled_meshes(model, cycles)[0])
+    linear = linear_parts(model, conditions, progress, rolled, diagrams=not found.campbells)
     shown = ReportResults(
         mesh_cycles=without_given(filled, found.rolls),
         rolls=found.rolls,
-        modes=modes,
-        campbells=found.campbells or ({} if campbell is None else {"": campbell}),
+        modes=linear.modes,
+        campbells=found.campbells or linear.campbells,
         runs=found.runs,
         sweeps=found.sweeps,
         cases=found.cases,
@@ -153,7 +158,7 @@ def collect(
         compared=compared,
         sources=found.sources,
     )
-    return shown, [*notes, *more, *found.remarks, *own_notes(found.notes)]
+    return shown, [*notes, *linear.remarks, *found.remarks, *own_notes(found.notes)]
 
 
 def _add_file(found: _Found, file: str, model: Model) -> None:
@@ -171,7 +176,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     def take(kind: dict[str, Any]) -> str:
         """Unused name among the results of a kind; its origin is recorded."""
         key = _free(name, own, kind)
-        found.variants[key] = (str(header.get("scenario", "")), str(header.get("model_text", "")))
+        scenario = str(header.get("scenario", ""))
+        if kind is found.runs or kind is found.sweeps:
+            found.variants[key] = (scenario, str(header.get("model_text", "")), file)
+        if kind is found.runs or kind is found.sweeps or kind is found.cases:
+            found.scenarios.append(scenario)
         if str(header.get("model_hash", "")) not in ("", content_hash(model)):
             found.others[key] = f"{own} was computed with a different version of the model."
         found.sources.append(source_of(key, header, content_hash(model), own))
@@ -242,7 +251,7 @@ def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]
     families: dict[tuple[str, str], list[str]] = {}
     for kind, results in (("run", found.runs), ("sweep", found.sweeps)):
         for name in results:
-            scenario, text = found.variants.get(name, ("", ""))
+            scenario, text, _ = found.variants.get(name, ("", "", ""))
             if text:
                 families.setdefault((kind, "" if everything else scenario), []).append(name)
     compared: list[tuple[str, dict[str, str]]] = []
@@ -251,7 +260,8 @@ def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]
         if len(names) < 2:
             continue
         scenarios = {name: found.variants[name][0] for name in names}
-        words = variant_words({name: found.variants[name][1] for name in names}, scenarios)
+        texts, files = ({name: found.variants[name][k] for name in names} for k in (1, 2))
+        words = variant_words(texts, scenarios, files)
         if words:
             named |= {name: f"{scenarios[name]}: {words[name]}" for name in names}
         elif not everything:
@@ -325,6 +335,12 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
             "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief, "
             "sweep_speed or cases_dataset, or the name of a result file"
         )
+    scenario = str(data.attrs.get("scenario", ""))
+    if kind in ("time", "sweep"):
+        source = str(data.encoding.get("source", "result"))
+        found.variants[name] = (scenario, str(data.attrs.get("model_text", "")), source)
+    if kind in ("time", "sweep", "cases"):
+        found.scenarios.append(scenario)
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
     found.notes.append((name, split_notes(str(data.attrs.get("notes", "")))))
 

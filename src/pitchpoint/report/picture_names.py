@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.core.nearest import hint
+from pitchpoint.core.nearest import did_you_mean
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -36,7 +36,5 @@ def pick(figures: Figures, name: str, what: str) -> go.Figure:
 def unknown(name: str, known: list[str], what: str) -> PitchpointError:
     """Error about a name without picture; it lists the others."""
     shown = ", ".join(known[:LISTED]) + (f" and {len(known) - LISTED} more" if len(known) > LISTED else "")
-    near = hint(name, known) if len(known) > LISTED else ""
-    return PitchpointError(
-        f"this {what} has no picture {name!r}; {near + '; ' if near else ''}there are {shown}"
-    )
+    near = did_you_mean(name, known)
+    return PitchpointError(f"this {what} has no picture {name!r}; {near}there are {shown}")

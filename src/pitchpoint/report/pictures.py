@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Figures = Mapping[str, "go.Figure"]
+WORDS = {"cases": "table of cases", "modes": "list of modes"}
+"""Kinds of results in messages, where they are not the kind itself."""
 
 
 def plot(thing: Any, name: str = "") -> go.Figure | Picture:
@@ -67,7 +69,7 @@ def _of_result(data: xr.Dataset, name: str) -> go.Figure:
     if kind == "time":
         return run_pictures.plot_run(data, name)
     made: Callable[[xr.Dataset], Figures] = getattr(result_pictures, f"{kind}_figures")
-    return pick(made(data), name, kind.replace("_", " "))
+    return pick(made(data), name, WORDS.get(kind, kind.replace("_", " ")))
 
 
 def _of_object(thing: Any) -> Figures:

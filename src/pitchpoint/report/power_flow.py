@@ -23,6 +23,7 @@ from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import stored_statistics
+from pitchpoint.viz.run_record import after_settling
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -81,7 +82,7 @@ class Machine:
     def __init__(self, model: Model, system: System, result: xr.Dataset, settle_time: float) -> None:
         self.system, self.result = system, result
         time = np.asarray(result["time"].values, dtype=np.float64)
-        inside = time >= time[0] + settle_time if time.size else np.zeros(0, bool)
+        inside = after_settling(time, settle_time) if time.size else np.zeros(0, bool)
         self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
         self.time = time[self.inside]
         # a record of all steps is integrated directly: the mean over steps has no half weights at the ends

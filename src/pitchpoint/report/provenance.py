@@ -22,6 +22,8 @@ KINDS = {
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
 NAMES = ("mesh", "body", "scenario")
 """Options whose values are names of the model."""
+KEPT = ("vary_units",)
+"""Options that are in the tables of the results."""
 EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
 
 
@@ -57,7 +59,11 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         ("computed", str(header.get("created", "")).replace("T", " ").replace("+00:00", " UTC")),
         ("by", str(header.get("source", ""))),
         ("model", f"{theirs}{same}"),
-        *((key.replace("_", " "), _text(key, value)) for key, value in sorted(options.items())),
+        *(
+            (key.replace("_", " "), _text(key, value))
+            for key, value in sorted(options.items())
+            if key not in KEPT
+        ),
     ]
     return SourceData(
         name=name,

@@ -133,7 +133,7 @@ def modes_figures(data: xr.Dataset) -> Figures:
         components=[str(x) for x in data["component"].values] if listed else (),
         strain_share=data["strain_share"].transpose("mode", "component").values if listed else (),
     )
-    return mode_section(modes).figures
+    return mode_section({"": modes}).figures
 
 
 def equilibrium_figures(data: xr.Dataset) -> Figures:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results that a report computes from the model: slow roll of every mesh, modes, Campbell diagram.
+"""Slow rolls that a report computes from the model, and the scenario of their loads.
 
 The loads are those of the first scenario at t = 0. Results that cannot be computed (for example loads that no
 tooth carries) are omitted with a remark.
@@ -7,41 +7,28 @@ tooth carries) are omitted with a remark.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from pitchpoint.core.errors import PitchpointError, SolverError
-from pitchpoint.core.progress import silent
-from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.core.errors import PitchpointError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import xarray as xr
-    from numpy.typing import NDArray
-
     from pitchpoint.core.progress import Progress
-    from pitchpoint.model.components.law import Law
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Drive, Scenario
-    from pitchpoint.system.system import System
-    from pitchpoint.viz.report.build import MeshCycleData, ModeData
-
-LINEAR = 2
-"""Work units of a report in addition to slow rolls: matrices of the linear system, Campbell diagram."""
-SPEEDS = 41
-MOMENTS = 1001
-"""Number of times at which the speed of a drive is evaluated."""
+    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.viz.report.build import MeshCycleData
 
 
 def with_rolls(
-    model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress
+    model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress, after: int = 0
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
-    """Add transmission errors and load sharing to mesh cycles (with the reference stiffness [N/m])."""
+    """Add transmission errors and load sharing to mesh cycles (with the reference stiffness [N/m]).
+
+    `after` is the number of work units that follow, for `progress`.
+    """
     from pitchpoint.core.status import INTERRUPTED
     from pitchpoint.report.rolls import (
         ALL_POINTS,
@@ -80,7 +67,7 @@ def with_rolls(
             points = points_per_period(periods, most)
             if periods * points < (whole := periods_to_roll(model, name)) * points_per_period(whole):
                 fewer.append(name)
-            part = partial(_part_of, progress, k, len(rolled) + LINEAR)
+            part = part_of(progress, k, len(rolled) + after)
             roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
             if roll.status == INTERRUPTED:  # an incomplete report was not requested
                 raise KeyboardInterrupt
@@ -91,7 +78,7 @@ def with_rolls(
                 found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
             notes.append(f"{name}: no slow roll: {error}.")
-        progress(k + 1, len(rolled) + LINEAR, name)
+        progress(k + 1, len(rolled) + after, name)
     if fewer:
         notes.append(
             f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine "
@@ -101,8 +88,14 @@ def with_rolls(
     return found, notes
 
 
-def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
+def part_of(progress: Progress, before: int, parts: int) -> Progress:
     """Progress callback for one of several equal parts."""
+    return partial(_report_part, progress, before, parts)
+
+
+def _report_part(
+    progress: Progress, before: int, parts: int, done: float, total: float, note: str = ""
+) -> None:
     progress(before + done / total, parts, note)
 
 
@@ -147,156 +140,3 @@ def at_start(model: Model, scenario: Scenario | None) -> Model:
     row = evaluate.observe(point.system, point.state)
     found = {n: float(row[point.system.layout.channel(f"torque[{n}]")]) for n in changing}
     return model.replace_all({f"loads.{name}.torque": value for name, value in found.items()})
-
-
-def linear_parts(
-    model: Model, progress: Progress = silent, before: int = 0
-) -> tuple[ModeData | None, xr.Dataset | None, list[str]]:
-    """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
-
-    `before` is the number of completed work units reported to `progress`.
-    """
-    from pitchpoint.analysis.campbell_ranking import select_modes
-    from pitchpoint.solvers.campbell import follow_modes
-    from pitchpoint.solvers.campbell_dataset import campbell_dataset
-    from pitchpoint.solvers.linear_system import linearise
-    from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.system.compile import compile_model
-    from pitchpoint.viz.report.build import ModeData
-
-    if not model.bodies:
-        return None, None, []
-    scenario = loaded_scenario(model)
-    parts = [partial(_part_of, progress, before + k, before + LINEAR) for k in range(LINEAR)]
-    try:
-        system = compile_model(model, scenario)
-        linear = linearise(system, scenario, progress=parts[0])
-        found = find_modes(system, scenario, linear=linear)
-        modes = ModeData(
-            names=found.names,
-            frequency=found.frequency.tolist(),
-            damping_ratio=found.damping_ratio.tolist(),
-            held=held_bodies(scenario),
-            total=found.total,
-            components=found.groups.components,
-            strain_share=found.energies.strain,
-        )
-        body = reference_body(model)
-        top = highest_speed(system, body, found.frequency) if body else 0.0
-        if body is None or not top > 0.0:
-            return modes, None, []
-        speeds = np.linspace(0.0, top, SPEEDS)
-        followed = follow_modes(system, speeds, body, scenario, progress=parts[1], linear=linear)
-        reached = speeds_of_scenarios(system, None, body)
-        operating = (min(reached), max(reached)) if reached else None
-        data = campbell_dataset(system, followed, operating=operating)
-    except PitchpointError as error:
-        return None, None, [f"No modes: {error}."]
-    # modes far above the excitation would compress the scale of the others
-    reach = 1.2 * float(np.max(data["excitation_order"].values, initial=0.0)) * top / (2.0 * math.pi)
-    low = float(np.min(np.where(followed.frequency > 0.0, followed.frequency, np.inf), initial=np.inf))
-    if not (followed.frequency.size and low <= reach):
-        return modes, None, []
-    return modes, select_modes(data, None, (0.0, reach)), []
-
-
-def held_bodies(scenario: Scenario | None) -> list[str]:
-    """Bodies with a prescribed motion in a scenario."""
-    return [] if scenario is None else list(dict.fromkeys([*scenario.drive, *scenario.hold]))
-
-
-def reference_body(model: Model) -> str | None:
-    """First rotating body with a gear in mesh."""
-    in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
-    for name, body in model.bodies.items():
-        if body.moves != "fixed" and in_mesh & {*body.gears, *body.bevel_gears}:
-            return name
-    return None
-
-
-def highest_speed(system: System, body: str, frequency: Any) -> float:
-    """End of the Campbell diagram [rad/s]: 1.2 times the highest speed of all scenarios.
-
-    If no scenario rotates the body: speed at which the slowest mesh frequency exceeds every mode.
-    """
-    from pitchpoint.solvers.gear_trains import mesh_orders
-    from pitchpoint.solvers.initial_state.start import body_rates
-
-    scenarios = model_of(system).scenarios.values()
-    reached = max((highest_of_scenario(system, s, body) for s in scenarios), default=0.0)
-    if reached > 0.0:
-        return 1.2 * reached
-    orders = mesh_orders(system, body_rates(system, body)).values()
-    lowest = min((o for o in orders if o > 0.0), default=math.inf)
-    return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
-
-
-def speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
-    """Highest speeds of the body in the scenario, or in all scenarios [rad/s]."""
-    known = model_of(system).scenarios
-    chosen = known.values() if scenario is None else [known[scenario]]
-    found = [highest_of_scenario(system, one, body) for one in chosen]
-    return [speed for speed in found if speed > 0.0]
-
-
-def model_of(system: System) -> Model:
-    """Model from which a system of a report was compiled."""
-    if system.model is None:
-        raise SolverError("the system was not compiled from a model", INCONSISTENT)
-    return system.model
-
-
-def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
-    """Highest speed of a body in a scenario [rad/s], if the model file defines it."""
-    from pitchpoint.model.scenario import Scenario
-
-    speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]
-    reached = 0.0
-    for given in speeds:
-        ratios = model_of(system).start_speeds(Scenario(speed=dict(given)))
-        reached = max(reached, abs(ratios.get(body, 0.0)))
-    return reached
-
-
-def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
-    """Highest prescribed speeds of bodies [rad/s]: drives, and the end of a sweep."""
-    from pitchpoint.solvers.gear_trains import mesh_orders
-    from pitchpoint.solvers.initial_state.start import body_rates
-
-    end = scenario.duration or 0.0
-    found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]
-    sweep = scenario.sweep
-    if sweep is not None and sweep.speed is not None:
-        found.append((sweep.body, sweep.speed[1]))
-    elif sweep is not None and sweep.mesh_frequency is not None:
-        order = mesh_orders(system, body_rates(system, sweep.body, scenario))[
-            model_of(system).sweep_mesh(scenario)
-        ]
-        found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / order if order > 0.0 else 0.0))
-    return [(name, speed) for name, speed in found if speed > 0.0]
-
-
-def _fastest(drive: Drive, duration: float) -> float:
-    """Highest speed of a drive up to the end of the scenario [rad/s]; 0 if its law is Python code."""
-    moments = np.linspace(0.0, duration, MOMENTS)
-    if drive.speed is not None:
-        return float(np.max(np.abs(_values(drive.speed, moments, "angular_speed"))))
-    if drive.angle is not None and duration > 0.0:
-        return float(np.max(np.abs(np.diff(_values(drive.angle, moments, "angle")))) / moments[1])
-    return 0.0
-
-
-def _values(law: Law, moments: NDArray[np.float64], dimension: str) -> NDArray[np.float64]:
-    """Values of a law at some times; zeros if it can only be evaluated in a run."""
-    from pitchpoint.core.formula.formula import Formula
-    from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
-
-    if isinstance(law, Constant):
-        return np.full(moments.size, law.value)
-    if isinstance(law, TableLaw):
-        return np.interp(moments, law.abscissa, law.values)
-    if isinstance(law, FormulaLaw):
-        rest = (0.0,) * (len(law.variables) - 1)
-        formula = Formula.parse(law.text, law.variables, dimension)
-        return np.array([float(formula(t, *rest)) for t in moments])
-    return np.zeros(moments.size)

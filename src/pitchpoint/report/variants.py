@@ -3,25 +3,35 @@
 
 from __future__ import annotations
 
-import json
+import warnings
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
+from pitchpoint.core.errors import PitchpointError, ValidityWarning
 from pitchpoint.viz.quantities import printed
+
+Path = tuple[str, ...]
+Leaves = dict[Path, Any]
 
 MAX_DIFFERENCES = 4
 """Differing values up to which variants are named after them."""
 
 
-def variant_words(models: Mapping[str, str], scenarios: Mapping[str, str]) -> dict[str, str]:
+def variant_words(
+    models: Mapping[str, str], scenarios: Mapping[str, str], files: Mapping[str, str] = MappingProxyType({})
+) -> dict[str, str]:
     """What differs between results, in words.
 
     Parameters
     ----------
     models
-        Text of the stored model (JSON) by name of the result.
+        Text of the stored model (YAML or JSON) by name of the result. Defaults, the spelling of units and the
+        order of keys do not count.
     scenarios
         Scenario by name of the result; only the values of this scenario count.
+    files
+        Result files by name, for the files to which a model refers.
 
     Returns
     -------
@@ -39,18 +49,16 @@ def variant_words(models: Mapping[str, str], scenarios: Mapping[str, str]) -> di
     {'a': 'load 5 N m', 'b': 'load 9 N m'}
     """
     try:
-        leaves = {name: dict(_leaves(json.loads(text))) for name, text in models.items()}
-    except ValueError:
-        return {}
-    for name, own in leaves.items():
-        kept = ("scenarios", scenarios.get(name, ""))
-        leaves[name] = {
-            path if path[0] != "scenarios" else ("scenario", "", *path[2:]): value
-            for path, value in own.items()
-            if path[0] != "title" and (path[0] != "scenarios" or path[:2] == kept)
-        }
+        read = {name: _read(text, files.get(name)) for name, text in models.items()}
+    except PitchpointError:
+        try:  # a model that refers to other files can be compared as text only
+            read = {name: _as_text(text) for name, text in models.items()}
+        except PitchpointError:
+            return {}
+    leaves = {name: _of_scenario(written, scenarios.get(name, "")) for name, (written, _) in read.items()}
+    values = {name: _of_scenario(exact, scenarios.get(name, "")) for name, (_, exact) in read.items()}
     paths = dict.fromkeys(path for own in leaves.values() for path in own)
-    differing = [path for path in paths if len({str(own.get(path)) for own in leaves.values()}) > 1]
+    differing = [path for path in paths if _differs(leaves, path) and _differs(values, path)]
     if not 0 < len(differing) <= MAX_DIFFERENCES:
         return {}
     # a parameter has its own name, a key of a component that of the key
@@ -66,6 +74,63 @@ def variant_words(models: Mapping[str, str], scenarios: Mapping[str, str]) -> di
             words.append(" ".join(filter(None, (*place, key, value))))
         found[name] = ", ".join(words)
     return found if len(set(found.values())) == len(found) else {}
+
+
+def _read(text: str, file: str | None) -> tuple[Leaves, Leaves]:
+    """Values of a model as written, and in common units; defaults are omitted from both."""
+    from pitchpoint.io.yaml_model import loads_model
+    from pitchpoint.model.write import plain
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ValidityWarning)  # reported when the result was computed
+        model = loads_model(text, file=file)
+    exact = dict(_leaves(plain(model, as_written=False)))
+    exact = {path: value for path, value in exact.items() if path[0] != "parameters"}
+    exact |= {("parameters", name): repr(amount) for name, amount in model.amounts.items()}
+    return _named(plain(model)), exact
+
+
+def _as_text(text: str) -> tuple[Leaves, Leaves]:
+    """Values of a model file, twice."""
+    from pitchpoint.io.yaml_tree import Tree, TreeError
+
+    try:
+        found = _named(Tree(text).data)
+    except TreeError as error:
+        raise PitchpointError(str(error)) from None
+    return found, found
+
+
+def _named(data: Any) -> Leaves:
+    """Values by path; those of parameters without the key `value`."""
+    return {
+        path[:2] if path[0] == "parameters" and path[2:] in ((), ("value",)) else path: value
+        for path, value in _leaves(data)
+    }
+
+
+def _of_scenario(leaves: Leaves, scenario: str) -> Leaves:
+    """Values of one scenario and of the model, without titles and descriptions."""
+    kept = ("scenarios", scenario)
+    return {
+        path if path[0] != "scenarios" else ("scenario", "", *path[2:]): value
+        for path, value in leaves.items()
+        if path[0] != "title" and path[2:] != ("text",) and (path[0] != "scenarios" or path[:2] == kept)
+    }
+
+
+def _differs(leaves: Mapping[str, Leaves], path: Path) -> bool:
+    """Whether some values at a path differ, except for rounding in the conversion of units."""
+    return len({_rounded(own.get(path)) for own in leaves.values()}) > 1
+
+
+def _rounded(value: Any) -> str:
+    """A number, or the number at the beginning of a quantity, with twelve digits."""
+    number, space, unit = str(value).partition(" ")
+    try:
+        return f"{float(number):.12g}{space}{unit}"
+    except ValueError:
+        return str(value)
 
 
 def _leaves(node: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.torque_paths import against_the_base, turning
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
@@ -33,6 +34,7 @@ COUNTS = np.dtype(
         ("momentum", "f8"),
         *((name, "f8") for name in ("closing", "closing_squares", "closing_most")),
         *((name, "f8") for name in ("impulse", "impulse_sum", "impulse_most", "touched_at")),
+        ("period", "f8"),  # natural period of the flanks in contact: impulses of longer contacts do not count
         *((name, "f8") for name in ("shortest_contact", "resolution")),
         *((name, "f8") for name in ("least_1", "most_1", "least_2", "most_2")),
     ],
@@ -51,6 +53,7 @@ CONTACT_NUMBERS = (
 def new_counts(system: System) -> NDArray[np.void]:
     """Counters of all meshes of a system at zero, shape (number of meshes,)."""
     names = mesh_names(system)
+    driven = {int(record["i"]) for record in system.rows(DRIVE)}
     counts = np.zeros(len(names), COUNTS)
     known = {c.name: k for k, c in enumerate(system.layout.channels)}
     for row, name, record in zip(counts, names, mesh_records(system), strict=True):
@@ -61,6 +64,8 @@ def new_counts(system: System) -> NDArray[np.void]:
             row[f"speed_{gear}_at"] = known.get(f"speed[{body}]", -1)
         row["normal"] = record["contact"]["normal"]
         row["shortest_contact"] = np.inf
+        frequency = mesh_mode(record, system, driven)
+        row["period"] = 1.0 / frequency if frequency > 0.0 else np.inf
     return counts
 
 
@@ -165,12 +170,14 @@ def _begin_contact(c, state, closing, t):
 
 @kernel
 def _end_contact(c, t):
-    """Add the impulse of a contact that began with an impact."""
+    """Add a contact that began with an impact; its impulse, if the flanks rebounded at once."""
     c["hit"] = 0
-    c["impulses"] += 1
-    c["impulse_sum"] += c["impulse"]
-    c["impulse_most"] = max(c["impulse_most"], c["impulse"])
-    c["shortest_contact"] = min(c["shortest_contact"], t - c["touched_at"])
+    lasted = t - c["touched_at"]
+    c["shortest_contact"] = min(c["shortest_contact"], lasted)
+    if lasted <= c["period"]:
+        c["impulses"] += 1
+        c["impulse_sum"] += c["impulse"]
+        c["impulse_most"] = max(c["impulse_most"], c["impulse"])
 
 
 def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str, Any]]:
@@ -198,7 +205,7 @@ def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str,
             "both_flanks_share": float(c["both"]) / total,
             "contact_loss_share": float(c["loss"]) / total,
             "longest_loss": float(c["longest_loss"]),
-            "shortest_contact": float(c["shortest_contact"]) if c["impulses"] else 0.0,
+            "shortest_contact": float(c["shortest_contact"]) if np.isfinite(c["shortest_contact"]) else 0.0,
             "resolution": float(c["resolution"]),
             "rattle_index": _index(system, record, c, float(c["momentum"]) / total, driven),
         }

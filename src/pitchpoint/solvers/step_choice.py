@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -55,15 +56,15 @@ def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
     return max(mesh_rates(system, speeds)) / (2.0 * math.pi)
 
 
-def mesh_mode(row: np.void, system: System) -> float:
+def mesh_mode(row: np.void, system: System, driven: Collection[int] = ()) -> float:
     """Torsional natural frequency [Hz] of the two bodies of a mesh on its nominal stiffness.
 
-    It is defined for a mesh that is not in contact, too.
+    It is defined for a mesh that is not in contact, too. The numbers of bodies in `driven` do not vibrate.
     """
     inverse = 0.0
     for body, r_b in ((int(row["i"]), row["r_b1"]), (int(row["j"]), row["r_b2"])):
         polar = float(system.program["body"][body]["i_p"])
-        if system.program["body"][body]["joint"] and polar > 0.0:
+        if system.program["body"][body]["joint"] and polar > 0.0 and body not in driven:
             inverse += float(r_b) ** 2 / polar
     return math.sqrt(float(row["k_step"]) * inverse) / (2.0 * math.pi)
 

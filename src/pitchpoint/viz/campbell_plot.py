@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from html import escape
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,17 +20,23 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
-HEIGHT, BOTTOM, LEGEND, ROW = 560, 48, 34, 26
+HEIGHT, BOTTOM, LEGEND, ROW = 574, 62, 34, 26
 """Height of the figure without labels above the plot, margin below, height of the legend of one row, and of
 each further row [pixels]."""
 SAMPLE = 52
 """Width of an entry of the legend without its text [pixels]."""
+ROOM = HEIGHT - BOTTOM - LEGEND
+"""Height of the plot [pixels]."""
 WIDTH = 560
 """Width of the plot on narrow pages, for the distance of labels above it [pixels]."""
 LINE, LETTER = 14, 6.3
 """Distance of two labels and mean width of a letter at 11 points [pixels]."""
 LEADER = 22
 """Length of the leader lines from curves to their names [pixels]."""
+LETTERS = (30, 36, 44, 60)
+"""Letters per line of a name right of the plot: the first for which all names fit into its height."""
+FEWEST = 3
+"""Minimum number of names of shaft orders at one place that are replaced by their range."""
 NUMBERED = 12
 """Number of critical speeds marked with their rank."""
 RANK = 13
@@ -81,7 +89,10 @@ def plot_campbell(
     top = _above(figure, above) + _more_rows(figure)
     figure.update_layout(
         height=HEIGHT + top,
+        # labels have distances in pixels: automatic margins would change the height of the plot
         margin={"l": 64, "r": right, "t": LEGEND + top, "b": BOTTOM},
+        xaxis={"automargin": False},
+        yaxis={"automargin": False},
         legend={
             "orientation": "h",
             "x": 0,
@@ -157,6 +168,7 @@ def _orders(
 ) -> tuple[list[tuple[float, str, str]], list[tuple[float, str]]]:
     """Lines of the orders that enter the plot; returns the names at its right edge and above it."""
     at_right, above = [], []
+    shafts: list[tuple[float, str]] = []
     shown: set[bool] = set()
     values = np.asarray(diagram["excitation_order"].values, dtype=np.float64)
     kinds = [str(kind) for kind in diagram["excitation_kind"].values]
@@ -181,11 +193,33 @@ def _orders(
         shown.add(band)
         if band:
             continue
-        if end == place.speed[1]:
-            at_right.append((per * end, name, theme.LIGHT["soft"]))
-        else:
+        if end < place.speed[1]:
             above.append((place.along(end), name))
+        elif kind == "shaft":
+            shafts.append((per * end, name))
+        else:
+            at_right.append((per * end, name, theme.LIGHT["soft"]))
+    at_right += [(at, name, theme.LIGHT["soft"]) for at, name in _ranges(shafts, place)]
     return at_right, above
+
+
+def _ranges(listed: Sequence[tuple[float, str]], place: _Places) -> list[tuple[float, str]]:
+    """Names at the right edge; three or more within a line of text each are replaced by their range."""
+    groups: list[list[tuple[float, str]]] = []
+    for at, name in sorted(listed):
+        if groups and ROOM * (place.across(at) - place.across(groups[-1][-1][0])) < LINE:
+            groups[-1].append((at, name))
+        else:
+            groups.append([(at, name)])
+    found = []
+    for group in groups:
+        if len(group) < FEWEST:
+            found += group
+            continue
+        middle = 0.5 * (group[0][0] + group[-1][0])
+        first, last = (group[k][1].replace(" ", "\xa0") for k in (0, -1))
+        found.append((middle, f"{len(group)} shaft orders, {first} to {last}"))
+    return found
 
 
 def _operating(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
@@ -212,7 +246,7 @@ def _critical(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
     ]
     if not ranked:
         return
-    room = WIDTH, HEIGHT - BOTTOM - LEGEND
+    room = WIDTH, ROOM
     points = np.array([[place.along(c.speed), place.across(c.frequency)] for _, c in ranked]) * room
     # ranks keep clear of all circles, also of those without a number
     first = sum(int(rank) <= NUMBERED for rank, _ in ranked)
@@ -277,17 +311,21 @@ def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], p
     """Names right of the plot, a line of text apart, with leader lines; returns the width of the margin."""
     if not listed:
         return 16
-    room = HEIGHT - BOTTOM - LEGEND
-    wanted = [room * place.across(at) for at, _, _ in listed]
-    found = spread(wanted, LINE, 0.0, room)
-    for (at, text, colour), own, shown in zip(listed, wanted, found, strict=True):
+    names = [text for _, text, _ in listed]
+    folded = [[_folded(text, letters) for text in names] for letters in LETTERS]
+    lines = next((one for one in folded if sum(map(len, one)) * LINE <= ROOM), folded[-1])
+    heights = [LINE * len(one) for one in lines]
+    wanted = [ROOM * place.across(at) for at, _, _ in listed]
+    found = spread(wanted, heights, 0.5 * max(heights), ROOM - 0.5 * max(heights))
+    for (at, _, colour), text, own, shown in zip(listed, lines, wanted, found, strict=True):
         figure.add_annotation(
             x=1,
             xref="paper",
             y=at * place.pitch.factor,
             ax=LEADER,
             ay=float(own - shown),
-            text=text,
+            text="<br>".join(map(escape, text)),
+            align="left",
             showarrow=True,
             arrowhead=0,
             arrowwidth=0.8,
@@ -297,7 +335,15 @@ def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], p
             standoff=0,
             font={"size": 11, "color": colour},
         )
-    return int(LEADER + 12 + LETTER * max(len(text) for _, text, _ in listed))
+    return int(LEADER + 12 + LETTER * max(len(line) for text in lines for line in text))
+
+
+def _folded(name: str, letters: int) -> list[str]:
+    """Lines of a name of at most so many letters, as few as possible and of similar length."""
+    lines = wrap(name, letters, break_long_words=False)
+    least = math.ceil(len(name) / len(lines))
+    tried = (wrap(name, n, break_long_words=False) for n in range(least, letters))
+    return next((one for one in tried if len(one) == len(lines)), lines)
 
 
 def _above(figure: go.Figure, listed: Sequence[tuple[float, str]]) -> int:

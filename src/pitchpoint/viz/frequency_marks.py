@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Known frequencies in a drawn spectrum: a line and a name at each of them and at its harmonics."""
+"""Known frequencies in a drawn spectrum or map: a line and a name at each of them and at its harmonics."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from pitchpoint.viz import theme
+from pitchpoint.viz.label_placement import Label, placed
+from pitchpoint.viz.quantities import Array
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -19,7 +23,12 @@ LETTER, GAP, LIFT = 6.2, 8.0, 13
 """Mean width of a letter, smallest distance of names in one line, and distance of lines [pixels]."""
 EQUAL = 1e-6
 """Relative difference up to which two frequencies are one."""
-PALE = "#ffffff"
+PALE, BEHIND = "#ffffff", "rgba(0,32,77,0.65)"
+"""Colours of lines and names above a map, and behind these names: its cells are dark and bright."""
+MAP = (520.0, 260.0)
+"""Width and height of the axes of a map on paper, where it is smallest [pixels]."""
+ASIDE = 12.0
+"""Distance of the name of a curve from its highest point [pixels]."""
 LONGEST = 36
 """Maximum number of letters of a name."""
 
@@ -91,8 +100,81 @@ def mark_frequencies(
                     xanchor=anchor,
                     xshift=0 if not beside else 2 if anchor == "left" else -2,
                     font={"size": 11, "color": PALE if over_map else colour},
+                    **({"bgcolor": BEHIND, "borderpad": 1} if over_map else {}),
                 )
     return len(lines)
+
+
+def mark_curves(figure: go.Figure, x: Array, curves: Mapping[str, Array], top: float) -> None:
+    """Draw frequencies that change with the speed into a map over time, named at their highest point in it.
+
+    Parameters
+    ----------
+    figure
+        Map over time and frequency.
+    x
+        Times in the unit of the axis, shape (n,).
+    curves
+        Frequencies in the unit of the axis by name, shape (n,) each; equal ones have one line.
+    top
+        Highest frequency of the map.
+    """
+    width, height = MAP
+    span = max(float(np.ptp(x)), 1e-300)
+    found: list[tuple[int, float, Label]] = []
+    for name, curve in _shared(curves).items():
+        inside = curve <= top
+        if not inside.any():
+            continue
+        figure.add_scatter(
+            x=x.astype(np.float32),
+            y=np.where(inside, curve, np.nan).astype(np.float32),
+            mode="lines",
+            line={"color": PALE, "width": 1.4, "dash": "dot"},
+            name=name,
+            showlegend=False,
+            hovertemplate=f"{name}: %{{y:.5g}}<extra></extra>",
+        )
+        k = int(np.argmax(np.where(inside, curve, -np.inf)))
+        across, down = width * float(x[k] - x[0]) / span, height * (1.0 - float(curve[k]) / top)
+        # next to the highest point, on the side from which the curve rises to it
+        side, anchor = (-ASIDE, "end") if across > 0.5 * width else (ASIDE, "start")
+        label = Label(across + side, max(down - 4.0, 14.0), anchor, ((_short(name), "pp-small"),))
+        found.append((k, float(curve[k]), label))
+    labels = placed([label for _, _, label in found], ())
+    for (k, y, wanted), label in zip(found, labels, strict=True):
+        left = wanted.anchor == "end"
+        figure.add_annotation(
+            x=float(x[k]),
+            y=y,
+            text=wanted.lines[0][0],
+            name="frequency",
+            ax=-ASIDE if left else ASIDE,
+            # from the baseline to the middle of the text
+            ay=label.y - 4.0 - height * (1.0 - y / top),
+            xanchor="right" if left else "left",
+            showarrow=True,
+            arrowhead=0,
+            arrowwidth=0.8,
+            arrowcolor=PALE,
+            font={"size": 11, "color": PALE},
+            bgcolor=BEHIND,
+            borderpad=1,
+        )
+
+
+def _shared(curves: Mapping[str, Array]) -> dict[str, Array]:
+    """Curves by name; equal ones once, with all names."""
+    found: list[tuple[list[str], Array]] = []
+    for name, curve in curves.items():
+        same = next(
+            (names for names, other in found if np.allclose(other, curve, rtol=EQUAL, atol=0.0)), None
+        )
+        if same is None:
+            found.append(([name], curve))
+        else:
+            same.append(name)
+    return {", ".join(names): curve for names, curve in found}
 
 
 def _extent(words: str, share: float) -> tuple[str, tuple[float, float], bool]:

@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import scale
+from pitchpoint.viz.quantities import channel_label, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 HEIGHT = 520
+FORCES = {"f": "force", "m": "moment"}
+"""Words of the components of a load."""
 
 
 def plot_frequency_response(
@@ -34,7 +36,7 @@ def plot_frequency_response(
     response
         Complex response per unit of the inputs, SI, shape (nf, no, ni).
     outputs, inputs
-        Their names.
+        Channels, and loads or excitations.
     units
         Units of the curves, output by output, input by input; "m/N" and the like.
     """
@@ -48,7 +50,7 @@ def plot_frequency_response(
         for i, name in enumerate(inputs):
             k = o * len(inputs) + i
             line = {"color": theme.SERIES[k % len(theme.SERIES)], "width": 1.6}
-            label = f"{output} by {name}"
+            label = f"{channel_label(output)} by {input_label(name)}"
             x = hertz * pitch.factor
             figure.add_scatter(x=x, y=np.abs(found[:, o, i]), mode="lines", name=label, line=line)
             angle = np.degrees(np.angle(found[:, o, i]))
@@ -67,6 +69,20 @@ def plot_frequency_response(
         showlegend=True,
     )
     return figure
+
+
+def input_label(name: str) -> str:
+    """Readable name of an input: force or moment on a body; other names unchanged.
+
+    Examples
+    --------
+    >>> input_label("rotor.2.fx"), input_label("shaft.mz"), input_label("transmission_error[stage]")
+    ('force x, rotor.2', 'moment z, shaft', 'transmission error, stage')
+    """
+    body, _, component = name.rpartition(".")
+    if body and "[" not in name and component[:1] in FORCES and component[1:] in ("x", "y", "z"):
+        return f"{FORCES[component[0]]} {component[1:]}, {body}"
+    return channel_label(name) if "[" in name else name
 
 
 def curve_units(outputs: Sequence[str], inputs: Sequence[str]) -> list[str]:

@@ -12,8 +12,8 @@ LINE = 16.0
 """Distance of lines [pixels]."""
 LETTER = {"pp-halo": 8.4, "pp-small": 7.0}
 """Mean width of a letter by style [pixels]."""
-STEPS, STEP = 400, 2.0
-"""Maximum number and length of the trial shifts up and down [pixels]."""
+STEPS, SHORT, STEP = 400, 40, 2.0
+"""Maximum number of the trial shifts up and down, of those to avoid lines, and their length [pixels]."""
 MARGIN = 2.0
 """Minimum distance of labels [pixels]."""
 
@@ -51,7 +51,9 @@ class Label:
         )
 
 
-def placed(labels: Sequence[Label], blocks: Iterable[Rectangle]) -> list[Label]:
+def placed(
+    labels: Sequence[Label], blocks: Iterable[Rectangle], lines: Iterable[Rectangle] = ()
+) -> list[Label]:
     """Labels shifted up or down as little as possible, so that none covers another one or a block.
 
     Labels at the same place keep their order from top to bottom. A label without room nearby stays.
@@ -62,6 +64,8 @@ def placed(labels: Sequence[Label], blocks: Iterable[Rectangle]) -> list[Label]:
         Labels at their preferred places.
     blocks
         Rectangles to avoid.
+    lines
+        Rectangles along lines, which are avoided where a short shift is enough.
 
     Examples
     --------
@@ -69,16 +73,22 @@ def placed(labels: Sequence[Label], blocks: Iterable[Rectangle]) -> list[Label]:
     >>> [label.y for label in placed([one, one], [])]
     [20.0, 38.0]
     """
-    taken = list(blocks)
+    taken, crossed = list(blocks), list(lines)
     found: dict[int, Label] = {}
     for k in sorted(range(len(labels)), key=lambda k: labels[k].y):
         label = labels[k]
-        # down first: the labels above are in place
-        shifts = (side * STEP * n for n in range(STEPS) for side in ((1.0, -1.0) if n else (1.0,)))
-        moved = (replace(label, y=label.y + shift) for shift in shifts)
-        found[k] = next((m for m in moved if not any(_meet(m.box, other) for other in taken)), label)
+        near = _first(label, [*taken, *crossed], SHORT) if crossed else None
+        found[k] = near or _first(label, taken, STEPS) or label
         taken.append(found[k].box)
     return [found[k] for k in range(len(labels))]
+
+
+def _first(label: Label, others: Sequence[Rectangle], steps: int) -> Label | None:
+    """Label after the shortest shift that keeps it clear of others; None without one."""
+    # down first: the labels above are in place
+    shifts = (side * STEP * n for n in range(steps) for side in ((1.0, -1.0) if n else (1.0,)))
+    moved = (replace(label, y=label.y + shift) for shift in shifts)
+    return next((m for m in moved if not any(_meet(m.box, other) for other in others)), None)
 
 
 def _meet(a: Rectangle, b: Rectangle) -> bool:

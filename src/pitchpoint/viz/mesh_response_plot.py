@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.levels import level, reference_of
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, scale
+from pitchpoint.viz.quantities import Array, channel_label, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -46,7 +46,7 @@ def plot_mesh_response(
     orders
         Names of the orders, such as `2 x stage`.
     outputs, units
-        Names and SI units.
+        Channels and their SI units.
     modes
         Natural frequencies [Hz], drawn as lines in the map.
     shaft
@@ -58,7 +58,7 @@ def plot_mesh_response(
     words = turning.title(f"speed of {shaft}" if shaft else "speed")
     count = len(outputs)
     total = TOP + BOTTOM + count * ROW + (count - 1) * GAP
-    figure = theme.figure(words, "", height=total, margin={"l": 64, "r": 20, "t": TOP, "b": BOTTOM})
+    figure = theme.figure(words, "", height=total, margin={"l": 76, "r": 20, "t": TOP, "b": BOTTOM})
     inside = total - TOP - BOTTOM
     top = float(hertz.max())
     lines = [f for f in np.asarray(modes, dtype=np.float64) if 0.0 < f <= top]
@@ -68,7 +68,7 @@ def plot_mesh_response(
         left, right = (2 * row + 1, 2 * row + 2)
         reference = reference_of(unit)[1]
         decibels = level(size[:, :, row], unit)
-        _add_axes(figure, left, ends, (0.0, 0.46), words, f"{name} [dB re {reference}]")
+        _add_axes(figure, left, ends, (0.0, 0.46), words, f"{channel_label(name)}<br>[dB re {reference}]")
         _add_axes(figure, right, ends, (0.56, 0.9), words, pitch.title("frequency"))
         for k, order in enumerate(orders):
             figure.add_scatter(

@@ -10,13 +10,16 @@ from html import escape
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.label_placement import LINE, Label, placed
+from pitchpoint.viz.label_placement import LETTER, LINE, Label, Rectangle, placed
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
-WIDTH_BLOCK, STEP = 122.0, 216.0
-"""Width of a block, and distance between columns [pixels]."""
+WIDTH_BLOCK, BETWEEN, BEND = 122.0, 94.0, 60.0
+"""Width of a block, least distance of blocks of two columns, and length of a bend next to a name, also the
+distance of sources and sinks [pixels]."""
+SLICES = 12
+"""Rectangles along a band that names avoid."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
 GAP, HEAD, MIN_WIDTH = 72.0, 44.0, 46.0
@@ -81,23 +84,23 @@ def power_flow_svg(flow: PowerFlow) -> str:
         widest = max(_load(box, ends, side) for side in (0, 1))
         box.height = max(box.height, widest + (0.0 if box.outside else 8.0))
     height = _stack(boxes, ends)
-    first = min(box.column for box in boxes)
-    span = max(box.column for box in boxes) - first
-    x = {id(box): SIDE + STEP * (box.column - first) for box in boxes}
-    far = SIDE + STEP * span + WIDTH_BLOCK
-    turns_back = any(end.column <= start.column for _, start, end, _ in ends)
     for box in boxes:
         box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
-    order = sorted(ends, key=lambda e: (e[1].y, e[2].y))
+    bands = [_band(one, ends, unit) for one in sorted(ends, key=lambda e: (e[1].y, e[2].y))]
+    columns_at = _places(boxes, bands)
+    x = {id(box): columns_at[box.column] for box in boxes}
+    far = max(x.values()) + WIDTH_BLOCK
+    turns_back = any(end.column <= start.column for _, start, end, _ in ends)
     parts: list[str] = []
     labels: list[Label] = []
-    for link, start, end, width in order:
-        shared = [_load(box, ends, side) > width for box, side in ((start, 1), (end, 0))]
-        band, names = _band(link, start, end, width, unit, x, shared)
-        parts.append(band)
+    lines: list[Rectangle] = []
+    for band in bands:
+        drawn, names, slices = band.drawn(x[id(band.start)] + WIDTH_BLOCK, x[id(band.end)])
+        parts.append(drawn)
         labels += names
+        lines += slices
     blocks = [(x[id(b)], b.y, x[id(b)] + WIDTH_BLOCK, b.y + b.height) for b in boxes]
-    labels = placed(labels, blocks)
+    labels = placed(labels, blocks, lines)
     # no band of another link covers a name
     parts += [*(label.svg() for label in labels), *(_block(box, x[id(box)]) for box in boxes)]
     title = f"power flow, input {unit.text(flow.put_in)}"
@@ -170,37 +173,96 @@ def _near(box: _Box, ends: Sequence[_Joined]) -> float:
     return float(np.mean([other.y + 0.5 * other.height for other in joined])) if joined else 0.0
 
 
-def _band(
-    link: PowerLink,
-    start: _Box,
-    end: _Box,
-    width: float,
-    unit: Scale,
-    x: dict[int, float],
-    shared: Sequence[bool],
-) -> tuple[str, list[Label]]:
-    """Band between two boxes, and its name with the loss; `shared` are ends with several bands."""
-    a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
-    ya, yb = start.port(1, width), end.port(0, width)
-    reach = 0.5 * (b - a) if b > a else BACK
-    h = 0.5 * width
-    there, back = a + reach, b - reach
-    path = (
-        f"M{a:.1f} {ya - h:.1f}C{there:.1f} {ya - h:.1f} {back:.1f} {yb - h:.1f} {b:.1f} {yb - h:.1f}"
-        f"V{yb + h:.1f}C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {a:.1f} {ya + h:.1f}Z"
-    )
-    colour = COLOURS.get(link.kind, theme.TEAL)
-    drop = ""
-    labels: list[Label] = []
-    if not start.outside and not end.outside:
-        if not any(shared) and abs(yb - ya) <= 0.5 * width and b > a:
-            drop, labels = _named(link, unit, 0.5 * (a + b), ya, width)
-        elif (shared[1] and not shared[0]) or b <= a:
-            # converging bands are labelled at their start
-            labels = [_beside(link, unit, (a + 6.0, ya, "start"), yb, h)]
-        else:
-            labels = [_beside(link, unit, (b - 6.0, yb, "end"), ya, h)]
-    return f'<path class="pp-band" fill="{colour}" d="{path}"/>{drop}', labels
+@dataclass(frozen=True)
+class _Band:
+    """Band between two boxes: its ends [pixels], and where its name is: start, end, middle or nowhere."""
+
+    link: PowerLink
+    start: _Box
+    end: _Box
+    width: float
+    y: tuple[float, float]
+    named: str
+    unit: Scale
+
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """Name, power and loss, each with its style."""
+        lost = _loss(self.link) if self.link.lost > 0.0 else ""
+        # the blocks show the planets on each carrier
+        name = "" if self.link.kind == "carrier" else self.link.name
+        words = (name, "pp-halo"), (self.unit.text(self.link.given), "pp-small"), (lost, "pp-small")
+        return [line for line in words if line[0]]
+
+    @property
+    def needs(self) -> float:
+        """Distance of the columns at its name that leaves room for it [pixels]."""
+        if self.named in ("", "middle"):
+            return BETWEEN if self.named else BEND
+        return max(BETWEEN, max(LETTER[style] * len(words) for words, style in self.lines) + BEND)
+
+    def drawn(self, a: float, b: float) -> tuple[str, list[Label], list[Rectangle]]:
+        """Band from `a` to `b` [pixels] with the drop of its loss, its names, and rectangles along it."""
+        (ya, yb), h = self.y, 0.5 * self.width
+        colour = COLOURS.get(self.link.kind, theme.TEAL)
+        # a band runs straight along its name and bends at its other end, away from the other names
+        next_to = self.end.column == self.start.column + 1
+        left = b - BEND if self.named == "start" and next_to else a
+        right = a + BEND if self.named == "end" and next_to else b
+        reach = 0.5 * (right - left) if b > a else BACK
+        there, back = left + reach, right - reach
+        path = (
+            f"M{a:.1f} {ya - h:.1f}H{left:.1f}"
+            f"C{there:.1f} {ya - h:.1f} {back:.1f} {yb - h:.1f} {right:.1f} {yb - h:.1f}H{b:.1f}"
+            f"V{yb + h:.1f}H{right:.1f}"
+            f"C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {left:.1f} {ya + h:.1f}H{a:.1f}Z"
+        )
+        t = np.linspace(0.0, 1.0, SLICES + 1)
+        bend = 3.0 * t * (1.0 - t) ** 2, 3.0 * t**2 * (1.0 - t)
+        across = left * (1.0 - t) ** 3 + there * bend[0] + back * bend[1] + right * t**3
+        down = ya + (yb - ya) * (bend[1] + t**3)
+        corners = [(a, ya), *zip(across.tolist(), down.tolist(), strict=True), (b, yb)]
+        slices = [
+            (min(p[0], q[0]), min(p[1], q[1]) - h, max(p[0], q[0]), max(p[1], q[1]) + h)
+            for p, q in zip(corners, corners[1:], strict=False)
+        ]
+        drop, labels = "", list[Label]()
+        if self.named == "middle":
+            drop, labels = _named(self.link, self.unit, 0.5 * (a + b), ya, self.width)
+        elif self.named == "start":
+            labels = [_beside(self.lines, (a + 6.0, ya, "start"), yb, h)]
+        elif self.named == "end":
+            labels = [_beside(self.lines, (b - 6.0, yb, "end"), ya, h)]
+        return f'<path class="pp-band" fill="{colour}" d="{path}"/>{drop}', labels, slices
+
+
+def _band(joined: _Joined, ends: Sequence[_Joined], unit: Scale) -> _Band:
+    """Band at the next places of both boxes; named at the end where it is the larger part of all bands."""
+    link, start, end, width = joined
+    y = start.port(1, width), end.port(0, width)
+    parts = [width / _load(box, ends, side) for box, side in ((start, 1), (end, 0))]
+    alone, forth = min(parts) > 1.0 - 1e-9, end.column > start.column
+    if start.outside or end.outside:
+        named = ""
+    elif alone and forth and abs(y[1] - y[0]) <= 0.5 * width:
+        named = "middle"
+    else:
+        named = "start" if parts[0] > parts[1] or not forth else "end"
+    return _Band(link, start, end, width, y, named, unit)
+
+
+def _places(boxes: Sequence[_Box], bands: Sequence[_Band]) -> dict[int, float]:
+    """Left edges of the columns [pixels], with room for the names between them."""
+    columns = range(min(box.column for box in boxes), max(box.column for box in boxes) + 1)
+    gaps = dict.fromkeys(columns, BEND)
+    for band in bands:
+        before = band.end.column - 1 if band.named == "end" else band.start.column
+        gaps[before] = max(gaps.get(before, BEND), band.needs)
+    found, at = {}, SIDE
+    for column in columns:
+        found[column] = at
+        at += WIDTH_BLOCK + gaps[column]
+    return found
 
 
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tuple[str, list[Label]]:
@@ -218,17 +280,10 @@ def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tu
 
 
 def _beside(
-    link: PowerLink, unit: Scale, place: tuple[float, float, str], other_y: float, half: float
+    lines: Sequence[tuple[str, str]], place: tuple[float, float, str], other_y: float, half: float
 ) -> Label:
-    """Name, power and loss at the end of a curved band, on the side away from its other end."""
+    """Lines of text at the end of a curved band, on the side away from its other end."""
     x, y, anchor = place
-    lost = _loss(link) if link.lost > 0.0 else ""
-    # the blocks show the planets on each carrier
-    name = "" if link.kind == "carrier" else link.name
-    lines = [
-        (line, "pp-halo" if line == name else "pp-small") for line in (name, unit.text(link.given), lost)
-    ]
-    lines = [line for line in lines if line[0]]
     top = y + half + 15.0 if other_y < y else y - half - 6.0 - LINE * (len(lines) - 1)
     return Label(x, top, anchor, tuple(lines))
 

@@ -259,6 +259,21 @@ def span(low: float, high: float, unit: str = "Hz") -> str:
     return f"{number(low * best.factor, 4)} to {number(high * best.factor, 4)} {best.unit}".rstrip()
 
 
+ROUND_OFF = 1e-7
+"""Magnitude of a damping ratio below which it is round-off."""
+
+
+def damping_words(ratio: float, digits: int = 3) -> str:
+    """Damping ratio in per cent; round-off is zero.
+
+    Examples
+    --------
+    >>> damping_words(0.0123456), damping_words(-2.21e-17), damping_words(-0.002)
+    ('1.23 %', '0 %', '−0.2 %')
+    """
+    return f"{number(100.0 * ratio if abs(ratio) > ROUND_OFF else 0.0, digits)} %"
+
+
 def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
     """Time and channels of a time result.
 

@@ -33,6 +33,8 @@ FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
 RUN_UP = 0.05
 # Relative variation of the ratio of two shafts up to which they count as geared.
 GEARED = 0.01
+ROUND_OFF = 1e-12
+"""Rounding error of a time relative to the length of the record."""
 # Minimum revolutions of a shaft for an order spectrum (with many teeth per revolution), and for an order map.
 ORDER_TURNS, MAP_TURNS = 0.25, 2.0
 
@@ -52,9 +54,21 @@ def channel_word(count: int) -> str:
     return "channel" if count == 1 else "channels"
 
 
+def after_settling(time: Array, settle_time: float) -> np.ndarray:
+    """Samples from the settling time on.
+
+    Examples
+    --------
+    >>> steps = np.arange(1501) * 2e-5 * (1.0 - 2e-16)  # the sample at 20 ms is below 0.02 by round-off
+    >>> bool(steps[1000] < 0.02), int(np.argmax(after_settling(steps, 0.02)))
+    (True, 1000)
+    """
+    return np.asarray(time >= time[0] + settle_time - ROUND_OFF * (time[-1] - time[0]))
+
+
 def settled_part(time: Array, settle_time: float) -> np.ndarray:
     """Samples of the window of statistics; all if the run ended before it."""
-    inside = time >= time[0] + settle_time
+    inside = after_settling(time, settle_time)
     return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
 
 

@@ -14,7 +14,7 @@ from pitchpoint.analysis.spectra import Spectrum, largest_peaks
 from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
-from pitchpoint.viz.frequency_marks import mark_frequencies
+from pitchpoint.viz.frequency_marks import GAP, LETTER, NARROW, mark_curves, mark_frequencies
 from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:
@@ -151,10 +151,28 @@ def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False
         figure.update_layout(meta={"orders": meta})
 
 
-def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
-    """Map of the amplitude over time and frequency, in decibels below the maximum."""
+def plot_time_frequency(
+    data: TimeFrequencyMap,
+    *,
+    unit: str,
+    quantity: str = "amplitude",
+    meshes: Mapping[str, Array] | None = None,
+) -> go.Figure:
+    """Map of the amplitude over time and frequency, in decibels below the maximum.
+
+    Parameters
+    ----------
+    data
+        The map.
+    unit
+        SI unit of the signal.
+    quantity
+        Name in the title.
+    meshes
+        Mesh frequencies [Hz] at the times of the map by name, drawn as curves.
+    """
     clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
-    return amplitude_map(
+    figure = amplitude_map(
         data.time * clock.factor,
         data.frequency * pitch.factor,
         data.amplitude.T,
@@ -163,6 +181,9 @@ def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "a
         unit,
         quantity,
     )
+    curves = {name: hertz * pitch.factor for name, hertz in (meshes or {}).items()}
+    mark_curves(figure, data.time * clock.factor, curves, float(data.frequency[-1]) * pitch.factor)
+    return figure
 
 
 def amplitude_map(
@@ -231,24 +252,26 @@ def last_peak(spectrum: Spectrum) -> float:
 def _label_peaks(
     figure: go.Figure, spectrum: Spectrum, end: float, factor: float, gain: float, count: int
 ) -> None:
-    """Labels at the highest peaks, without overlap."""
-    taken: list[float] = []
+    """Numbers at the highest peaks, none over another one in a plot of half the width of a page."""
+    taken: list[tuple[float, float]] = []
     for frequency, amplitude in largest_peaks(spectrum, 4 * count):
-        if (
-            frequency > end
-            or any(abs(frequency - other) < 0.09 * end for other in taken)
-            or len(taken) >= count
-        ):
+        if frequency > end or len(taken) >= count:
             continue
-        taken.append(frequency)
         shown = known_part(frequency, spectrum.resolution) * factor
+        words = number(shown, 4)
+        at, width = NARROW * frequency / end, LETTER * len(words)
+        # at the ends a centred label would cover the numbers of the axis or leave the plot
+        anchor = "left" if at < 0.5 * width else "right" if at > NARROW - 0.5 * width else "center"
+        left = at - {"left": 0.0, "center": 0.5, "right": 1.0}[anchor] * width
+        if any(left < right + GAP and begin < left + width + GAP for begin, right in taken):
+            continue
+        taken.append((left, left + width))
         figure.add_annotation(
             x=shown,
             y=float(np.log10(amplitude * gain)),
-            text=number(shown, 4),
+            text=words,
             showarrow=False,
-            # at the left edge a centred label would cover the numbers of the axis
-            xanchor="left" if frequency < 0.03 * end else "center",
+            xanchor=anchor,
             yshift=9,
             font={"size": 11},
         )

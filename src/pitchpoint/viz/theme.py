@@ -107,7 +107,8 @@ def figure(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> go.
         "colorway": list(SERIES),
         "hovermode": "closest",
         "legend": {"orientation": "h", "x": 0, "y": 1.02, "yanchor": "bottom"},
-        "xaxis": axis(x_title),
+        # as many ticks as the width has room for: two plots may be next to each other
+        "xaxis": axis(x_title, nticks=0),
         "yaxis": axis(y_title),
     }
     for key, value in more.items():

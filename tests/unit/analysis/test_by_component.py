@@ -9,6 +9,8 @@ import xarray as xr
 
 import pitchpoint as pp
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.elements import ring
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.results import Channel, Header, ResultWriter, open_result
 
 CHANNELS = {
@@ -21,7 +23,7 @@ CHANNELS = {
     "bearing_force[left.fx]": "N",
     "bearing_force[left.my]": "N m",
     "bearing_force[right.end.my]": "N m",
-    "bearing_force[left.radial.direction]": "rad",
+    "bearing_force[left.direction]": "rad",
     "displacement[input.x]": "m",
     "beam_force[shaft.1.i.fx]": "N",
     "own_law[thing.x]": "m",
@@ -57,9 +59,9 @@ def test_flat_channels_by_dimension(stored):
             found = pp.by_component(run)
             force = found.bearing_force
             assert force.dims == ("time", "bearing", "component")
-            assert [list(force[name].values) for name in ("bearing", "component")] == [
+            assert [sorted(force[name].values) for name in ("bearing", "component")] == [
                 ["left", "right.end"],
-                ["fx", "my", "radial.direction"],
+                ["direction", "fx", "my"],
             ]
             one = force.sel(bearing="left", component="my")
             assert np.array_equal(one, run["bearing_force[left.my]"])
@@ -77,7 +79,7 @@ def test_flat_channels_by_dimension(stored):
             assert found.own_law.dims == ("time", "element")
             assert found.own_law["element"].values.tolist() == ["thing.x"]
             assert force.isel(time=2, bearing=[1, 0]).shape == (2, 3)
-            assert force.isel(time=[0, 4], component=1).values == pytest.approx(
+            assert force.isel(time=[0, 4]).sel(component="my").values == pytest.approx(
                 np.column_stack([run[f"bearing_force[{b}.my]"][[0, 4]] for b in ("left", "right.end")])
             )
             assert force.mean("time").shape == (2, 3)
@@ -108,3 +110,14 @@ def test_names_that_do_not_exist():
     assert "bearing_force (time: 7, bearing: 2, component: 3)" in repr(found)
     with pytest.raises(PitchpointError, match="no channel of an element"):
         pp.by_component(xr.Dataset({"power_balance": ("time", TIMES)}))
+
+
+def test_components_of_real_bearings_and_contact_numbers_of_meshes():
+    """Every output of a bearing is a component; every number of the contact has the dimension of the mesh."""
+    names = [name.format("front_A") for name, _, _ in ring.OUTPUTS]
+    names += [f"{name}[stage]" for name, _, _ in RATTLE]
+    found = pp.by_component(xr.Dataset({name: ("case", [1.0, 2.0]) for name in names}))
+    assert found.bearing_force["bearing"].values.tolist() == ["front_A"]
+    assert found.bearing_force.sel(bearing="front_A", component="direction").values.tolist() == [1.0, 2.0]
+    for name, _, _ in RATTLE:
+        assert found[name].sel(mesh="stage").values.tolist() == [1.0, 2.0]

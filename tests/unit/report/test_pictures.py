@@ -82,8 +82,10 @@ def test_every_result_has_a_picture(results: dict[str, xr.Dataset]) -> None:
         assert kind_of(data) == kind
         figure = pp.plot(data)
         assert len(figure.data) > 0, kind
-        with pytest.raises(PitchpointError, match=r"has no picture 'nothing'.*there are \w+"):
+        with pytest.raises(PitchpointError, match=r"has no picture 'nothing'.*there are \w+") as caught:
             pp.plot(data, "nothing")
+        assert str(caught.value).count("there are") == 1, kind
+        assert "this cases" not in str(caught.value)
 
 
 COMMANDS = {

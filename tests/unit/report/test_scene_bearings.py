@@ -278,3 +278,28 @@ def test_bearings_of_a_shaft_fit_on_it():
         elements = seen.solid(f"{name}, {word}")
         assert elements["kind"] == "element" and elements["schematic"]
     assert any("catalogue sizes" in note for note in seen.header["notes"])
+
+
+@pytest.mark.parametrize("bore", ["", ", bore_diameter: 60 mm"], ids=["solid", "bored"])
+def test_bearings_of_gears_without_a_shaft_hide_no_teeth(bore):
+    """A planet of 33 teeth, module 3: on its spindle, beside the gear, within the root circle of 91.5 mm."""
+    gear = (
+        f"{{number_of_teeth: 33, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0{bore}}}"
+    )
+    model = loads_model(
+        f"gears: {{planet: {gear}}}\n"
+        "bodies: {wheel: {gears: [planet], motion: planar, position: [0, 0, 0]}}\n"
+        "bearings: {needles: {body: wheel, stiffness: {radial: 8e8 N/m}}}"
+    )
+    root = 0.5 * model.gears["planet"].geometry.d_f
+    assert 2.0 * root == pytest.approx(91.5e-3)
+    seen = Seen(*scene_texts(scene_of(model)))
+    spindle = 0.03 if bore else 0.35 * root
+    rings = [s["name"] for s in seen.header["solids"] if s["name"].endswith("ring")]
+    assert len(rings) == 4
+    for name in rings:
+        points = seen.placed(name, 0)
+        away = np.hypot(*points.T[:2])
+        assert away.max() < spindle + 0.5 * (root - spindle)
+        assert away.min() == pytest.approx(spindle, rel=0.01) or "outer" in name
+        assert np.abs(points[:, 2]).min() > 20e-3

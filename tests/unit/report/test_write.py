@@ -15,9 +15,10 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.defaults import defaults
 from pitchpoint.report.flanks import flank_lines
+from pitchpoint.report.linear_parts import held_bodies
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.overview import power_part, scene_part
-from pitchpoint.report.statics import held_bodies, highest_of_scenario, highest_speed
+from pitchpoint.report.provenance import source_of
 from pitchpoint.viz.report.build import TimeRun
 
 TEXT = """
@@ -184,23 +185,6 @@ def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> No
         assert words in text
 
 
-def test_speeds_of_a_campbell_diagram_end_where_the_scenarios_do(file: Path) -> None:
-    """1200 Hz of 50 teeth are 1440 rpm, less than the 1500 rpm of the other scenarios."""
-    model = pp.load_model(file)
-    rpm = np.pi / 30.0
-    system = pp.compile_model(model)
-    found = [highest_of_scenario(system, s, "driver") / rpm for s in model.scenarios.values()]
-    assert found == pytest.approx([1500.0, 1500.0, 1440.0])
-    assert highest_speed(system, "driver", [2500.0]) / rpm == pytest.approx(1800.0)
-    ramps = TEXT.replace("speed: 1500 rpm}}", 'speed: "100 rpm + 2000 rpm/s * t"}}', 1)
-    ramp = loads_model(ramps.replace("duration: 20 ms}\n  sweep", "duration: 1 s}\n  sweep", 1))
-    assert highest_of_scenario(
-        pp.compile_model(ramp), ramp.scenarios["driven"], "driven"
-    ) / rpm == pytest.approx(2100.0)
-    bare = loads_model(TEXT.partition("scenarios:")[0])
-    assert highest_speed(pp.compile_model(bare), "driver", [2500.0]) / rpm == pytest.approx(1.2 * 3000.0)
-
-
 def test_where_results_come_from_stands_in_the_report(file: Path, tmp_path: Path) -> None:
     run = tmp_path / "run.h5"
     assert run_command(["run", str(file), "-s", "steady", "-q", "-o", str(run)]) == 0
@@ -217,6 +201,13 @@ def test_where_results_come_from_stands_in_the_report(file: Path, tmp_path: Path
     assert (
         dict(found.sources[0].rows)["duration"] == f"{float(model.scenarios['steady'].duration) * 1e3:g} ms"
     )
+
+
+def test_units_of_varied_values_are_in_the_table_of_the_cases_not_in_the_provenance() -> None:
+    header = {"kind": "cases", "options": {"vary_units": {"loads.drag.torque": "N m"}, "settle_time": 0.1}}
+    rows = dict(source_of("idle", header, "").rows)
+    assert "settle time" in rows
+    assert not any("N m" in text for text in rows.values())
 
 
 def test_a_run_that_failed_is_shown_as_far_as_its_numbers_go(file: Path) -> None:
@@ -242,19 +233,3 @@ def test_a_model_without_shapes_says_so() -> None:
     alone = scene_part(loads_model(f"gears:\n  a: {{{gear}}}\n"), {})
     assert alone.scene is None
     assert "There is no scene" in alone.words
-
-
-def test_variants_share_their_pictures(file: Path, tmp_path: Path) -> None:
-    """Two torques of one scenario: the legend has what differs, and the result names it."""
-    runs = [str(tmp_path / f"{torque}.h5") for torque in (100, 200)]
-    for torque, run in zip((100, 200), runs, strict=True):
-        changed = ["--set", f"loads.output.torque={torque} N m", "--set", f"loads.input.torque={torque} N m"]
-        assert run_command(["run", str(file), "-s", "steady", "-q", "-o", run, *changed]) == 0
-    text = pp.write_report(file, tmp_path / "pair.html", *runs).read_text(encoding="utf-8")
-    section = text[text.index('<section id="comparison"') : text.index('<section id="scene"')]
-    for torque in (100, 200):
-        assert f'"name":"input torque {torque} N m, output torque {torque} N m"' in section
-        assert f"steady: input torque {torque} N m, output torque {torque} N m</th>" in text
-    assert "mesh force, stage [" in section
-    assert ".h5 was computed with a different version" not in text
-    assert "different version of the model" not in text  # the scene has the model of its run

@@ -10,14 +10,13 @@ from pitchpoint.analysis.orders import order_map
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import theme
-from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.mesh_cycle_plot import plot_load_sharing, plot_mesh_stiffness, plot_transmission_error
 from pitchpoint.viz.quantities import Channel, channels, number, scale
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import quantity_table
-from tests.support.report_data import campbell, cycle, sweep
+from tests.support.report_data import cycle, sweep
 
 TIME = np.arange(20_000) / 1e5
 
@@ -59,57 +58,6 @@ def test_load_sharing_in_per_cent() -> None:
     figure = plot_load_sharing([0.0, 0.5, 1.5], [0.5, 1.0, 0.5])
     assert titles(figure)[1] == "load share [%]"
     assert list(figure.data[0].y) == [50.0, 100.0, 50.0]
-
-
-def test_names_of_a_campbell_diagram_never_overlap() -> None:
-    modes = {f"mode {k}": 100.0 + 0.1 * k for k in range(12)} | {"high": 1000.0}
-    orders = {f"{k}× shaft": (float(k), "shaft") for k in (1, 2, 50, 51, 52)}
-    figure = plot_campbell(campbell(modes, orders))
-    right = [a for a in figure.layout.annotations if a.x == 1 and a.text]
-    assert {a.text for a in right} >= set(modes)
-    low, high = figure.layout.yaxis.range
-    room = 560 - 48 - 34
-    shown = sorted(room * (a.y - low) / (high - low) - a.ay for a in right)
-    assert np.diff(shown).min() >= 14 - 1e-6
-    assert shown[0] >= -1e-6 and shown[-1] <= room + 1e-6
-    above = [a for a in figure.layout.annotations if a.textangle == -90]
-    assert len(above) == 3
-    at = sorted(560 * a.x + a.xshift for a in above)
-    assert np.diff(at).min() >= 14 - 1e-6
-    assert figure.layout.margin.r > 60
-
-
-def test_every_rank_of_close_critical_speeds_is_shown() -> None:
-    """Circles a few pixels apart: the first twelve keep their numbers, clear of each other and of circles."""
-    modes = {f"bending {k}": 400.0 + 6.0 * k for k in range(4)} | {"mesh mode": 1200.0, "torsion": 1210.0}
-    orders = {"1× a": (8.0, "shaft"), "mesh a": (20.0, "mesh"), "mesh b": (20.5, "mesh")}
-    figure = plot_campbell(campbell(modes, orders))
-    critical = next(t for t in figure.data if t.name == "critical speeds")
-    led = [a for a in figure.layout.annotations if a.x != 1 and a.text and a.textangle is None]
-    assert sorted(map(int, [t for t in critical.text if t] + [a.text for a in led])) == list(range(1, 13))
-    scale = np.array([560.0, 478.0])
-    low = np.array([figure.layout.xaxis.range[0], figure.layout.yaxis.range[0]])
-    span = np.array([figure.layout.xaxis.range[1], figure.layout.yaxis.range[1]]) - low
-    places = np.array([(np.array([a.x, a.y]) - low) / span * scale + (a.ax, -a.ay) for a in led])
-    circles = (np.column_stack([critical.x, critical.y]) - low) / span * scale
-    assert len(led) > 6
-    for k, place in enumerate(places):
-        for others in (circles, np.delete(places, k, axis=0)):
-            assert np.abs(others - place).max(axis=1).min() >= 13.0 - 1e-6
-
-
-def test_a_campbell_diagram_shows_the_speeds_of_the_data() -> None:
-    data = campbell({"high": 2000.0}).isel(speed=slice(10, None))
-    assert plot_campbell(data).layout.xaxis.range[0] == pytest.approx(200.0 * 30.0 / np.pi)
-
-
-def test_orders_outside_a_campbell_diagram_are_omitted() -> None:
-    orders = {"low": (1.0, "shaft"), "mesh stage": (50.0, "mesh"), "mesh stage + 1× low": (51.0, "sideband")}
-    figure = plot_campbell(campbell({"high": 2000.0}, orders), frequency=(1500.0, 2100.0))
-    assert not any("low" == a.text for a in figure.layout.annotations)
-    lines = [t for t in figure.data if t.line.dash in ("dash", "dot")]
-    assert [t.legendgroup for t in lines] == ["orders", "sidebands"]
-    assert min(min(t.y) for t in lines) >= 1500.0
 
 
 def test_signals_keep_peaks_and_show_units() -> None:
@@ -208,6 +156,53 @@ def test_spectrum_axes_and_labels() -> None:
     assert max(figure.data[0].y) == pytest.approx(3.0, rel=1e-5)
 
 
+def test_numbers_at_peaks_do_not_overlap_in_a_narrow_plot() -> None:
+    """Peaks of four digits a tenth of the axis apart; one of two plots on paper has an axis of 240 pixels."""
+    hertz = (1230, 1630, 1800, 2085, 2500, 2960)
+    x = sum((1.0 + 0.1 * k) * np.sin(2 * np.pi * f * TIME) for k, f in enumerate(hertz))
+    figure = plot_spectrum({"": amplitude_spectrum(x, 1e5)}, unit="N", highest=3000.0)
+    ends = []
+    for a in figure.layout.annotations:
+        at, wide = 240.0 * a.x / 3000.0, 6.2 * len(a.text)
+        left = at - {"left": 0.0, "center": 0.5, "right": 1.0}[a.xanchor] * wide
+        ends.append((left, left + wide))
+    ends.sort()
+    assert len(ends) >= 3 and ends[-1][1] <= 242.0
+    assert all(b[0] >= a[1] + 3.0 for a, b in zip(ends, ends[1:], strict=False))
+    # as many ticks as there is room for
+    assert not figure.layout.xaxis.nticks
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0], ids=["up", "down"])
+def test_mesh_frequencies_are_curves_with_names_in_a_map_over_time(way: float) -> None:
+    """Chirps of two meshes: the named curves are on the ridges of the map, and the names apart."""
+    speed = 20.0 + 1000.0 * (TIME if way > 0.0 else TIME[-1] - TIME)
+    angle = 2 * np.pi * np.cumsum(speed) * 1e-5
+    x = np.sin(10 * angle) + np.sin(11 * angle)
+    data = time_frequency_map(x, 1e5, frame=1024, highest_frequency=3000.0)
+    at = np.interp(data.time, TIME, speed)
+    meshes = {"stage_1": 10.0 * at, "stage_2": 11.0 * at, "twin": 11.0 * at, "beyond": 400.0 * at}
+    figure = plot_time_frequency(data, unit="N", meshes=meshes)
+    curves = {t.name: t for t in figure.data if t.type == "scatter"}
+    assert set(curves) == {"stage_1", "stage_2, twin"}
+    assert titles(figure) == ("time [ms]", "frequency [Hz]")
+    # the ridge half-way through the map is at the curves
+    cells = figure.data[0]
+    column = np.asarray(cells.z, float)[:, len(cells.x) // 2]
+    ridge = float(cells.y[int(column.argmax())])
+    low, high = (float(np.interp(cells.x[len(cells.x) // 2], 1e3 * TIME, f * speed)) for f in (9.0, 12.0))
+    assert low < ridge < high
+    names = [a for a in figure.layout.annotations if a.name == "frequency"]
+    assert [a.text for a in names] == ["stage_1", "stage_2, twin"]
+    top = float(data.frequency[-1])
+    for height in (260.0, 350.0):  # on paper and on the screen
+        middles = []
+        for a in names:
+            middles.append(height * (1.0 - a.y / top) + a.ay)
+            assert 7.0 <= middles[-1] <= height and a.xanchor == ("right" if way > 0.0 else "left")
+        assert abs(middles[1] - middles[0]) >= 14.0
+
+
 def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:
     angle = 2 * np.pi * (20 * TIME + 500 * TIME**2)
     x = np.sin(10 * angle)
@@ -247,20 +242,6 @@ def test_contact_shares_without_back_contact_have_no_line_for_it() -> None:
     assert titles(figure)[1] == "share of time [%]"
     assert [t.name for t in figure.data] == ["contact loss, up", "contact loss, down"]
     assert max(figure.data[0].y) == pytest.approx(40.0)
-
-
-def test_campbell_marks_critical_speeds_by_rank_and_the_operating_speed() -> None:
-    orders = {"mesh a": (20.0, "mesh"), "2× mesh a": (40.0, "mesh"), "mesh a + 1× b": (21.0, "sideband")}
-    figure = plot_campbell(campbell({"1st bending of b (forward)": 1000.0}, orders, operating=(200.0, 250.0)))
-    assert titles(figure) == ("speed of driver [rpm]", "frequency [Hz]")
-    critical = next(t for t in figure.data if t.name == "critical speeds")
-    assert list(critical.x) == pytest.approx(
-        [3000.0, 1500.0]
-    )  # that of the sideband belongs to its mesh order
-    assert list(critical.text) == ["1", "2"]
-    assert figure.data[0].legendgroup != "forward whirl"
-    assert any(t.legendgroup == "forward whirl" for t in figure.data)
-    assert figure.layout.shapes[0].x1 == pytest.approx(250.0 * 30.0 / np.pi)
 
 
 def test_rows_of_one_letter_share_a_unit() -> None:

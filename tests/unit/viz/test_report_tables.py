@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -14,7 +16,7 @@ from pitchpoint.viz.report.contact_times import contact_table
 from pitchpoint.viz.report.overview import provenance_section
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.summary import summary_section
-from pitchpoint.viz.report.tables import parameter_section
+from pitchpoint.viz.report.tables import mode_section, parameter_section
 
 TIME = np.linspace(0.0, 1.0, 201)
 
@@ -77,11 +79,16 @@ def test_the_summary_tells_load_sharing_ripple_and_unstable_modes() -> None:
     run = TimeRun(
         data={"time": TIME, "mesh_force[m]": force}, planets={"set": {"load_sharing_factor": 1.283}}
     )
-    html = "".join(summary_section((), ReportResults(runs={"r": run}, modes=modes)).parts)
+    html = "".join(summary_section((), ReportResults(runs={"r": run}, modes={"steady": modes})).parts)
     assert "mesh load factor K<sub>γ</sub> of the planets, set</th><td>1.283" in html
     assert "1.5 times its mean" in html
     assert "Unstable about the loaded state: first bending of rotor (forward) (88.6 Hz" in html
     assert "rigid rotation" not in html
+    rounded = replace(modes, names=["a", "b", "c"], damping_ratio=[-2.21e-17, 3e-13, 0.02], scenarios=["up"])
+    html = "".join(mode_section({"up": replace(rounded, held=["a"], others=["idle"])}).parts)
+    assert [cell in html for cell in (">0 %<", ">2 %<", "⁻¹")] == [True, True, False]
+    assert "loaded state of scenario up with mean mesh stiffness; prescribed motion: a." in html
+    assert "The prescribed motions of scenario idle differ" in html
 
 
 def test_results_are_columns_of_one_table_of_provenance() -> None:

@@ -101,6 +101,23 @@ def test_groups_set_titles_and_round_off_is_not_drawn() -> None:
     assert "axial" not in html
 
 
+@pytest.mark.parametrize(("radial", "axial"), [(300.0, 0.1), (0.1, 300.0)])
+def test_the_larger_component_of_bearing_forces_is_drawn_first(radial: float, axial: float) -> None:
+    """Whatever the order of the channels; other quantities stay where they are."""
+    data = {"time": TIME} | named(
+        {
+            "mesh_force[s]": (10.0 + WAVE, "N"),
+            "bearing_force[a.axial]": (axial * (1.0 + WAVE), "N"),
+            "bearing_force[a.radial]": (radial * (1.0 + 0.1 * WAVE), "N"),
+        }
+    )
+    groups = [("", ["mesh_force[s]", "bearing_force[a.axial]", "bearing_force[a.radial]"])]
+    figures = time_section({"r": TimeRun(data=data, groups=groups)}).figures
+    names = [figure.data[0].name for figure in figures.values()]
+    words = ["axial bearing force, a", "radial bearing force, a"]
+    assert names == ["mesh force, s", *(words if axial > radial else words[::-1])]
+
+
 def test_variants_share_a_picture_and_equal_curves_are_said() -> None:
     runs = {
         gap: TimeRun(

@@ -16,7 +16,9 @@ from pitchpoint.viz.compared_table import Compared, compared_table, sourced_tabl
 from pitchpoint.viz.detection_plot import plot_detection
 from pitchpoint.viz.flank_plot import plot_missing
 from pitchpoint.viz.frequency_marks import mark_frequencies
+from pitchpoint.viz.frequency_response_plot import plot_frequency_response
 from pitchpoint.viz.level_plot import plot_signal_and_levels
+from pitchpoint.viz.mesh_response_plot import plot_mesh_response
 from pitchpoint.viz.spectrum_plots import plot_spectrum
 
 
@@ -74,6 +76,22 @@ def test_meshes_of_equal_frequency_have_one_line() -> None:
     mark_frequencies(figure, {"sun_1": 50.0, "sun_2": 50.0, "ring": 80.0})
     assert [line.x0 for line in figure.layout.shapes] == [50.0, 80.0]
     assert [a.text for a in figure.layout.annotations if a.name] == ["sun_1, sun_2", "ring"]
+
+
+def test_responses_are_named_in_words() -> None:
+    """Channels and loads as words, in levels over speed as in amplitudes over frequency."""
+    speed, hertz = np.linspace(10.0, 100.0, 5), np.linspace(20.0, 200.0, 5)
+    channel = "bearing_force[output_low.radial]"
+    levels = plot_mesh_response(
+        speed, hertz[:, None], np.ones((5, 1, 1)), ["1 × stage"], [channel], ["N"], shaft="input"
+    )
+    assert levels.layout.yaxis.title.text == "radial bearing force, output_low<br>[dB re 1 µN]"
+    inputs = ["shaft.2.fx", "shaft.mz", "transmission_error[stage]"]
+    bode = plot_frequency_response(hertz, np.ones((5, 1, 3), complex), [channel], inputs, ["N/N"] * 3)
+    assert list(dict.fromkeys(t.name for t in bode.data)) == [
+        f"radial bearing force, output_low by {cause}"
+        for cause in ("force x, shaft.2", "moment z, shaft", "transmission error, stage")
+    ]
 
 
 def test_missing_part_of_a_flank_is_where_the_level_is_positive() -> None:

@@ -3,7 +3,8 @@
 
 Rolling bearings of a model have the number, diameter, pitch diameter and contact angle of their elements;
 other dimensions follow from these in the proportions of catalogue bearings. Linear bearings have stiffnesses
-only: they get the boundary dimensions of the dimension series 02 of ISO 15 for the shaft that carries them.
+only: they get the boundary dimensions of the dimension series 02 of ISO 15 for the shaft that carries them,
+or smaller ones within the root circle of their gear.
 """
 
 from __future__ import annotations
@@ -154,7 +155,7 @@ def _form(known: BearingGeometry) -> str:
     return "thrust" if known.kind == "thrust_ball" else "apart" if known.row_distance > 0.0 else "plain"
 
 
-def size_on(shaft: float, axial: bool) -> BearingSize:
+def size_on(shaft: float, axial: bool, most: float = math.inf) -> BearingSize:
     """Dimensions of a bearing of the series 02 of ISO 15 on a shaft, for linear bearings.
 
     Parameters
@@ -163,17 +164,25 @@ def size_on(shaft: float, axial: bool) -> BearingSize:
         Radius of the shaft [m].
     axial
         Whether it supports axial loads: a deep groove ball bearing, else a cylindrical roller bearing.
+    most
+        Largest outside diameter [m]; a smaller bearing is narrower in proportion to its section height, as in
+        lighter series.
 
     Examples
     --------
     >>> found = size_on(25e-3, True)
     >>> round(found.outside, 4), round(found.width, 4), found.count
     (0.09, 0.02, 10)
+    >>> found = size_on(25e-3, True, 70e-3)
+    >>> round(found.outside, 4), round(found.width, 4)
+    (0.07, 0.01)
     """
     bores, outsides, widths = SERIES_02.T
     at = math.log(2e3 * shaft)
     outside = 2.0 * shaft * float(np.interp(at, np.log(bores), outsides / bores))
     width = 2.0 * shaft * float(np.interp(at, np.log(bores), widths / bores))
+    lighter = min(1.0, (most - 2.0 * shaft) / (outside - 2.0 * shaft))
+    outside, width = 2.0 * shaft + lighter * (outside - 2.0 * shaft), lighter * width
     kind = "ball" if axial else "roller"
     pitch = 0.5 * (2.0 * shaft + outside)
     element = (BALL if axial else ROLLER) * (outside - 2.0 * shaft)

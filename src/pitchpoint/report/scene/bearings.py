@@ -19,12 +19,12 @@ from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, S
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import rings_of
 from pitchpoint.report.scene.bearing_sections import element_surface, ring, spall
-from pitchpoint.report.scene.bearing_sizes import BearingSize, size_of, size_on
+from pitchpoint.report.scene.bearing_sizes import BearingSize, size_of
 from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.modes import rest_axes
 from pitchpoint.report.scene.motion import Motion, kinematic
 from pitchpoint.report.scene.places import placed_solid
-from pitchpoint.report.scene.supports import DEFAULT_RADIUS, shaft_radius
+from pitchpoint.report.scene.supports import linear_size, shaft_radius
 from pitchpoint.viz.scene.content import SceneBody, SceneLevel, ScenePiece, SceneSolid
 
 if TYPE_CHECKING:
@@ -47,30 +47,13 @@ MOST = 100
 """With more linear bearings, these are drawn without rolling elements."""
 
 
-def linear_size(model: Model, name: str, size: float) -> BearingSize:
-    """Dimensions drawn for a linear bearing.
-
-    Parameters
-    ----------
-    model
-        The model.
-    name
-        Name of the bearing.
-    size
-        Size of the machine [m], from which that of a shaft of unknown diameter follows.
-    """
-    part = model.bearings[name]
-    radius = shaft_radius(model, part.body, part.position[2]) or DEFAULT_RADIUS * size
-    return size_on(radius, part.stiffness.matrix6()[2][2] > 0.0)
-
-
 def ring_places(model: Model, name: str, size: float) -> list[float]:
     """Axial positions of a linear bearing on its body [m]: its own, or both sides of a gear.
 
     Parameters
     ----------
     model, name, size
-        As for `linear_size`.
+        As for `supports.linear_size`.
     """
     part = model.bearings[name]
     z, drawn = part.position[2], linear_size(model, name, size)

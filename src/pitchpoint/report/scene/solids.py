@@ -98,7 +98,10 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     if frames:
         notes.append("frames around gears represent housings without a shape in the model")
     if model.bearings:
-        notes.append("linear bearings are drawn in catalogue sizes for their shafts; the model has no sizes")
+        notes.append(
+            "linear bearings are drawn in catalogue sizes for their shafts or smaller than their gears; "
+            "the model has no sizes"
+        )
     if plates:
         notes.append("plates of carriers show positions, not sizes")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}

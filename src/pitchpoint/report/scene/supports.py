@@ -6,6 +6,7 @@ Their positions are given by the model; their shapes are symbolic and marked as 
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +16,7 @@ from pitchpoint.model.frames import GROUND, joint_axes, joint_place, split
 from pitchpoint.model.rings import ring_bodies, rings_of
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
-from pitchpoint.report.scene.bearing_sizes import size_on
+from pitchpoint.report.scene.bearing_sizes import BearingSize, size_on
 from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.viz.scene.content import SceneSolid
@@ -27,8 +28,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SPINDLE = 0.35
-"""Radius of a spindle, relative to the smallest root radius on it."""
+SPINDLE, RIM = 0.35, 0.4
+"""Radius of a spindle, relative to the smallest root radius on it; section height of a linear bearing on a
+spindle, relative to the height from the spindle to the root circle."""
 DEFAULT_RADIUS = 0.02
 """Radius of the rotating part in a bearing if unknown, relative to the size of the machine."""
 EDGE, ROOM = 0.003, 0.02
@@ -43,6 +45,27 @@ def spindle_radius(model: Model, body: str) -> float | None:
         return None
     bores = [g.hub for g in gears if g.hub > 0.0]
     return min(bores) if bores else SPINDLE * min(roots)
+
+
+def linear_size(model: Model, name: str, size: float) -> BearingSize:
+    """Dimensions drawn for a linear bearing; on a spindle it is smaller than the root circles of the gears.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        Name of the bearing.
+    size
+        Size of the machine [m], from which that of a shaft of unknown diameter follows.
+    """
+    part = model.bearings[name]
+    radius = shaft_radius(model, part.body, part.position[2]) or DEFAULT_RADIUS * size
+    most = math.inf
+    if part.body in model.bodies and part.body not in model.shafts:
+        roots = [g.root for g in seated(model, part.body).values() if g.root is not None]
+        most = min((2.0 * (radius + RIM * (root - radius)) for root in roots), default=math.inf)
+    return size_on(radius, part.stiffness.matrix6()[2][2] > 0.0, most)
 
 
 def shaft_radius(model: Model, body: str, z: float) -> float | None:

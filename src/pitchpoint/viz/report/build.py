@@ -199,7 +199,8 @@ class RollData:
 class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
-    `held` lists the bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
+    `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
+    bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
     if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
     (number of modes, number of components).
     """
@@ -207,6 +208,8 @@ class ModeData:
     names: Sequence[str]
     frequency: Sequence[float]
     damping_ratio: Sequence[float]
+    scenarios: Sequence[str] = ()
+    others: Sequence[str] = ()
     held: Sequence[str] = ()
     total: int = 0
     components: Sequence[str] = ()
@@ -244,7 +247,7 @@ class TimeRun:
     angle
         Angle channel of the reference shaft of orders; default: shaft of gear 1 of each mesh.
     highest_order
-        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
+        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 10.
     mesh_frequencies
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     groups
@@ -281,9 +284,10 @@ class ReportResults:
         By the name of the scenario: a mapping with `points` and `jumps`, as `pitchpoint sweep --json` prints
         it.
     campbells
-        Campbell diagrams by name, datasets of `solve_campbell`; "" for the one of the report itself.
+        Campbell diagrams by name, datasets of `solve_campbell`, or a sentence with the reason why there is
+        none; those of the report itself by the names of their scenarios.
     modes
-        Modes about the loaded state.
+        Modes about the loaded state, by the names of their scenarios.
     cases
         Independent cases by the name of the scenario.
     contacts
@@ -304,8 +308,8 @@ class ReportResults:
     rolls: Mapping[str, RollData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    campbells: Mapping[str, xr.Dataset] = field(default_factory=dict)
-    modes: ModeData | None = None
+    campbells: Mapping[str, xr.Dataset | str] = field(default_factory=dict)
+    modes: Mapping[str, ModeData] = field(default_factory=dict)
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
     contacts: Mapping[str, ContactData] = field(default_factory=dict)
     reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from pitchpoint.analysis.campbell_ranking import RankedSpeed, UnstableRange, ranked_speeds, unstable_ranges
 from pitchpoint.viz.campbell_plot import plot_campbell
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import amount, damping_words, number, scale, span
 from pitchpoint.viz.report.page import Section, keep_height
 from pitchpoint.viz.tables import plain_table
 
@@ -23,13 +23,18 @@ LISTED = 12
 """Maximum number of critical speeds in the table."""
 
 
-def campbell_section(diagrams: Mapping[str, xr.Dataset]) -> Section:
-    """Campbell diagrams, and tables of critical speeds."""
+def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
+    """Campbell diagrams, and tables of critical speeds; a sentence for those that there are not."""
     section = Section("campbell", "Campbell diagram")
     for name, data in diagrams.items():
+        if isinstance(data, str):
+            section.add(f"<h3>{escape(name)}</h3>" if len(diagrams) > 1 else "")
+            section.add(f"<p>{escape(data)}</p>")
+            continue
         if not data["frequency"].size or data.sizes["speed"] < 2:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if name else "")
+        section.add(f"<h3>{escape(name)}</h3>" if len(diagrams) > 1 else "")
+        section.add(f"<p>{escape(_conditions(data))}</p>")
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."
         caption = words if ranked else "No critical speed in this range."
@@ -46,12 +51,46 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset]) -> Section:
     return section
 
 
+def _conditions(data: xr.Dataset) -> str:
+    """Scenario, prescribed motions and operating range of a diagram, in words."""
+    body, held = data.attrs.get("body", ""), data.attrs.get("held", "")
+    names = data.attrs.get("scenario", "")
+    words = f"Speed of {body}" if body else ""
+    if names:
+        words += f"{'; scenarios' if ', ' in names else '; scenario'} {names}"
+        words += f", prescribed motion: {held}" if held else ""
+    operating = data.attrs.get("operating_speed")
+    if operating is not None and len(operating):
+        words += f"; operating {range_words(operating)}"
+    words = words.removeprefix("; ")
+    return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+def range_words(speeds: Sequence[float]) -> str:
+    """Operating speed or range, in words.
+
+    Parameters
+    ----------
+    speeds
+        Lowest and highest speed [rad/s].
+
+    Examples
+    --------
+    >>> range_words([62.83185307, 188.4955592]), range_words([188.4955592, 188.4955592])
+    ('range 600 to 1800 rpm', 'speed 1800 rpm')
+    """
+    low, high = sorted(abs(float(x)) for x in speeds)
+    if amount(low, "rad/s") == amount(high, "rad/s"):
+        return f"speed {amount(high, 'rad/s')}"
+    return f"range {span(low, high, 'rad/s')}"
+
+
 def _unstable_table(listed: tuple[UnstableRange, ...]) -> str:
     """Table of unstable modes."""
     rows = []
     for u in listed:
         low, high = (scale("rad/s").text(x) for x in (u.low, u.high))
-        damping = f"{number(100.0 * u.damping_ratio, 3)} %".replace("-", "−")
+        damping = damping_words(u.damping_ratio)
         cells = [f'<td class="num">{x}</td>' for x in (f"{low} – {high}", damping)]
         cells.append(f"<td>{escape(u.source or '–')}</td>")
         rows.append(f'<tr><th scope="row">{escape(u.mode)}</th>{"".join(cells)}</tr>')
@@ -62,7 +101,7 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
     """Table of the first critical speeds."""
     rows = []
     for rank, c in enumerate(ranked[:LISTED], start=1):
-        damping = f"{number(100.0 * c.damping_ratio, 3)} %".replace("-", "−")
+        damping = damping_words(c.damping_ratio)
         cells = [
             scale("rad/s").text(c.speed),
             scale("Hz", [c.frequency]).text(c.frequency),

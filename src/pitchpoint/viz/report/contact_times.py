@@ -75,7 +75,7 @@ def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...
         str(impacts),
         largest,
         f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
-        f"{counted['impulse_max']:.4g} N s" if impacts else "–",
+        f"{counted['impulse_max']:.4g} N s" if counted["impulse_max"] > 0.0 else "–",
         number(index, 3) if np.isfinite(index) and index > NO_RATTLE else "–",
     )
 

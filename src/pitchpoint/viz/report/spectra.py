@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from html import escape
@@ -36,6 +37,9 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 QUANTITIES = ("deflection", "mesh_force")
+WITHOUT_MESHES = re.compile(r"(?:bearing|coupling)_force\[.*\.(?:fx|mz)\]")
+"""Channels of machines without meshes: forces of bearings across the shaft, which an unbalance rotates, while
+their resultant is constant; torques of couplings."""
 MAX_CHANNELS = 8
 HARMONICS = 12.5
 """End of a frequency axis in mesh frequencies."""
@@ -63,7 +67,8 @@ def spectrum_section(
     shafts
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
     wanted
-        Channels; default: deflections and mesh forces.
+        Channels; default: deflections and mesh forces, of machines without meshes forces of bearings and
+        couplings.
     overlaid
         Runs with spectra in a common picture, which are omitted here if their speed is steady.
     """
@@ -71,6 +76,8 @@ def spectrum_section(
     for name, run in runs.items():
         time, found = channels(run.data)
         picked = [c for q in QUANTITIES for c in found.values() if c.quantity == q]
+        if not picked and not wanted:
+            picked = [c for name, c in found.items() if WITHOUT_MESHES.fullmatch(name)]
         picked = [found[n] for n in wanted if n in found] if wanted else picked
         if time.size < 64 or not picked:
             continue
@@ -136,8 +143,11 @@ def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
 
 
 def default_highest_order(teeth: Sequence[int]) -> float:
-    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame."""
-    return 3.2 * max(teeth) if teeth else 100.0
+    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame.
+
+    Without teeth: orders of shafts and rolling bearings.
+    """
+    return 3.2 * max(teeth) if teeth else 10.0
 
 
 def _is_one_way(angle: Array) -> bool:
@@ -200,8 +210,14 @@ def _add_maps(
     values, rate = uniform(time, channel.values)
     top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
     data = time_frequency_map(values, rate, highest_frequency=top, start=float(time[0]))
+    turning = np.abs(_speed_at(data.time, time, angle)) / (2.0 * np.pi)
     section.add_figure(
-        spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
+        spectrum_plots.plot_time_frequency(
+            data,
+            unit=channel.unit,
+            quantity=channel.label,
+            meshes={name: order * turning for name, order in shafts.meshes.items()},
+        ),
         "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
         name=f"time_frequency[{channel.name}]",
     )
@@ -229,6 +245,14 @@ def _long_enough(angle: Array, limit: float) -> None:
 def _top_speed(time: Array, angle: Array) -> float:
     marks = np.linspace(0, time.size - 1, min(101, time.size)).round().astype(np.int64)
     return float(np.abs(np.diff(angle[marks]) / np.diff(time[marks])).max())
+
+
+def _speed_at(moments: Array, time: Array, angle: Array) -> Array:
+    """Mean speeds around instants of a record [rad/s]: over a hundredth of it, within its ends."""
+    half = 0.005 * float(time[-1] - time[0])
+    before, after = (np.clip(moments + way, time[0], time[-1]) for way in (-half, half))
+    angles = (np.interp(at, time, angle) for at in (after, before))
+    return np.asarray(np.subtract(*angles) / (after - before))
 
 
 def _frame(angle: Array) -> float:

@@ -9,20 +9,23 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.analysis.campbell_ranking import ranked_speeds
+from pitchpoint.analysis.campbell_ranking import RankedSpeed, ranked_speeds
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import (
+    ROUND_OFF,
     Array,
     Channel,
     amount,
     channel_scale,
     channels,
     number,
+    span,
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
+from pitchpoint.viz.report.campbell import range_words
 from pitchpoint.viz.report.case_results import case_quantities
 from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
@@ -37,10 +40,14 @@ MAX_ENDS = 4
 """Inputs or outputs named for one run."""
 NO_POWER = 1e-4
 """Power relative to the largest one below which an element does not count as input or output."""
+SPEEDS = "Speeds of input and output"
+"""Title of the speeds among the curves of a run."""
+VARIES = 0.02
+"""Variation of a speed relative to its largest value from which its range is given."""
+MAX_CRITICAL = 3
+"""Critical speeds within the operating range that are named."""
 RIPPLE = 1.005
 """Ratio of the maximum of a mesh force to its mean from which it is given."""
-UNSTABLE = 1e-7
-"""Negative damping ratio from which a mode counts as unstable; below it is round-off."""
 
 
 def summary_section(counts: Sequence[tuple[str, str]], results: Any, warnings: Sequence[str] = ()) -> Section:
@@ -115,6 +122,7 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
         row["input power"] = amount(flow.put_in, "W") if flow.put_in else ""
         row["losses"] = amount(flow.lost, "W") if flow.lost else ""
+    row["speed"] = _speeds(run, found, window, known=bool(row.get("input") or row.get("output")))
     row["maximum mesh force"] = _largest(
         found, "mesh_force", window, lambda low, high: max(abs(low), abs(high)), over_mean=True
     )
@@ -148,6 +156,23 @@ def _ends(flow: PowerFlow, links: Sequence[PowerLink], *, starts: bool) -> str:
         torque = f", {amount(power / abs(speed), 'N m')}" if abs(speed) > 0.0 else ""
         rows.append(f"{escape(link.name)}: {amount(speed, 'rad/s')}{torque}, {amount(power, 'W')}")
     rows += [f"{len(links) - MAX_ENDS} more"] if len(links) > MAX_ENDS else []
+    return "<br>".join(rows)
+
+
+def _speeds(run: Any, found: Mapping[str, Channel], window: np.ndarray, *, known: bool) -> str:
+    """Speeds of the ends of the machine; only those that vary if the mean ones are `known`."""
+    names = [name for title, own in run.groups if title == SPEEDS for name in own if name in found]
+    rows = []
+    for channel in (found[name] for name in names[:MAX_ENDS]):
+        values = channel.values[window]
+        if not values.size or not np.all(np.isfinite(values)):
+            continue
+        low, high = float(values.min()), float(values.max())
+        steady = high - low <= VARIES * max(abs(low), abs(high))
+        if steady and not known:
+            rows.append(f"{escape(owner(channel))}: {amount(float(values.mean()), 'rad/s')}")
+        elif not steady:
+            rows.append(f"{escape(owner(channel))}: {span(low, high, 'rad/s')}")
     return "<br>".join(rows)
 
 
@@ -273,40 +298,52 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
     return plain_table(head, body, numbers=False) if body else ""
 
 
-def _unstable(modes: Any) -> list[str]:
-    """Listed modes with negative damping, in words."""
-    if modes is None:
-        return []
-    rows = list(zip(modes.names, modes.frequency, modes.damping_ratio, strict=True))[:MAX_MODES]
-    found = [
-        f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
-        for name, frequency, ratio in rows
-        if ratio < -UNSTABLE and frequency > 0.0
-    ]
-    return [f"Unstable about the loaded state: {', '.join(found[:MAX_ENDS])}."] if found else []
+def _unstable(modes: Mapping[str, Any]) -> list[str]:
+    """Listed modes with negative damping, in words, by loaded state."""
+    lines = []
+    for of, own in modes.items():
+        rows = list(zip(own.names, own.frequency, own.damping_ratio, strict=True))[:MAX_MODES]
+        found = [
+            f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
+            for name, frequency, ratio in rows
+            if ratio < -ROUND_OFF and frequency > 0.0
+        ]
+        state = f"loaded state of {of}" if len(modes) > 1 else "loaded state"
+        lines += [f"Unstable about the {state}: {', '.join(found[:MAX_ENDS])}."] if found else []
+    return lines
 
 
 def _critical(diagrams: Mapping[str, Any]) -> list[str]:
-    """Critical speed nearest to the operating speed, in words, per Campbell diagram that has one."""
+    """Critical speeds within the operating range, else the nearest one, in words, per Campbell diagram."""
     found = []
     for name, data in diagrams.items():
-        if "crossing_separation" not in data or not data["frequency"].size:
+        if isinstance(data, str) or "crossing_separation" not in data or not data["frequency"].size:
             continue
         known = [c for c in ranked_speeds(data) if np.isfinite(c.separation) and c.amplification >= 1.0]
-        of = f" of {name}" if name else ""
+        of = f" of {name}" if len(diagrams) > 1 else ""
         if not known:
             found.append(f"No critical speed{of} with an amplification above 1 in the Campbell diagram.")
             continue
+        inside = [c for c in known if c.separation == 0.0]
+        if inside:
+            words = "; ".join(f"{amount(c.speed, 'rad/s')} ({_resonance(c)})" for c in inside[:MAX_CRITICAL])
+            more = len(inside) - MAX_CRITICAL
+            words += f"; {more} more in the Campbell diagram" if more > 0 else ""
+            place = range_words(data.attrs["operating_speed"])
+            found.append(f"Critical speeds{of} within the operating {place}: {words}.")
+            continue
         near = min(known, key=lambda c: abs(c.separation))
-        where = (
-            "within the operating range"
-            if near.separation == 0.0
-            else f"{number(abs(100.0 * near.separation), 2)} % "
-            f"{'above' if near.separation > 0.0 else 'below'} the operating speed"
-        )
+        side = "above" if near.separation > 0.0 else "below"
         found.append(
-            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}, {where} "
-            f"({near.order}, {near.mode}, amplification "
-            f"{number(near.amplification, 3) if np.isfinite(near.amplification) else 'without limit'})."
+            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}, "
+            f"{number(abs(100.0 * near.separation), 2)} % {side} the operating "
+            f"{range_words(data.attrs['operating_speed'])} ({_resonance(near)})."
         )
     return found
+
+
+def _resonance(critical: RankedSpeed) -> str:
+    """Order, mode and amplification of a critical speed."""
+    factor = critical.amplification
+    size = number(factor, 3) if np.isfinite(factor) else "without limit"
+    return f"{critical.order}, {critical.mode}, amplification {size}"

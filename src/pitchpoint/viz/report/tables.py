@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
 from pitchpoint.viz.mode_plot import plot_modes
-from pitchpoint.viz.quantities import number, printed
+from pitchpoint.viz.quantities import damping_words, number, printed
 from pitchpoint.viz.report.page import Section, keep_height
 from pitchpoint.viz.tables import plain_table
 
@@ -17,24 +17,30 @@ MAX_ROWS = 100
 MAX_MODES = 20
 
 
-def mode_section(modes: Any) -> Section:
-    """Section with natural frequencies and damping about the loaded state."""
+def mode_section(modes: Mapping[str, Any]) -> Section:
+    """Section with natural frequencies and damping about loaded states, by the names of their scenarios."""
     section = Section("modes", "Modes")
-    if modes is None or not len(modes.names):
-        return section
+    shown = {name: own for name, own in modes.items() if len(own.names)}
+    for name, own in shown.items():
+        section.add(f"<h3>{escape(name)}</h3>" if len(shown) > 1 else "")
+        _add_modes(section, own)
+    return section
+
+
+def _add_modes(section: Section, modes: Any) -> None:
+    """Add the modes about one loaded state."""
     body = []
     rows = zip(modes.names, modes.frequency, modes.damping_ratio, strict=True)
     for k, (name, frequency, ratio) in enumerate(rows, start=1):
         known = math.isfinite(ratio) and frequency > 0.0
-        damping = f"{number(100.0 * ratio, 3)} %" if known else "–"
+        damping = damping_words(ratio) if known else "–"
         if known and abs(ratio) == 1.0:
             damping = "overdamped" if ratio > 0.0 else "unstable"
         body.append(
             f'<tr><th scope="row">{k}</th><td>{escape(name)}</td>'
             f'<td class="num">{number(frequency)} Hz</td><td class="num">{damping}</td></tr>'
         )
-    held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
-    section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
+    section.add(f"<p>{escape(_conditions(modes))}</p>")
     section.add(plain_table(("mode", "name", "natural frequency at rest", "damping ratio"), body[:MAX_MODES]))
     if len(modes.components):
         drawn = plot_modes(
@@ -49,7 +55,26 @@ def mode_section(modes: Any) -> Section:
     total = max(modes.total, len(body))
     if total > MAX_MODES:
         section.add(f"<p>The lowest {MAX_MODES} of {total} modes; use pitchpoint modes for all.</p>")
-    return section
+
+
+def _conditions(modes: Any) -> str:
+    """Scenario and prescribed motions of modes, in words."""
+    of = f" of scenario {modes.scenarios[0]}" if modes.scenarios else ""
+    words = f"Linearised about the loaded state{of} with mean mesh stiffness"
+    if modes.held:
+        words += f"; prescribed motion: {', '.join(modes.held)}"
+    elif modes.scenarios:
+        words += "; no prescribed motion"
+    words += "."
+    if len(modes.scenarios) > 1:
+        words += f" Scenarios with the same prescribed motions: {', '.join(modes.scenarios[1:])}."
+    if modes.others:
+        plural = "s" if len(modes.others) > 1 else ""
+        words += (
+            f" The prescribed motions of scenario{plural} {', '.join(modes.others)} differ, and so do the "
+            f"modes: for a report of these, give {'their results' if plural else 'its result'}."
+        )
+    return words
 
 
 def signal_section(lines: Sequence[Sequence[str]]) -> Section:

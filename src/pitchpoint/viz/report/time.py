@@ -107,22 +107,24 @@ def _add_group(
 ) -> list[str]:
     """Add the pictures of one group: one per quantity and unit, and per component of bearing forces.
 
+    Larger components are drawn before smaller ones.
+
     Returns the constant curves with their values.
     """
-    pictures: dict[tuple[str, str], list[Channel]] = {}
+    pictures: dict[tuple[str, str], dict[str, list[Channel]]] = {}
     sizes: dict[str, float] = {}
     for channel in group:
-        size = float(np.nanmax(np.abs(channel.values), initial=0.0))
-        sizes[channel.unit] = max(sizes.get(channel.unit, 0.0), size)
+        sizes[channel.unit] = max(sizes.get(channel.unit, 0.0), _size(channel))
     for channel in group:
-        size = float(np.nanmax(np.abs(channel.values), initial=0.0))
         # contact states are in the table, and shaded where a mesh has a picture of its own
-        if channel.quantity != "contact_state" and size > ROUND_OFF * sizes[channel.unit]:
-            key = channel.quantity + (channel.name.rpartition(".")[2] if channel.quantity == QUANTITY else "")
-            pictures.setdefault((key, channel.unit), []).append(channel)
+        if channel.quantity != "contact_state" and _size(channel) > ROUND_OFF * sizes[channel.unit]:
+            part = channel.name.rpartition(".")[2] if channel.quantity == QUANTITY else ""
+            parts = pictures.setdefault((channel.quantity, channel.unit), {})
+            parts.setdefault(part, []).append(channel)
     constant: list[str] = []
     headed = False
-    for curves in pictures.values():
+    ordered = [sorted(parts.values(), key=lambda own: -max(map(_size, own))) for parts in pictures.values()]
+    for curves in (curves for parts in ordered for curves in parts):
         drawn, still, words = distinct(curves)
         constant += still
         if (drawn or words) and not headed:
@@ -133,6 +135,11 @@ def _add_group(
             _add_signals(section, time, drawn, states.get(owner(drawn[0])) if alone else None, steady)
         section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
     return constant
+
+
+def _size(channel: Channel) -> float:
+    """Largest absolute value of a channel."""
+    return float(np.nanmax(np.abs(channel.values), initial=0.0))
 
 
 def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str], list[str]]:
@@ -157,7 +164,7 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str], list[s
             copies.append(f"{place} as {other}{factor}")
     words = [f"Equal curves are drawn once: {', '.join(copies)}."] if copies else []
     if len(others) > MAX_LINES:
-        order = sorted(others, key=lambda c: -float(np.nanmax(np.abs(c.values))))[:MAX_LINES]
+        order = sorted(others, key=lambda c: -_size(c))[:MAX_LINES]
         more = len(others) - MAX_LINES
         is_are = "is" if more == 1 else "are"
         words.append(
@@ -170,8 +177,8 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str], list[s
 
 def is_constant(channel: Channel) -> bool:
     """Whether a channel varies by no more than round-off."""
-    size = float(np.nanmax(np.abs(channel.values), initial=0.0))
-    return bool(np.all(np.isfinite(channel.values))) and float(np.ptp(channel.values)) <= NOISE * size
+    finite = bool(np.all(np.isfinite(channel.values)))
+    return finite and float(np.ptp(channel.values)) <= NOISE * _size(channel)
 
 
 def constant_words(channel: Channel) -> str:
