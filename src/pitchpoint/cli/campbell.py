@@ -335,4 +335,4 @@ def _rpm(speed: float) -> str:
 
 
 def _separation(share: float) -> str:
-    return "in range" if share == 0.0 else f"{100.0 * share:+.1f} %"
+    return "in range" if share == 0.0 else f"{round(100.0 * share, 1) + 0.0:+.1f} %"

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.output import NOTHING, emit_json, greatest, largest, show, show_notes, shown, table
-from pitchpoint.cli.settings import scalar, split_at_path
+from pitchpoint.cli.settings import say_bare, scalar, split_at_path
 from pitchpoint.core.load_sharing import factor_name, is_factor, stage_of
 
 if TYPE_CHECKING:
@@ -86,6 +86,8 @@ def run_varied(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
+    from pitchpoint.model.numbers import is_name
+    from pitchpoint.model.replace import bare_in
     from pitchpoint.sweep.cases import grid
 
     paths: dict[str, list[Any]] = {}
@@ -96,6 +98,7 @@ def run_varied(
         paths[path] = values
     cases = grid(paths)
     refuse_the_impossible(model, cases)
+    say_bare(bare for path in paths for value in paths[path] for bare in bare_in(model, path, value))
     begun = time.perf_counter()
     results: list[CaseResult] = []
     error: BaseException | None
@@ -116,7 +119,8 @@ def run_varied(
             }
         )
     elif results and not quiet:
-        _print(f"{model.title or file}: {name}", results, list(paths))
+        heads = [shortest(path, list(paths), is_name(model, path)) for path in paths]
+        _print(f"{model.title or file}: {name}", results, list(paths), heads)
         show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
         notes = notes_of(results)
         show_notes(notes[:MAX_NOTES])
@@ -228,8 +232,11 @@ def as_data(result: CaseResult) -> dict[str, Any]:
     return found | {"channels": result.channels}
 
 
-def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
-    """Print the mesh forces of each case next to its values; one row per case, for rolls one per mesh."""
+def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str], heads: Sequence[str]) -> None:
+    """Print the mesh forces of each case next to its values; one row per case, for rolls one per mesh.
+
+    `heads` are the headings of the values.
+    """
     from pitchpoint.cli import roll
     from pitchpoint.cli.case_bearings import show_bearing_forces
     from pitchpoint.cli.results import how_a_status_ends
@@ -238,7 +245,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
     meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r))) or [""]
     rolled = any(is_roll(r) for r in results)
     words = roll.WORDS if rolled else (*WORDS, *([INDEX] if any(map(has_index, results)) else []))
-    columns = [shortest(path, paths) for path in paths]
+    columns = list(heads)
     several = len(meshes) > 1
     if rolled:
         columns += ["mesh"] * several + list(words)
@@ -351,16 +358,18 @@ def contact_cells(loss: float, rate: float, closing: float) -> list[str]:
     return [f"{100.0 * loss:.3g} %", f"{rate:.4g} 1/s", f"{1e3 * closing:.4g} mm/s"]
 
 
-def shortest(path: str, paths: Sequence[str]) -> str:
-    """Shortest unambiguous end of a path.
+def shortest(path: str, paths: Sequence[str], ends_in_name: bool = False) -> str:
+    """Shortest unambiguous end of a path, with its key if it ends in a name of the model.
 
     Examples
     --------
     >>> shortest("loads.input.torque", ["loads.input.torque", "loads.output.torque"])
     'input.torque'
+    >>> shortest("scenarios.run.speed.i", ["scenarios.run.speed.i"], True)
+    'speed.i'
     """
     steps = path.split(".")
-    for count in range(1, len(steps)):
+    for count in range(1 + ends_in_name, len(steps)):
         end = ".".join(steps[-count:])
         if sum(p == end or p.endswith(f".{end}") for p in paths) == 1:
             return end

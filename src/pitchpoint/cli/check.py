@@ -51,7 +51,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     from pitchpoint.cli.reading import read_model
     from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
 
-    model = read_model(file, allow_code, quiet)
+    model = read_model(file, allow_code, quiet, remarks=False)
     messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
     for message in messages:
         say(f"warning: {message}")

@@ -72,6 +72,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     Specify the drive train by the model of a result, --model or --train, and the speed by an angle or tacho
     channel of the file or --speed. Nothing else is assumed.
     """
+    from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
     target = _page_target(options.pop("output"), [file, options["model"]])
@@ -84,6 +85,8 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         raise click.UsageError("--tacho and --angle give the same quantity; omit one of them")
     if options["train"] is not None and (options["model"] or options["scenario"]):
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
+    for text in options["speeds"]:
+        say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
     found = diagnose_file(Request(file=file, **options))
     if target is not None:
         from pitchpoint.io.target import write_file

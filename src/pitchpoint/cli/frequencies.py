@@ -21,6 +21,7 @@ BEARING = (("ftf", "FTF"), ("bpfo", "BPFO"), ("bpfi", "BPFI"), ("bsf", "BSF"), (
 
 def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dict[str, float]:
     """Speeds by body in rad/s."""
+    from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.core.errors import UnitError
     from pitchpoint.core.units import parse_quantity
 
@@ -33,6 +34,7 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
             speeds[body] = parse_quantity(quantity, "angular_speed")
         except UnitError as error:
             raise click.BadParameter(f"{body}: {error}") from None
+        say_bare_option(quantity, "angular_speed", f"--speed {body}")
     return speeds
 
 

@@ -105,6 +105,7 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
         """Convert the text of the option to SI; a number without unit is in SI."""
+        from pitchpoint.cli.settings import say_bare_option
         from pitchpoint.core.errors import UnitError
         from pitchpoint.core.units import parse_quantity
 
@@ -115,9 +116,11 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
         except ValueError:
             value = None
         try:
-            return parse_quantity(text if value is None else value, dimension, positive=True)
+            found = parse_quantity(text if value is None else value, dimension, positive=True)
         except UnitError as error:
             raise click.BadParameter(str(error)) from None
+        say_bare_option(text, dimension, flag)
+        return found
 
     return click.option(flag, metavar="QUANTITY", callback=convert, help=description)
 

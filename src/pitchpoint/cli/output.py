@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from pitchpoint.cli.columns import Column
 
 NOTHING = "–"
+ROUNDING = 1e-13
+"""Angle [rad] below which a direction of several steps is zero but for rounding."""
 PIPE = 160
 """Width of output that is not written to a terminal."""
 
@@ -165,6 +167,8 @@ def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
         return str(value)
     from pitchpoint.core.units import format_quantity
 
+    if dimension == "angle" and abs(value) < ROUNDING:
+        value = 0.0
     return format_quantity(float(value) + 0.0, dimension, digits)  # no "-0"
 
 

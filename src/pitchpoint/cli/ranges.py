@@ -44,7 +44,13 @@ def quantities(flag: str, dimension: str, metavar: str, description: str) -> Cal
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> tuple[float, float] | None:
         """Convert the text of the option."""
-        return None if text is None else range_of(text, dimension)
+        if text is None:
+            return None
+        from pitchpoint.cli.settings import say_bare_option
+
+        found = range_of(text, dimension)
+        say_bare_option(text.rpartition("..")[2], dimension, flag)
+        return found
 
     return click.option(flag, metavar=metavar, callback=convert, help=description)
 

@@ -13,11 +13,14 @@ LARGE = 200_000
 """File size above which a progress display is shown [bytes]."""
 
 
-def read_model(file: str, allow_code: bool, quiet: bool = False) -> Model:
-    """Read a model file, with a progress display for large files, and apply the values of `--set`."""
+def read_model(file: str, allow_code: bool, quiet: bool = False, *, remarks: bool = True) -> Model:
+    """Read a model file, with a progress display for large files, and apply the values of `--set`.
+
+    `remarks` prints those on numbers of `--set` without unit.
+    """
     from pitchpoint.cli.settings import settings_of_command, with_settings
 
-    return with_settings(_read(file, allow_code, quiet), settings_of_command())
+    return with_settings(_read(file, allow_code, quiet), settings_of_command(), remarks=remarks)
 
 
 def _read(file: str, allow_code: bool, quiet: bool) -> Model:

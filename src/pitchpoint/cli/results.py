@@ -204,7 +204,7 @@ def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
         if found["load_sharing_factor"] is None:
             continue
         rows = [
-            [planet, mesh, shown(force, "force", 5), f"{100.0 * share:.2f} %"]
+            [planet, mesh, shown(force, "force", 5), f"{round(100.0 * share, 2) + 0.0:.2f} %"]
             for planet, mesh, force, share in zip(
                 found["planets"], found["meshes"], found["mean_force"], found["share"], strict=True
             )

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.model.reading.bare_numbers import Bare
 
 META = "pitchpoint.cli.settings"
 
@@ -38,8 +39,18 @@ def settings_of_command() -> tuple[str, ...]:
     return context.meta.get(META, ()) if context is not None else ()
 
 
-def with_settings(model: Model, settings: Sequence[str]) -> Model:
-    """Model with the values of `--set`."""
+def with_settings(model: Model, settings: Sequence[str], *, remarks: bool = True) -> Model:
+    """Model with the values of `--set`.
+
+    Parameters
+    ----------
+    model
+        Model of the file.
+    settings
+        Arguments of `--set`.
+    remarks
+        Print a remark on numbers without unit that are rarely meant in SI.
+    """
     changes: dict[str, Any] = {}
     for text in settings:
         path, sign, value = (part.strip() for part in split_at_path(text, model))
@@ -48,7 +59,31 @@ def with_settings(model: Model, settings: Sequence[str]) -> Model:
         if path in changes:
             raise click.BadParameter(f"{path} is set twice", param_hint="--set")
         changes[path] = scalar(value, "--set")
-    return model.replace_all(changes) if changes else model
+    if not changes:
+        return model
+    changed = model.replace_all(changes)
+    if remarks:
+        say_bare(bare for bare in changed.origin.bare if not bare.in_file)
+    return changed
+
+
+def say_bare(numbers: Iterable[Bare]) -> None:
+    """Print remarks on numbers without unit that are rarely meant in SI."""
+    from pitchpoint.cli.failure import say
+    from pitchpoint.model.reading.bare_numbers import messages_on
+
+    for message in messages_on(numbers):
+        say(f"warning: {message}")
+
+
+def say_bare_option(text: str, dimension: str, option: str) -> None:
+    """Print a remark on the quantity of an option without unit that is rarely meant in SI."""
+    from pitchpoint.cli.failure import say
+    from pitchpoint.model.reading.bare_numbers import message_on_option
+
+    message = message_on_option(text, dimension, option)
+    if message is not None:
+        say(f"warning: {message}")
 
 
 def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]:

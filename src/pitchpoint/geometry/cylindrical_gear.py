@@ -13,6 +13,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.plain_numbers import real_number, whole_number
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.involute import base_helix_angle, inv, transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
@@ -29,12 +31,12 @@ def _refuse(where: str, value: object, limit: str, remedy: str | None = None) ->
 
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
     """Raise for booleans, NaN and numbers outside the open interval."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
+    if (number := real_number(value)) is None or not low < number < high:
         raise _refuse(where, value, limit)
 
 
 @dataclass(frozen=True, kw_only=True)
-class CylindricalGear:
+class CylindricalGear(ShortRepr):
     """An external or internal, spur or helical involute gear.
 
     Parameters
@@ -102,8 +104,10 @@ class CylindricalGear:
     outline: ToothOutline | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.z, bool) or not isinstance(self.z, int) or not 1 <= abs(self.z) <= 1_000_000:
+        z = whole_number(self.z)
+        if z is None or not 1 <= abs(z) <= 1_000_000:
             raise _refuse("number_of_teeth", self.z, "a whole number, 1 to 1e6")
+        object.__setattr__(self, "z", z)
         # The bounds are far beyond any real gear; they only prevent overflow.
         _number("normal_module", self.m_n, 1e-9, 1e3, "above 0 and below 1000 m")
         _number("normal_pressure_angle", self.alpha_n, 1e-3, 1.5, "0.001 to 1.5 rad")
@@ -122,16 +126,11 @@ class CylindricalGear:
             message = "cannot be combined with tip_chamfer"
             raise GeometryError(message, where="tip_rounding", remedy="omit one of them")
         for where, diameter in (("tip_diameter", self.tip_diameter), ("root_diameter", self.root_diameter)):
-            if diameter is None:
-                continue
-            _number(where, diameter, -1e9, 1e9, "finite")
-            if diameter * self.sign <= 0.0:
-                raise _refuse(
-                    where,
-                    diameter,
-                    "the sign of z",
-                    "give internal gears negative diameters, or use CylindricalGear.internal",
-                )
+            if diameter is not None:
+                _number(where, diameter, -1e9, 1e9, "finite")
+            if diameter is not None and diameter * self.sign <= 0.0:
+                remedy = "give internal gears negative diameters, or use CylindricalGear.internal"
+                raise _refuse(where, diameter, "the sign of z", remedy)
 
     @classmethod
     def internal(

@@ -10,8 +10,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Real
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.involute import inv
@@ -28,7 +30,7 @@ def _leg(diameter: float, d_b: float) -> float:
 
 
 @dataclass(frozen=True)
-class GearPair:
+class GearPair(ShortRepr):
     """A pair of cylindrical gears on parallel axes at a given centre distance.
 
     Parameters
@@ -68,17 +70,14 @@ class GearPair:
 
     def __post_init__(self) -> None:
         a_w = self.a_w
-        if isinstance(a_w, bool) or not isinstance(a_w, (int, float)) or not 1e-12 < abs(a_w) < 1e9:
-            raise GeometryError(
-                "is not possible", where="center_distance", value=f"{a_w!r} m", limit="finite, not zero"
-            )
+        if isinstance(a_w, bool) or not isinstance(a_w, Real) or not 1e-12 < abs(a_w) < 1e9:
+            limit, size = "finite, not zero", f"{a_w!r} m"
+            raise GeometryError("is not possible", where="center_distance", value=size, limit=limit)
         if a_w * self._sign <= 0.0:
+            at, limit = "center_distance", "negative with an internal gear, positive otherwise"
+            remedy = "GearPair.at_distance takes it positive"
             raise GeometryError(
-                "has the wrong sign",
-                where="center_distance",
-                value=f"{a_w!r} m",
-                limit="negative with an internal gear, positive otherwise",
-                remedy="GearPair.at_distance takes it positive",
+                "has the wrong sign", where=at, value=f"{a_w!r} m", limit=limit, remedy=remedy
             )
 
     @classmethod

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.plain_numbers import real_number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +60,7 @@ class Material:
             ("density", 0.0, math.inf, "above 0"),
         ):
             value = getattr(self, where)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
+            if (number := real_number(value)) is None or not low < number < high:
                 raise GeometryError(
                     "is not a property of a material", where=where, value=f"{value!r}", limit=limit
                 )

@@ -10,6 +10,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.plain_numbers import whole_number
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inverse_inv
 from pitchpoint.geometry.tooth_thickness import pressure_angle_at
@@ -83,7 +84,7 @@ def span(gear: CylindricalGear, k: int) -> float:
     >>> round(span(pinion, 4) * 1e3, 3)
     154.167
     """
-    if isinstance(k, bool) or not isinstance(k, int) or k < 1:
+    if (whole_number(k) or 0) < 1:
         limit = "a whole number, at least 1"
         raise GeometryError("teeth cannot be spanned", where="k", value=f"{k!r}", limit=limit)
     return (k - 1) * gear.p_bn + _base_first(gear)

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.plain_numbers import real_number
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel.gear import BevelGear
@@ -34,7 +35,7 @@ _FIT = 1e-6
 
 
 def _length(where: str, value: float, limit: str, low: float = -math.inf, strict: bool = False) -> None:
-    good = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    good = (number := real_number(value)) is not None and math.isfinite(number)
     if not good or value < low or (strict and value == low):
         raise GeometryError("is not possible", where=where, value=f"{value!r}", limit=limit)
 

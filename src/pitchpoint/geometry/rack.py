@@ -7,10 +7,12 @@ import math
 from dataclasses import dataclass
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.plain_numbers import real_number
+from pitchpoint.core.short_repr import ShortRepr
 
 
 @dataclass(frozen=True, kw_only=True)
-class BasicRack:
+class BasicRack(ShortRepr):
     """Basic rack of a gear, lengths in normal modules.
 
     Parameters
@@ -41,7 +43,7 @@ class BasicRack:
     def __post_init__(self) -> None:
         for name, words in (("h_aP_star", "addendum"), ("h_fP_star", "dedendum")):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value <= 100.0:
+            if (number := real_number(value)) is None or not 0.0 < number <= 100.0:
                 raise GeometryError(
                     f"is not a {words} of a basic rack",
                     where=f"rack.{words}",
@@ -50,7 +52,7 @@ class BasicRack:
                     remedy="give it in modules, usually 1 to 1.4",
                 )
         rho = self.rho_fP_star
-        if isinstance(rho, bool) or not isinstance(rho, (int, float)) or not 0.0 <= rho <= self.h_fP_star:
+        if (number := real_number(rho)) is None or not 0.0 <= number <= self.h_fP_star:
             raise GeometryError(
                 "is not a root radius of a basic rack",
                 where="rack.root_radius",

@@ -9,6 +9,7 @@ from typing import Any
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.checks.validate import check
+from pitchpoint.model.component import without_arrays
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import Model
 from pitchpoint.model.origin import Origin
@@ -46,7 +47,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     values = {}
     for name, key in keys.items():
         if data.get(name) is not None:
-            value = reader.keyed(key, data[name], (name,))
+            value = reader.keyed(key, without_arrays(data[name]), (name,))
             if value is not BAD:
                 values[name] = value
     moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")

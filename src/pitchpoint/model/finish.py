@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import Message
 from pitchpoint.model import sections
-from pitchpoint.model.component import HOOKS, needs_reading
+from pitchpoint.model.component import HOOKS, needs_reading, without_arrays
 from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of
 from pitchpoint.model.parameters import SECTION
 from pitchpoint.model.reading.reader import Reader
@@ -38,6 +39,7 @@ def finish(model: Model, report: Reader) -> tuple[dict[str, Any], dict[str, set[
     names: dict[str, set[str]] = {}
     for name, key in keys_of(type(model)).items():
         value = model.others.get(name, {}) if sections.is_other(name) else getattr(model, name)
+        value = without_arrays(value)
         if key.kind == "components" and isinstance(value, Mapping):
             value = own_parts(value)
             names[name] = {str(n) for n in value}
@@ -52,11 +54,11 @@ def _is_no_section(key: Key, value: Any) -> bool:
     return key.kind == "components" and not isinstance(value, Mapping)
 
 
-def _read_alone(key: Key, data: Any, within: Mapping[str, Any]) -> Any:
-    """Value of a component without a model; BAD if it cannot be read."""
+def _read_alone(key: Key, data: Any, within: Mapping[str, Any]) -> tuple[Any, list[Message]]:
+    """Value of a component without a model; BAD if it cannot be read, with the problems."""
     reader = Reader(within=within)
     found = reader.value(key, data, ())
-    return BAD if reader.problems else found
+    return BAD if reader.problems else found, reader.problems
 
 
 HOOKS["read"] = _read_alone

@@ -13,6 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from pitchpoint.core.nearest import nearest
+
 REQUIRED: Any = dataclasses.MISSING
 BAD: Any = object()
 """Placeholder of a value that could not be read; its problem has been noted."""
@@ -54,8 +56,8 @@ class Key:
     names: str = ""  # section of the named components
     one_of: str = ""  # group of mutually exclusive keys of a component: exactly one is given
     needs: str = ""  # key that must be given together with this one
+    also: tuple[str, ...] = ()  # names in other components and symbols of catalogues, for suggestions
     range_words: str = ""  # description of a range that depends on another key
-    symbols: tuple[str, ...] = ()  # of catalogues, for which the key is suggested
 
     @property
     def limit(self) -> str:
@@ -167,14 +169,32 @@ def defaults_of(cls: type) -> dict[str, Any]:
     return _DEFAULTS[cls]
 
 
-def of_symbol(symbol: object, keys: Iterable[str]) -> list[str]:
-    """Key that catalogues call by a symbol, such as D, as a list; empty without one, and for names only."""
-    described = keys.items() if isinstance(keys, Mapping) else ()
-    return [name for name, item in described if isinstance(item, Key) and symbol in item.symbols]
-
-
 _KEYS: dict[type, dict[str, Key]] = {}
 _DEFAULTS: dict[type, dict[str, Any]] = {}
+
+
+def remedy_for_key(name: object, allowed: Iterable[str]) -> tuple[str | None, str]:
+    """Key that an unknown one probably means, None if no name is similar, and the remedy for a message.
+
+    Parameters
+    ----------
+    name
+        Unknown key.
+    allowed
+        Names of the keys, or a mapping of names to keys, whose other names are compared too.
+
+    Examples
+    --------
+    >>> remedy_for_key("coefficient", {"mu": Key("quantity", "", also=("coefficient",)), "static": None})
+    ('mu', 'did you mean mu? allowed are mu, static')
+    """
+    keys = list(allowed)
+    meaning = {name: name for name in keys}
+    if isinstance(allowed, Mapping):
+        meaning = {other: key for key in keys for other in getattr(allowed[key], "also", ())} | meaning
+    exact = [str(name)] if str(name) in meaning else []  # d and D are different symbols
+    near = next((meaning[found] for found in exact or nearest(name, meaning)), None)
+    return near, f"{f'did you mean {near}? ' if near else ''}allowed are {', '.join(keys)}"
 
 
 def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:

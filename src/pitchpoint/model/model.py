@@ -16,6 +16,7 @@ from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.checks.gear_pairs import gap
 from pitchpoint.model.checks.python_components import recheck
 from pitchpoint.model.checks.validate import check
+from pitchpoint.model.component import without_arrays
 from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
@@ -97,7 +98,10 @@ class Model(Contents):
 
     def __post_init__(self) -> None:
         report = Reader(
-            allow_code=self.allow_code, directory=self.directory, sources=dict(self.origin.sources)
+            allow_code=self.allow_code,
+            directory=self.directory,
+            sources=dict(self.origin.sources),
+            bare=list(self.origin.bare),
         )
         for name in self.others:
             if sections.find(name) is None:
@@ -219,10 +223,14 @@ class Model(Contents):
             directory=self.directory,
             parameters=self.amounts,
             sources=dict(self.origin.sources),
+            bare=list(self.origin.bare),
         )
-        tops = changed_parts(self, changes, report)
+        plain = {path: without_arrays(value) for path, value in changes.items()}
+        tops = changed_parts(self, plain, report)
         others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
-        origin = dataclasses.replace(self.origin, sources=report.sources, bare=())
+        known = self.origin.bare
+        bare = tuple(b if b in known else b._replace(in_file=False) for b in report.bare)
+        origin = dataclasses.replace(self.origin, sources=report.sources, bare=bare)
         return dataclasses.replace(
             self, **tops, others={**self.others, **others}, changed=True, origin=origin
         )

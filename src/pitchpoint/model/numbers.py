@@ -35,6 +35,13 @@ def has_path(model: Model, path: str) -> bool:
     return _walk(model, path) is not None
 
 
+def is_name(model: Model, path: str) -> bool:
+    """Whether a path ends in a name below a key, such as the body of a speed, and not in a key."""
+    whole, _, _ = path.rpartition(".")
+    above = _walk(model, whole) if "." in whole else None
+    return above is not None and isinstance(above[0], Mapping)
+
+
 def _walk(model: Model, path: str) -> tuple[Any, str] | None:
     """Value at a path of a model and the SI unit of its key; None if the path does not exist."""
     part: Any = model

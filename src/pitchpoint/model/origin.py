@@ -5,9 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pitchpoint.model.keys import Key, Place
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.bare_numbers import Bare
+    from pitchpoint.model.reading.reader import Reader
 
 KEPT = ("quantity", "quantities", "integer", "value")
 """Kinds of keys whose texts are kept as written even without parameters."""
@@ -18,14 +22,6 @@ class Source(NamedTuple):
 
     data: Any
     names: frozenset[str]
-
-
-class Bare(NamedTuple):
-    """Number without unit that is rarely meant in SI units."""
-
-    place: Place
-    value: float
-    dimension: str
 
 
 @dataclass(frozen=True)
@@ -60,7 +56,8 @@ def is_kept(key: Key, data: Any, path: Place) -> bool:
     return isinstance(data, str) and key.kind in KEPT
 
 
-def drop(sources: dict[Place, Source], place: Place) -> None:
-    """Remove what was written at a path and below it."""
-    for old in [p for p in sources if p[: len(place)] == place]:
-        del sources[old]
+def drop(reader: Reader, place: Place) -> None:
+    """Remove what was written at a path and below it, before it is replaced."""
+    for old in [p for p in reader.sources if p[: len(place)] == place]:
+        del reader.sources[old]
+    reader.bare[:] = [bare for bare in reader.bare if bare.place[: len(place)] != place]

@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import UnitError
 from pitchpoint.core.nearest import hint
-from pitchpoint.core.unit_table import UNITS
+from pitchpoint.core.unit_table import DIMENSIONS, UNITS
 from pitchpoint.core.units import natural_quantity
 from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.keys import BAD
+from pitchpoint.model.origin import drop
+from pitchpoint.model.reading.bare_numbers import USUAL, Bare, is_doubtful
 from pitchpoint.model.reading.formula_text import is_formula
 from pitchpoint.model.show import shown
 
@@ -171,9 +173,13 @@ def replaced(
         found = reader.component(Parameter, value, place)
         return old if found is BAD else {**old, name: found}
     unit = reader.parameters[name].unit if name in reader.parameters else ""
+    drop(reader, (SECTION, name))
     if isinstance(value, int | float) and not isinstance(value, bool) and unit:
-        from pitchpoint.core.formula.dimension import readable
+        from pitchpoint.core.formula.dimension import of_number, readable, si_unit
 
+        for dimension in USUAL:
+            if si_unit(of_number(1.0, DIMENSIONS[dimension].si)) == unit and is_doubtful(value, dimension):
+                reader.bare.append(Bare((SECTION, name), float(value), dimension))
         value = f"{value!r} {readable(unit)}"
     found = reader.component(Parameter, {"value": value, "text": old[name].text}, place)
     return old if found is BAD else {**old, name: found}

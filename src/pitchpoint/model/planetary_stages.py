@@ -44,8 +44,11 @@ def add_planetary_stages(parts: Parts, report: Reader) -> None:
     for name in parts.known(SECTION) - set(parts.planetary_stages):
         # the number of planets of an unreadable stage is unknown
         names = {f"planet_{k}" for k in range(1, 51)}
-        for group in ("gears", "bodies"):
-            parts.names[group] = parts.known(group) | names
+        gears = parts.known("gears")
+        meshes = {f"{one}-{two}" for g in gears for n in names for one, two in ((g, n), (n, g))}
+        others = {"joints": {f"{n}-pin" for n in names}, "bearings": {f"{n}-bearing" for n in names}}
+        for group, added in {"gears": names, "bodies": names, "meshes": meshes, **others}.items():
+            parts.names[group] = parts.known(group) | added
             report.tainted.add((group,))
         report.tainted.add((SECTION, name))
     for name, stage in parts.planetary_stages.items():

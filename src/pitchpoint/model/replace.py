@@ -18,6 +18,7 @@ from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.model.reading.bare_numbers import Bare
 
 
 def changed_parts(model: Model, changes: Mapping[str, Any], report: Reader) -> dict[str, Any]:
@@ -62,6 +63,29 @@ def changed_parts(model: Model, changes: Mapping[str, Any], report: Reader) -> d
     if problems:
         raise ModelError(problems)
     return tops
+
+
+def bare_in(model: Model, path: str, value: Any) -> list[Bare]:
+    """Numbers without unit that are rarely meant in SI in a new value of a model; none if it is not valid.
+
+    Parameters
+    ----------
+    model
+        The model.
+    path, value
+        As in `Model.replace`.
+    """
+    report = Reader(
+        allow_code=model.allow_code,
+        directory=model.directory,
+        parameters=model.amounts,
+        sources=dict(model.origin.sources),
+    )
+    try:
+        changed_parts(model, {path: value}, report)
+    except ModelError:
+        return []
+    return report.bare
 
 
 def _change(
@@ -130,18 +154,18 @@ def replace_at(
         # numbers by name, such as speeds
         written = report.sources[here].data if here in report.sources else old
         kept = {k: v for k, v in written.items() if k != path[1]}
-        drop(report.sources, here)
+        drop(report, here)
         new = report.keyed(keys[name], kept if value is None else {**written, path[1]: value}, here)
     elif len(path) > 1:
         new = replace_at(old, path[1:], value, report, here, keys[name])
     elif value is None and defaults_of(type(part)).get(name, ...) is None:
         new = None
-        drop(report.sources, here)
+        drop(report, here)
     elif _is_component(keys[name], value):
         new = value
-        drop(report.sources, here)
+        drop(report, here)
     else:
-        drop(report.sources, here)
+        drop(report, here)
         new = report.keyed(keys[name], value, here)
     if report.problems:
         return part
@@ -173,7 +197,7 @@ def _replace_named(
         )
         return part
     if len(path) == 1:
-        drop(report.sources, here)
+        drop(report, here)
     if len(path) == 1 and value is None:
         return {k: v for k, v in part.items() if k != name}
     if len(path) > 1:

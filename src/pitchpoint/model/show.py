@@ -56,6 +56,18 @@ def limit_text(description: Key) -> str:
     return " and ".join(parts)
 
 
+def entries(low: int, high: int, count: int | None = None) -> str:
+    """Number of entries of a list: exactly, the least for a shorter list, else the most.
+
+    Examples
+    --------
+    >>> entries(3, 3), entries(1, 3), entries(2, 9, 1), entries(1, 1)
+    ('3 entries', 'at most 3 entries', 'at least 2 entries', '1 entry')
+    """
+    end, most = (low, "at least ") if count is not None and count < low else (high, "at most ")
+    return f"{'' if low == high else most}{end} {'entry' if end == 1 else 'entries'}"
+
+
 def example(description: Key) -> str:
     """Example of a valid value."""
     if description.sample:

@@ -15,9 +15,24 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
+SYMBOLS = {
+    "m_n": "m<sub>n</sub>",
+    "beta": "β",
+    "m_mn": "m<sub>mn</sub>",
+    "delta": "δ",
+    "beta_m": "β<sub>m</sub>",
+    "x_hm": "x<sub>hm</sub>",
+    "R_m": "R<sub>m</sub>",
+    "eps_alpha": "ε<sub>α</sub>",
+    "eps_beta": "ε<sub>β</sub>",
+    "backlash j_bt": "backlash j<sub>bt</sub>",
+}
+"""Symbols as printed."""
+
+
 def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
-    """HTML table of escaped cells."""
-    top = "".join(f"<th>{escape(h)}</th>" for h in head)
+    """HTML table of escaped cells; symbols of the head have their subscripts."""
+    top = "".join(f"<th>{SYMBOLS.get(h, escape(h))}</th>" for h in head)
     body = "".join("<tr>" + "".join(f"<td>{escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
 
@@ -55,7 +70,7 @@ def model_table(model: Model) -> str:
                         gear.type,
                         gear.number_of_teeth,
                         format_quantity(gear.normal_module, "length"),
-                        f"{format_quantity(gear.helix_angle, 'angle')} {gear.hand or ''}",
+                        f"{format_quantity(gear.helix_angle, 'angle')} {gear.hand or ''}".rstrip(),
                         f"{gear.x:.4f}",
                         format_quantity(gear.face_width, "length"),
                     )
@@ -73,7 +88,7 @@ def model_table(model: Model) -> str:
                         gear.number_of_teeth,
                         format_quantity(gear.geometry.m_mn, "length"),
                         format_quantity(gear.delta, "angle", 7),
-                        f"{format_quantity(gear.spiral_angle, 'angle')} {gear.hand or ''}",
+                        f"{format_quantity(gear.spiral_angle, 'angle')} {gear.hand or ''}".rstrip(),
                         f"{gear.profile_shift_coefficient:.4f}",
                         format_quantity(gear.face_width, "length"),
                     )

@@ -10,6 +10,10 @@ class Picture:
     def __init__(self, html: str) -> None:
         self.html = html
 
+    def __repr__(self) -> str:
+        kind = "SVG" if self.html.startswith("<svg") else "HTML"
+        return f"<Picture: {kind}, {1e-3 * len(self.html):.0f} kB; a notebook shows it, save(path) writes it>"
+
     def _repr_html_(self) -> str:
         return self.html
 

@@ -35,6 +35,7 @@ def test_json_is_strict_and_plain(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (0.1, "length", "100 mm"),
         (math.radians(15.8), "angle", "15.8 deg"),
+        (-1.2e-16, "angle", "0 deg"),  # of a direction
         (12.370472e9, "stiffness_per_width", "12.37047 N/(mm µm)"),
         (2.0 * math.pi * 25.0, "angular_speed", "1500 rpm"),
         (None, "length", "–"),
@@ -45,6 +46,18 @@ def test_json_is_strict_and_plain(capsys: pytest.CaptureFixture[str]) -> None:
 )
 def test_people_see_the_units_they_use(value: object, dimension: str, expected: str) -> None:
     assert output.shown(value, dimension) == expected
+
+
+def test_shares_have_no_negative_zero(capsys: pytest.CaptureFixture[str]) -> None:
+    loads = {
+        "planets": ["a", "b"],
+        "meshes": ["s-a", "s-b"],
+        "mean_force": [-1e-6, 2.0],
+        "share": [-4e-5, 1.0],
+    }
+    results.show_planets({"set": {**loads, "load_sharing_factor": 2.0}})
+    printed = capsys.readouterr().out
+    assert " 0.00 %" in printed and "-0.00 %" not in printed
 
 
 def test_tables_keep_every_character_in_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:

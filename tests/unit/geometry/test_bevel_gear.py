@@ -173,7 +173,7 @@ def test_outer_and_mean_module_are_one_gear():
     ("changes", "where"),
     [
         ({"z": 2}, "number_of_teeth"),
-        ({"z": 20.0}, "number_of_teeth"),
+        ({"z": 20.5}, "number_of_teeth"),
         ({"delta": 1.6}, "pitch_cone_angle"),
         ({"m_mn": math.nan}, "mean_normal_module"),
         ({"b": 0.2}, "face_width"),

@@ -17,7 +17,7 @@ from pitchpoint.geometry.tooth_form import tooth_form
     "wrong",
     [
         {"z": 0},
-        {"z": 20.0},
+        {"z": 20.5},
         {"z": True},
         {"m_n": 0.0},
         {"m_n": -1e-3},

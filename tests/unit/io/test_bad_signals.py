@@ -242,6 +242,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "blocks.more.inputs",
         "has 4 entries (limit at most 3 entries)",
     ),
+    "a mapping of inputs": (
+        [block("{type: formula, formula: a + b + c + d, inputs: {a: speed, b: turn, c: error, d: u}}")],
+        "blocks.more.inputs",
+        "a mapping is not a list (limit at most 3 entries); write [a, b]",
+    ),
     "missing parameter of a block": (
         [block("{type: python, input: speed, function: 'laws.py:scaled', parameters: [1]}")],
         "blocks.more.function",

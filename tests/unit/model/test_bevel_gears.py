@@ -65,10 +65,10 @@ def test_given_mass_takes_the_place_of_that_of_the_geometry():
         (
             "pitch_cone_angle: 30 deg, ",
             "",
-            "bevel_gears.a (line 2): gives none of its keys; give",
+            "bevel_gears.a (line 2): gives none of pitch_cone_angle, mate_teeth; give",
         ),
         ("pitch_cone_angle", "mate_teeth: 20, pitch_cone_angle", "pitch_cone_angle and mate_teeth together"),
-        ("mean_normal_module: 2.5 mm, ", "", "give exactly one of mean_normal_module"),
+        ("mean_normal_module: 2.5 mm, ", "", "gives none of mean_normal_module, outer_transverse_module"),
         ("face_width", "spiral_angle: 30 deg, face_width", "a spiral bevel gear is left or right handed"),
         ("face_width", "shaft_angle: 80 deg, face_width", "shaft_angle (line 2): requires mate_teeth"),
         ("face_width: 12 mm", "face_width: 120 mm", "face_width"),

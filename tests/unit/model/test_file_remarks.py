@@ -7,9 +7,11 @@ import math
 
 import pytest
 
+from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.reading.bare_numbers import is_doubtful
 from pitchpoint.model.remarks.collect import remarks_of_file
+from pitchpoint.model.remarks.file import numbers_without_unit
 
 MODEL = """\
 gears:
@@ -74,13 +76,147 @@ def test_what_is_doubtful(value, dimension, doubtful):
     assert is_doubtful(value, dimension) is doubtful
 
 
-def test_values_of_python_and_of_text_files_have_no_remark(tmp_path):
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"SPEED": '"3000"'}, "3000 has no unit and is read as 3000 rad/s = 28648 rpm; write 3000 rpm, or"),
+        (
+            {"SPEED": "1.5*2000"},
+            "1.5*2000 = 3000 has no unit and is read as 3000 rad/s = 28648 rpm; multiply it by 1 rpm, or by "
+            "1 rad/s if that is meant",
+        ),
+        ({"DIRECTION": '"73.5"'}, "73.5 has no unit and is read as 73.5 rad = 4211.2 deg; write 73.5 deg"),
+        (
+            {"DIRECTION": "phi"},
+            "parameter phi = 15 has no unit and is read as 15 rad = 859.44 deg; write phi: ",
+        ),
+        ({"WIDTH": "4/2"}, "4/2 = 2 has no unit and is read as 2 m = 2000 mm; multiply it by 1 mm"),
+    ],
+)
+def test_texts_formulas_and_parameters_without_unit_are_numbers_too(change, words):
+    text = "parameters: {phi: 15}\n" + MODEL
+    for name, value in {**PLAIN, **change}.items():
+        text = text.replace(name, value)
+    found = [str(e) for e in remarks_of_file(loads_model(text)) if "is not used" not in str(e)]
+    assert len(found) == 1 and words in found[0]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"SPEED": "2*pi*25"},  # radians by pi
+        {"SPEED": "(1.5*2000)*1 rpm"},  # the remedy
+        {"SPEED": "n"},
+        {"DIRECTION": "2*pi/3"},
+        {"DIRECTION": "asin(0.5)*3"},
+        {"WIDTH": "2*0.01"},
+    ],
+)
+def test_formulas_in_radians_and_with_units_are_left_alone(change):
+    text = "parameters: {n: 300 rpm}\n" + MODEL
+    for name, value in {**PLAIN, **change}.items():
+        text = text.replace(name, value)
+    assert [e for e in remarks_of_file(loads_model(text)) if "is not used" not in e] == []
+
+
+DRIVEN = MODEL.replace("speed: {a: SPEED}", "drive: {a: {speed: 'SPEED'}}")
+
+
+def test_a_function_of_time_without_unit():
+    def found(speed):
+        text = DRIVEN
+        for name, value in {**PLAIN, "SPEED": speed}.items():
+            text = text.replace(name, value)
+        return list(map(str, remarks_of_file(loads_model(text))))
+
+    # its maximum is at t = 0.05 s
+    assert found("1500 + 10*sin(2*pi*5*t)") == [
+        "scenarios.run.drive.a.speed (line 10): '1500 + 10*sin(2*pi*5*t)' has no unit and is read in rad/s: "
+        "up to 1510 rad/s = 14419 rpm in the first second; multiply it by 1 rpm, or by 1 rad/s if that is "
+        "meant"
+    ]
+    assert found("(1500 + 10*sin(2*pi*5*t))*1 rpm") == []
+    assert found("1500 rpm + 10 rpm*sin(2*pi*5*t)") == []
+
+
+def test_the_numbers_of_a_list_have_one_remark():
+    text = MODEL.replace("[0, 0, PLACE]", "[10, 20, 30]")
+    for name, value in PLAIN.items():
+        text = text.replace(name, value)
+    [found] = map(str, remarks_of_file(loads_model(text)))
+    assert (
+        "bodies.a.position[0] (line 6): 10 has no unit and is read as 10 m, like 2 more of its values"
+        in found
+    )
+
+
+def test_values_that_are_replaced():
+    text = "parameters: {n: 300 rpm}\n" + MODEL
+    for name, value in {**PLAIN, "SPEED": "n", "WIDTH": "2"}.items():
+        text = text.replace(name, value)
+    model = loads_model(text)
+
+    def found(changes):
+        return list(map(str, numbers_without_unit(model.replace_all(changes))))
+
+    [width] = found({})
+    assert width.startswith("gears.pinion.face_width (line 3): 2 has no unit")
+    assert found({"gears.pinion.face_width": 0.02}) == found({"gears.pinion.face_width": "2 mm"}) == []
+    assert found({"scenarios.run.speed.a": 300})[1:] == [
+        "scenarios.run.speed.a: 300 has no unit and is read as 300 rad/s = 2864.8 rpm; write 300 rpm, or 300 "
+        "rad/s if that is meant"
+    ]
+    assert found({"parameters.n": 300.0})[1:] == [
+        "parameters.n: 300 has no unit and is read as 300 rad/s = 2864.8 rpm; write 300 rpm, or 300 rad/s if "
+        "that is meant"
+    ]
+    model = model.replace("parameters.n", 300.0)
+    assert found({"parameters.n": "200 rpm"}) == [width]
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (2.5, "m_n: 2.5 has no unit and is read as 2.5 m = 2500 mm; write 2.5 mm"),
+        ("2500 mm", "correct the formula; the value is 3 mm, for instance"),
+    ],
+)
+def test_a_parameter_out_of_range_without_unit(value, words):
+    text = "parameters: {m_n: 3 mm}\n" + MODEL.replace("3 mm", "m_n")
+    for name, number in PLAIN.items():
+        text = text.replace(name, number)
+    with pytest.raises(ModelError) as error:
+        loads_model(text).replace("parameters.m_n", value)
+    assert all("is out of range" in p and p.endswith(words) for p in error.value.problems)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ('"3"', "'3' is out of range (limit > 0 and <= 1000 mm); a bare number is in metres; write 3 mm"),
+        (
+            "1.5*2",
+            "'1.5*2' = 3000 mm is out of range (limit > 0 and <= 1000 mm); a formula without unit is in ",
+        ),
+        ("3 m", "'3 m' is out of range (limit > 0 and <= 1000 mm); write 3 mm"),
+    ],
+)
+def test_a_text_out_of_range_without_unit(value, words):
+    text = MODEL.replace("3 mm", value, 1)
+    for name, number in PLAIN.items():
+        text = text.replace(name, number)
+    with pytest.raises(ModelError) as error:
+        loads_model(text)
+    assert words in error.value.problems[0]
+
+
+def test_values_of_text_files_have_no_remark(tmp_path):
     (tmp_path / "pitch.txt").write_text("f_p [um]\n1\n2\n" + "0\n" * 18)
     text = MODEL.replace("hand: right}", "hand: right, deviations: {pitch: pitch.txt}}")
     for name, value in PLAIN.items():
         text = text.replace(name, value)
     model = loads_model(text, file=str(tmp_path / "model.yaml"))
-    assert remarks_of_file(model.replace("scenarios.run.speed.a", 100.0)) == ()
+    assert remarks_of_file(model) == ()
 
 
 def test_an_unused_parameter_is_named():

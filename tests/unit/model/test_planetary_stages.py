@@ -206,6 +206,45 @@ def test_the_offered_angles_are_accepted_up_to_overlap():
     assert possible_angles((0.0, math.radians(88.0)), 120)[1] == pytest.approx(math.radians(87.0))
 
 
+def test_angles_without_unit_are_said_to_be_in_radians():
+    (problem,) = refused(stage_file("angles: [0, 87, 180, 267]"))
+    assert "87 has no unit and is read as 87 rad = 4984.7 deg; write 87 deg" in problem
+    assert "give angles" not in problem
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (
+            "tangential: 20",
+            "tangential (line 13): 20 m is more than the bottom clearance of the teeth (limit ",
+        ),
+        ("radial: 0.02", "radial (line 13): 20 mm is more than"),
+        ("tangential: -20 mm", "tangential (line 13): -20 mm is more than"),
+    ],
+)
+def test_a_pin_error_in_the_wrong_unit_is_named_alone(error, words):
+    """The limit is the bottom clearance of ISO 53, a quarter of the module."""
+    (problem,) = refused(stage_file(f"planets: 3\npin_errors: {{planet_2: {{{error}}}}}"))
+    assert f"planetary_stages.set.pin_errors.planet_2.{words}" in problem
+    assert "= 0.25 m_n, either sign)" in problem and "write 20 um, for instance" in problem
+    assert ("a bare number is in metres" in problem) is ("mm" not in error)
+
+
+def test_pin_errors_up_to_the_clearance_are_valid():
+    for error in ("tangential: 0.3 mm", "radial: -0.3 mm"):
+        loads_model(stage_file(f"planets: 3\npin_errors: {{planet_2: {{{error}}}}}", sun="planar"))
+
+
+def test_a_stage_with_unreadable_parameters_has_no_consequences():
+    """Meshes, pins and gears of the planets exist, although their module is unknown."""
+    text = stage_file().replace("normal_module: 3 mm", "normal_module: sin", 3)
+    (problem,) = refused(
+        "parameters: {sin: 3 mm}\n" + text.replace("mesh: sun-planet_1", "mesh: planet_1-ring")
+    )
+    assert problem.startswith("parameters.sin (line 1): is a function or constant of formulas")
+
+
 def test_planets_that_overlap():
     """Five planets of 123 mm tip diameter on a circle of 90 mm: 2 90 sin 36 deg = 105.80 mm."""
     (problem,) = refused(stage_file("planets: 5"))

@@ -6,9 +6,11 @@ from __future__ import annotations
 import copy
 import dataclasses
 import pickle
+import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import pitchpoint as pp
@@ -182,9 +184,9 @@ def test_code_is_refused_unless_it_is_allowed(tmp_path: Path, monkeypatch: pytes
 def test_all_problems_are_reported_with_the_path_of_their_key() -> None:
     found = problems_of(
         gears={
-            "a": pp.Gear(number_of_teeth=2, normal_module="2 kg", face_width="20 mm"),
+            "a": {"number_of_teeth": 2, "normal_module": "2 kg", "face_width": "20 mm"},
             "b": {"number_of_teeth": 24, "normal_modul": "2 mm", "face_width": "20 mm"},
-            "c": pp.Gear(number_of_teeth=24, normal_module="m", face_width="1 mm", rack={"adendum": 1}),
+            "c": pp.Gear(number_of_teeth=24, normal_module="module", face_width="1 mm", rack={"adendum": 1}),
         },
         bodies={"d": pp.Load(body="x"), "e": {"position": ["0 mm", "1 s", 0]}},
         loads=[1],
@@ -194,13 +196,72 @@ def test_all_problems_are_reported_with_the_path_of_their_key() -> None:
         "gears.a.number_of_teeth: 2 is out of range",
         "gears.b.normal_modul: is an unknown key; did you mean normal_module?",
         "gears.b.normal_module: is missing",
-        "gears.c.normal_module: 'm'",
+        "gears.c.normal_module: 'module'",
         "gears.c.rack.adendum: is an unknown key",
         "bodies.d: Load is of the wrong type (limit Body)",
         "bodies.e.position[1]: '1 s'",
         "loads: a list of 1 is not a mapping of names",
     ):
         assert sum(text.startswith(begin) for text in found) == 1, (begin, found)
+
+
+def test_texts_that_no_parameter_can_resolve_are_reported_at_once() -> None:
+    with pytest.raises(pp.ModelError) as caught:
+        pp.Gear(number_of_teeth="24", normal_module="2 mmm", face_width="2 kg")
+    assert list(map(str, caught.value.problems)) == [
+        "Gear.number_of_teeth: '24' is not a whole number (limit >= 3 and <= 10000); write 24 without quotes",
+        "Gear.normal_module: '2 mmm': unknown unit 'mmm'; write a length such as 3 mm",
+        "Gear.face_width: '2 kg': 'kg' is not the unit of a length; write a length such as 3 mm",
+    ]
+    with pytest.raises(pp.ModelError, match=r"Body\.position\[1\]: '1 s'"):
+        pp.Body(position=["0 mm", "1 s", 0])
+    for text in ("m_n", "2*m_n", "m_n + 1 kg", "14 N/m_n", "2 mm * cos(m_n)"):
+        pp.Gear(number_of_teeth=24, normal_module=text, face_width="20 mm")
+
+
+@pytest.mark.parametrize("teeth", [np.int64(21), np.int32(21), 21.0, np.float64(21.0), np.array(21)])
+def test_whole_numbers_of_numpy_and_whole_floats_are_numbers_of_teeth(teeth: Any) -> None:
+    given = {
+        "normal_module": np.float32(0.003),
+        "face_width": "30 mm",
+        "profile_shift_coefficient": np.int64(0),
+    }
+    gear = pp.Gear(number_of_teeth=teeth, **given)
+    assert type(gear.number_of_teeth) is int and gear.number_of_teeth == 21
+    for part in (gear, {"number_of_teeth": teeth, **given}):
+        model = pp.Model.from_dict({"gears": {"a": part}})
+        assert model == pp.Model(gears={"a": part})
+        assert type(model.gears["a"].number_of_teeth) is int
+        assert model.replace("gears.a.number_of_teeth", teeth + 1).gears["a"].geometry.z == 22
+        assert pp.load_model(text=model.to_yaml()) == model
+    assert (
+        pp.CylindricalGear(z=teeth[()] if isinstance(teeth, np.ndarray) else teeth, m_n=np.float32(1)).z == 21
+    )
+
+
+def test_a_fraction_of_a_tooth_has_the_limit_of_a_file() -> None:
+    for teeth, words in ((24.5, "24.5 is not a whole number"), (np.float64(2.0), "2.0 is out of range")):
+        (problem,) = problems_of(
+            gears={
+                "a": pp.Gear(
+                    number_of_teeth=teeth, normal_module=0.002, face_width=0.02, profile_shift_coefficient=0
+                )
+            }
+        )
+        assert problem.startswith(f"gears.a.number_of_teeth: {words}"), problem
+
+
+def test_arrays_are_lists() -> None:
+    t = np.linspace(0.0, 1.0, 5)
+    load = pp.Load(body="a", torque={"table": np.column_stack([t, t**2]), "over": "time"})
+    assert load.torque.values == (0.0, 0.0625, 0.25, 0.5625, 1.0)
+    body = {"inertia": np.float64(2.0), "position": np.array([0, 0, 0.5])}
+    for part in (pp.Body(**body), body):
+        model = pp.Model(bodies={"a": part}, loads={"l": load})
+        assert model.bodies["a"].position == (0.0, 0.0, 0.5)
+        moved = model.replace("bodies.a.position", np.array([0, 0.1, 0.5]))
+        assert moved.bodies["a"].position == (0.0, 0.1, 0.5)
+        assert pp.load_model(text=moved.to_yaml()) == moved
 
 
 def test_an_unknown_section_of_a_dictionary_is_reported() -> None:
@@ -266,6 +327,40 @@ def test_a_model_and_a_system_are_described_in_one_line() -> None:
     assert repr(pp.Model()) == "Model: empty"
     text = repr(compile_model(model, "steady"))
     assert text.startswith("System 'helical stage': 2 bodies, 2 coordinates") and len(text) < 200
+
+
+def test_gear_pairs_bad_components_and_pictures_have_short_representations() -> None:
+    model = pp.load_model(text=PAIR_TEXT)
+    pair = model.pairs["st"]
+    assert repr(pair) == (
+        "GearPair(gear1=CylindricalGear(z=24, m_n=0.002, beta=0.2, b=0.02), "
+        "gear2=CylindricalGear(z=49, m_n=0.002, beta=-0.2, b=0.02), a_w=0.0744847357)"
+    )
+    one, two = (
+        eval(repr(gear), {"CylindricalGear": pp.CylindricalGear}) for gear in (pair.gear1, pair.gear2)
+    )
+    assert (one, two) == (pair.gear1, pair.gear2)
+    bad = pp.Gear(number_of_teeth=24, normal_module=float("nan"), face_width="20 mm", helix_angle="m_n")
+    assert repr(bad) == "Gear(number_of_teeth=24, normal_module=nan, helix_angle='m_n', face_width=0.02)"
+    assert repr(pp.plot(model)).startswith("<Picture: HTML, ")
+
+
+PAIR_TEXT = """
+gears:
+  p: {number_of_teeth: 24, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0,
+    helix_angle: 0.2 rad, hand: right}
+  w: {number_of_teeth: 49, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0,
+    helix_angle: 0.2 rad, hand: left}
+bodies: {i: {gears: [p]}, o: {gears: [w]}}
+meshes: {st: {gears: [p, w]}}
+"""
+
+
+def test_the_tables_of_a_notebook_have_printed_symbols() -> None:
+    html = pp.load_model(text=PAIR_TEXT)._repr_html_()
+    heads = re.findall("<th>(.*?)</th>", html)
+    assert heads[3:5] == ["m<sub>n</sub>", "β"] and "ε<sub>α</sub>" in heads
+    assert not [head for head in heads if "_" in head]
 
 
 def test_long_lists_are_shortened() -> None:

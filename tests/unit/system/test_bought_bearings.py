@@ -339,7 +339,7 @@ def test_frequencies_of_a_catalogue_bearing():
             "effective_length",
             "does not apply to a bear",
         ),
-        ("designation: 6308", "", "gives none of its keys; give exactly one of body, ends"),
+        ("designation: 6308", "", "gives none of body, ends; give exactly one of them"),
         ("body: rotor, ends: [rotor, ground], designation: 6308", "", "gives body and ends together"),
         ("ends: [rotor, ground], housing: ground, designation: 6308", "housing", "requires body"),
         ("body: shaft, designation: 6308", "body", "names the body 'shaft', which does not exist"),

@@ -166,9 +166,12 @@ def test_a_fast_ripple_shortens_the_step():
 
 FAULTS = {
     "both amplitudes": (machine("speed: 1", "{w: {order: 2, angle: 1, fluctuation: 1}}"), "angle together"),
-    "no amplitude": (machine("speed: 1", "{w: {order: 2}}"), "gives none of its keys"),
+    "no amplitude": (machine("speed: 1", "{w: {order: 2}}"), "gives none of fluctuation, angle"),
     "reversal": (machine("speed: 1", "{w: {order: 2, angle: 0.3}, v: {order: 1, angle: 0.4}}"), "reverses"),
-    "no law": (machine("", WAVES), "gives none of its keys"),
+    "no law": (
+        machine("", WAVES),
+        "gives none of speed, angle; give exactly one of them",
+    ),
     "a law in a sweep": (
         PAIR.replace("drive: {crank: {ripple", "drive: {crank: {speed: 9, ripple"),
         "drive with ripple only",

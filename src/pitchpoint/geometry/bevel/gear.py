@@ -14,6 +14,8 @@ from functools import cached_property
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.plain_numbers import real_number, whole_number
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.involute import transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
@@ -21,14 +23,14 @@ from pitchpoint.geometry.rack import BasicRack
 
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
     """Raise for booleans, NaN and numbers outside the open interval."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
+    if (number := real_number(value)) is None or not low < number < high:
         raise GeometryError(
             "is not possible", where=where, value=f"{value!r}", limit=limit, remedy="give a number within"
         )
 
 
 @dataclass(frozen=True, kw_only=True)
-class BevelGear:
+class BevelGear(ShortRepr):
     """An external straight or spiral bevel gear of uniform taper.
 
     Parameters
@@ -80,13 +82,15 @@ class BevelGear:
     thickness_allowance: float = 0.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.z, bool) or not isinstance(self.z, int) or not 3 <= self.z <= 1_000_000:
+        z = whole_number(self.z)
+        if z is None or not 3 <= z <= 1_000_000:
             raise GeometryError(
                 "is not possible",
                 where="number_of_teeth",
                 value=f"{self.z!r}",
                 limit="a whole number, 3 to 1e6",
             )
+        object.__setattr__(self, "z", z)
         _number("mean_normal_module", self.m_mn, 1e-9, 1e3, "above 0 and below 1000 m")
         _number("pitch_cone_angle", self.delta, 1e-6, 0.5 * math.pi, "above 0 and below 90 deg")
         _number("normal_pressure_angle", self.alpha_n, 1e-3, 1.5, "0.001 to 1.5 rad")
@@ -124,7 +128,7 @@ class BevelGear:
         >>> round(BevelGear.of_outer_module(z=20, m_et=3e-3, delta=math.atan(0.5), b=22e-3).m_mn * 1e3, 6)
         2.508065
         """
-        if isinstance(z, bool) or not isinstance(z, int) or z < 3:
+        if (whole_number(z) or 0) < 3:
             raise GeometryError(
                 "is not possible", where="number_of_teeth", value=f"{z!r}", limit="a whole number, 3 to 1e6"
             )

@@ -17,11 +17,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.core.short_repr import ShortRepr
 from pitchpoint.geometry.bevel.gear import BevelGear
 
 
 @dataclass(frozen=True)
-class BevelPair:
+class BevelPair(ShortRepr):
     """A pair of bevel gears whose apexes coincide.
 
     Parameters

@@ -49,5 +49,7 @@ def exactly_one(part: Any, keys: Iterable[str], at: Place, report: Reader) -> No
     """Report a component that gives none or several of mutually exclusive keys."""
     given = [k for k in keys if getattr(part, k) is not None]
     if len(given) != 1 and at not in report.tainted:
-        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} together"
-        report.problem(at, message, remedy=f"give exactly one of {', '.join(keys)}")
+        listed = ", ".join(keys)
+        what = f"gives {' and '.join(given)} together" if given else f"gives none of {listed}"
+        remedy = f"give exactly one of {listed}" if given else "give exactly one of them"
+        report.problem(at, what, remedy=remedy)

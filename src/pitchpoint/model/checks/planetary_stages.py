@@ -9,6 +9,7 @@ docs/theory/planetary_stages.md, "Assembly".
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
@@ -16,6 +17,7 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.gear_pairs import pair_of
 from pitchpoint.model.keys import Place
 from pitchpoint.model.planetary_stages import SECTION, nominal_distance
+from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
@@ -24,6 +26,34 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Length up to which two distances, or two places on the circle of the pins, agree [m]."""
+CLEARANCE = 0.25
+"""Bottom clearance of the standard basic rack over the module (ISO 53): a pin that is moved by more presses
+the tips of its planet into the roots of sun or ring."""
+
+
+def check_pin_errors(parts: Parts, report: Reader) -> None:
+    """Check the sizes of the pin errors; later checks place the pins without those that are refused."""
+    for name, stage in list(parts.planetary_stages.items()):
+        most = CLEARANCE * stage.planet.normal_module
+        kept = dict(stage.pin_errors)
+        for planet, error in stage.pin_errors.items():
+            for key in ("tangential", "radial"):
+                size = getattr(error, key)
+                if abs(size) <= most:
+                    continue
+                at: Place = (SECTION, name, "pin_errors", planet, key)
+                bare = "a bare number is in metres; " if at not in report.sources else ""
+                report.problem(
+                    at,
+                    "is more than the bottom clearance of the teeth",
+                    value=format_quantity(size, "length"),
+                    limit=f"{format_quantity(most, 'length', 4)} = {CLEARANCE:g} m_n, either sign",
+                    remedy=f"{bare}write 20 um, for instance",
+                    taint=False,
+                )
+                kept.pop(planet, None)
+        if len(kept) < len(stage.pin_errors):
+            parts.planetary_stages[name] = replace(stage, pin_errors=kept)
 
 
 def check_spacing(parts: Parts, report: Reader) -> None:
@@ -89,7 +119,8 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> 
             (*at, "angles"),
             f"cannot be assembled: a planet is {math.degrees(worst):.4g} deg off the nearest possible angle",
             limit=f"whole multiples of 360/{teeth} = {360.0 / teeth:.6g} deg between the planets",
-            remedy=f"give angles: [{listed}], and errors of the pins as pin_errors",
+            remedy=said_of(report, (*at, "angles"))
+            or f"give angles: [{listed}], and errors of the pins as pin_errors",
         )
 
 
@@ -123,13 +154,16 @@ def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -
 def check_planets(parts: Parts, report: Reader) -> None:
     """Check that neighbouring planets do not touch."""
     for name, stage in parts.planetary_stages.items():
+        bare = said_of(report, (SECTION, name, "angles"))
+        if bare and (SECTION, name, "angles") in report.tainted:
+            continue  # the same unit has been reported
         for gap, (one, two) in planet_gaps(parts, stage):
             if gap > 0.0:
                 continue
             report.problem(
                 (SECTION, name, "planets" if stage.angles is None else "angles"),
                 f"makes {one} and {two} overlap by {format_quantity(-gap, 'length', 3)} at their tips",
-                remedy="use fewer planets, or planets with a smaller tip diameter",
+                remedy=bare or "use fewer planets, or planets with a smaller tip diameter",
                 taint=False,
             )
             break

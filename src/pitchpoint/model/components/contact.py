@@ -70,7 +70,13 @@ class ContactFriction(Component):
     """Regularised friction: the coefficient rises to the static and falls to the dynamic value, smoothly."""
 
     static: float = quantity("dimensionless", "static coefficient of friction", minimum=0.0, maximum=10.0)
-    dynamic: float = quantity("dimensionless", "dynamic coefficient of friction", minimum=0.0, maximum=10.0)
+    dynamic: float = quantity(
+        "dimensionless",
+        "dynamic coefficient of friction",
+        minimum=0.0,
+        maximum=10.0,
+        also=("mu", "coefficient"),
+    )
     static_speed: float = positive(
         "speed", "sliding velocity at which the static coefficient is reached", 1e-3
     )

@@ -62,7 +62,9 @@ class JointFriction(Component):
     thread, of a plane the force and moment normal to it.
     """
 
-    coefficient: float = quantity("dimensionless", "coefficient of sliding friction", minimum=0.0)
+    coefficient: float = quantity(
+        "dimensionless", "coefficient of sliding friction", minimum=0.0, also=("mu", "dynamic")
+    )
     radius: float | None = positive(
         "length",
         "radius of the pin, pins of the cross (universal), ball (spherical), mean radius of the thread "

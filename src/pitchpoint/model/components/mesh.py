@@ -104,7 +104,9 @@ class TransientDamping(Component):
 class Friction(Component):
     """Flank friction, smoothed around zero sliding velocity, optionally with a static coefficient."""
 
-    mu: float = quantity("dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0)
+    mu: float = quantity(
+        "dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0, also=("coefficient", "dynamic")
+    )
     v_eps: float = positive("speed", "sliding velocity above which mu applies", 0.01)
     static: float | None = quantity(
         "dimensionless",

@@ -48,16 +48,16 @@ class RollingBearing(Component):
         None,
         display="that of designation, otherwise ball",
     )
-    inner_diameter: float | None = positive("length", "bore diameter d", None, symbols=("d",), later=True)
-    outer_diameter: float | None = positive("length", "outside diameter D", None, symbols=("D",), later=True)
+    inner_diameter: float | None = positive("length", "bore diameter d", None, also=("d",), later=True)
+    outer_diameter: float | None = positive("length", "outside diameter D", None, also=("D",), later=True)
     width: float | None = positive(
-        "length", "width B; tapered bearings: overall width T", None, symbols=("B", "T"), later=True
+        "length", "width B; tapered bearings: overall width T", None, also=("B", "T"), later=True
     )
     radial_dynamic_load_rating: float | None = positive(
-        "force", "dynamic load rating C", None, symbols=("C", "C_r", "Cr"), later=True
+        "force", "dynamic load rating C", None, also=("C", "C_r", "Cr"), later=True
     )
     radial_static_load_rating: float | None = positive(
-        "force", "static load rating C0", None, symbols=("C0", "C_0", "C0r", "C_0r"), later=True
+        "force", "static load rating C0", None, also=("C0", "C_0", "C0r", "C_0r"), later=True
     )
     axial_clearance: float | None = quantity(
         "length",

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import UnitError
-from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.core.unit_table import DIMENSIONS, UNITS
 from pitchpoint.core.units import format_quantity, parse_quantity
 from pitchpoint.model import parameters as own
 from pitchpoint.model.components.parameter import Parameter
@@ -41,7 +41,7 @@ def quantity(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         if found is not None:
             return found
         message, _, wanted = str(error).partition("; expected ")
-        if isinstance(data, str) and WORDS.fullmatch(data.strip()) and wanted:
+        if isinstance(data, str) and WORDS.fullmatch(data.strip()) and data.strip() not in UNITS and wanted:
             wanted += f", or define {data.strip()} in parameters"
         return reader.problem(path, message, remedy=f"write {wanted}" if wanted else None)
     except OverflowError:

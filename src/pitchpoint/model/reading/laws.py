@@ -17,6 +17,7 @@ from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import formulas
+from pitchpoint.model.reading.bare_numbers import note_formula
 
 if TYPE_CHECKING:
     from pitchpoint.model.reading.reader import Reader
@@ -70,6 +71,7 @@ def formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[s
             f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
         )
         return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
+    note_formula(reader, key, text, variables, path)
     return FormulaLaw(values_in_si, variables)
 
 

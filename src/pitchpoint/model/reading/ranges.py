@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.keys import Key, Place
-from pitchpoint.model.origin import Bare
 from pitchpoint.model.reading import formulas
-from pitchpoint.model.reading.bare_numbers import is_doubtful
-from pitchpoint.model.reading.formula_text import is_formula
+from pitchpoint.model.reading.bare_numbers import USUAL, is_without_unit, note_number, said_of
+from pitchpoint.model.reading.formula_text import WORDS, is_formula
 from pitchpoint.model.show import SI, example, limit_text
 
 if TYPE_CHECKING:
@@ -56,17 +55,23 @@ def within(reader: Reader, key: Key, data: Any, value: float, path: Place) -> An
             limit=limit_text(key),
             remedy=_remedy(reader, key, data, value),
         )
-    if not isinstance(data, str) and is_doubtful(value, key.dimension):
-        reader.bare.append(Bare(path, value, key.dimension))
+    note_number(reader, key, data, value, path)
     return value
 
 
 def _remedy(reader: Reader, key: Key, data: Any, value: float) -> str:
     """Remedy for a quantity out of range: the number with its customary unit, or without its sign."""
     if isinstance(data, str) and is_formula(data, reader.parameters):
+        for name in WORDS.findall(data):
+            if found := said_of(reader, ("parameters", name)):
+                return f"{name}: {found}"
+        if key.dimension in SI and is_without_unit(reader, key, data):
+            return (
+                f"a formula without unit is in {SI[key.dimension]}; multiply it by 1 {USUAL[key.dimension]}"
+            )
         return f"correct the formula; the value is {example(key)}, for instance"
-    if not isinstance(data, str) and key.dimension in ("length", "angle"):
-        meant = f"{data} {DIMENSIONS[key.dimension].example.partition(' ')[2]}"
+    if key.dimension in SI and is_without_unit(reader, key, data):
+        meant = f"{str(data).strip()} {DIMENSIONS[key.dimension].example.partition(' ')[2]}"
         fits = key.allows(parse_quantity(meant, key.dimension))
         better = meant if fits else example(key)
         return f"a bare number is in {SI[key.dimension]}; write {better}"

@@ -13,10 +13,10 @@ from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
-from pitchpoint.core.nearest import did_you_mean, nearest
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.component import as_written
-from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of, of_symbol
-from pitchpoint.model.origin import Bare, Source, is_kept
+from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of, remedy_for_key
+from pitchpoint.model.origin import Source, is_kept
 from pitchpoint.model.reading import (
     data_files,
     forms,
@@ -28,11 +28,14 @@ from pitchpoint.model.reading import (
     ranges,
     signals,
 )
-from pitchpoint.model.show import dotted, example, shown
+from pitchpoint.model.reading.bare_numbers import Bare
+from pitchpoint.model.show import dotted, entries, example, shown
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
 
+MANY = 1000
+"""Length of lists from which the limit is not stated."""
 WHOLE = ("list", "tooth_profile")
 """Kinds of keys whose components have no path of their own in `Model.replace`."""
 
@@ -168,19 +171,13 @@ class Reader:
         )
 
     def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
-        """Report unknown keys, with the key of this symbol or the nearest spelling."""
-        names = list(allowed)
+        """Report unknown keys, with the nearest spelling."""
+        known = set(allowed)
         for name in data:
-            if name in names:
-                continue
-            near = of_symbol(name, allowed) or nearest(name, names)
-            guess = f"did you mean {near[0]}? " if near else ""
-            self.problem(
-                (*path, str(name)),
-                "is an unknown key",
-                remedy=f"{guess}allowed are {', '.join(names)}",
-                taint=bool(near) and near[0] not in data,
-            )
+            if name not in known:
+                near, remedy = remedy_for_key(name, allowed)
+                taint = near is not None and near not in data
+                self.problem((*path, str(name)), "is an unknown key", remedy=remedy, taint=taint)
 
     def value(self, description: Key, data: Any, path: Place) -> Any:
         """Read the value of one key by its kind."""
@@ -271,12 +268,11 @@ class Reader:
             remedy = f"write {example(description)}"
             if description.length == (3, 3) and description.dimension == "length" and isinstance(data, str):
                 remedy = f"write [x, y, z], such as [0, 0, {data[:20]}] on the z axis"
-            return self.problem(path, "is not a list", value=shown(data), remedy=remedy)
+            limit = entries(low, high) if high < MANY else None
+            return self.problem(path, "is not a list", value=shown(data), limit=limit, remedy=remedy)
         if not low <= len(data) <= high:
-            end, most = (low, "at least ") if len(data) < low else (high, "at most ")
-            wanted = f"{'' if low == high else most}{end} {'entry' if end == 1 else 'entries'}"
-            has = f"has {len(data)} {'entry' if len(data) == 1 else 'entries'}"
-            return self.problem(path, has, limit=wanted, remedy=f"write {example(description)}")
+            limit, has = entries(low, high, len(data)), f"has {entries(len(data), len(data))}"
+            return self.problem(path, has, limit=limit, remedy=f"write {example(description)}")
         out = [read(description, entry, (*path, i)) for i, entry in enumerate(data)]
         return BAD if any(entry is BAD for entry in out) else tuple(out)
 

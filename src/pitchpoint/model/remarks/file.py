@@ -7,35 +7,17 @@ import re
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
-from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.core.units import format_quantity
-from pitchpoint.model.show import dotted
+from pitchpoint.model.reading.bare_numbers import messages_on
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-USUAL = {"angular_speed": "rpm", "length": "mm", "angle": "deg"}
-"""Unit that a number without unit is probably in."""
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 
 
 def numbers_without_unit(model: Model) -> tuple[Message, ...]:
     """A remark for every number without unit that is rarely meant in SI units."""
-    return tuple(
-        remark(
-            dotted(place),
-            f"{value:g} has no unit and is read as {_both(value, dimension)}",
-            f"write {value:g} {USUAL[dimension]}, or {value:g} {DIMENSIONS[dimension].si} if that is meant",
-            model.line(place),
-        )
-        for place, value, dimension in model.origin.bare
-    )
-
-
-def _both(value: float, dimension: str) -> str:
-    """A value in SI and in its customary unit."""
-    in_si, usual = f"{value:g} {DIMENSIONS[dimension].si}", format_quantity(value, dimension)
-    return in_si if in_si == usual else f"{in_si} = {usual}"
+    return messages_on(model.origin.bare, model.line)
 
 
 def unused_parameters(model: Model) -> tuple[Message, ...]:
