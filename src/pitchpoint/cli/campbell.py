@@ -25,6 +25,21 @@ SHOWN = 20
 TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 
 
+def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> str | None:
+    """Stop if a word is not an order."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.report.campbell import BEARINGS
+    from pitchpoint.solvers.excitation_orders import LOADS, order_words, read_orders
+
+    if text is None:
+        return None
+    try:
+        read_orders([word for word in order_words(text) if word not in (LOADS, BEARINGS)])
+    except SolverError as error:
+        raise click.BadParameter(str(error)) from None
+    return text
+
+
 @click.command()
 @model_file
 @state
@@ -35,14 +50,16 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
     "--speeds",
     "angular_speed",
     "LOW..HIGH",
-    "Speeds of the body, such as 300..7200rpm; default: from zero to 1.2 times the highest of the scenarios.",
+    "Speeds of the body, such as 300..7200rpm; default: from zero to 1.2 times the highest operating speed.",
 )
 @click.option("--points", type=click.IntRange(min=2), default=41, help="Number of speeds.", show_default=True)
 @click.option(
     "--orders",
     metavar="LIST",
+    callback=checked_orders,
     help="Excitation orders, separated by commas: 1x, 2x (of every shaft), mesh, 2mesh, sidebands, "
-    "2sidebands, bearings (fault frequencies), numbers. Default: 1x,2x,mesh,2mesh,sidebands.",
+    "2sidebands, loads (pulsating torques, ripples of drives), bearings (fault frequencies), numbers. "
+    "Default: 1x,2x,mesh,2mesh,sidebands,loads.",
 )
 @click.option(
     "--modes", metavar="SELECTION", help="The lowest N modes, modes A..B, or modes with a text in their name."
@@ -70,8 +87,13 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     from pitchpoint.report.figure_picture import check_picture
 
     options["modes"] = modes_of(options["modes"])
+    if options["speeds"] is not None and options["speeds"][0] == options["speeds"][1]:
+        raise click.BadParameter("a single speed; write LOW..HIGH, 0..3000rpm", param_hint="--speeds")
+    if options["operating"] is not None and options["operating"][1] == 0.0:
+        raise click.BadParameter("zero speed; give a speed above 0", param_hint="--operating")
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, options["scenario"]) if options["scenario"] is not None else None
+    _check_body(model, name, options["body"])
     files: dict[str, Path | None] = {"output": None, "plot": None, "csv": None}
     if options["output"] is not None:
         files["output"] = result_path(options["output"], file, name or "")
@@ -89,6 +111,15 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     elif error is None:
         _print(f"{model.title or file}: critical speeds", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
+
+
+def _check_body(model: Model, scenario: str | None, name: str | None) -> None:
+    """Stop if no body has this name."""
+    from pitchpoint.core.nearest import hint
+    from pitchpoint.system.compile import compile_model
+
+    if name is not None and name not in (known := compile_model(model, scenario).layout.bodies[1:]):
+        raise click.BadParameter(f"no body {name!r}; {hint(name, known)}", param_hint="--body")
 
 
 def compute(
@@ -201,7 +232,7 @@ def _write(
 
     if files["output"] is not None:
         header = campbell_header(header_of(model, file, name or "", "campbell", "campbell"), data)
-        write_dataset(files["output"], header, data.drop_vars("whirl").reset_coords("name"))
+        write_dataset(files["output"], header, data)
     if files["plot"] is not None:
         figure = plot_campbell(data, frequency=options["frequency"])
         write_picture(files["plot"], figure)

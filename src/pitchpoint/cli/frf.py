@@ -15,7 +15,6 @@ from pitchpoint.cli.settings import set_option
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.frequency_response import FrequencyResponse
 
@@ -127,7 +126,8 @@ def compute(
     """Compute the response and write it if requested; return the output of `frf --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished, header_of
-    from pitchpoint.solvers.frequency_response import find_response
+    from pitchpoint.io.dataset_tables import write_dataset
+    from pitchpoint.solvers.frequency_response import find_response, response_dataset
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -145,7 +145,8 @@ def compute(
             progress=progress,
         )
     if target is not None:
-        store(target, header_of(model, file, name or "", "frequency_response", "frequency_response"), found)
+        header = header_of(model, file, name or "", "frequency_response", "frequency_response")
+        write_dataset(target, header, response_dataset(system, found), notes=found.notes)
     if options["picture"] is not None:
         _draw(options["picture"], found)
     summary = finished(begun, target, found.notes) | {
@@ -191,22 +192,3 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         show_notes(summary["notes"])
         if summary["output"] is not None:
             show(f"written to {summary['output']}")
-
-
-def store(path: Path, header: Header, found: FrequencyResponse) -> None:
-    """Write a response to a result file."""
-    from pitchpoint.io.tables import Axis, Quantity, write_tables
-
-    axes = [
-        Axis("frequency", found.frequency.tolist(), unit="Hz", long_name="excitation frequency"),
-        Axis("output", list(found.outputs)),
-        Axis("input", list(found.inputs)),
-    ]
-    dims = ("frequency", "output", "input")
-    filled = [
-        (Quantity("response_real", dims, "1", "response per unit, real part"), found.response.real),
-        (Quantity("response_imag", dims, "1", "response per unit, imaginary part"), found.response.imag),
-        (Quantity("output_unit", ("output",), dtype="text", long_name="SI unit"), list(found.output_units)),
-        (Quantity("input_unit", ("input",), dtype="text", long_name="SI unit"), list(found.input_units)),
-    ]
-    write_tables(path, header, axes, filled, notes=found.notes)

@@ -14,7 +14,6 @@ from pitchpoint.cli.output import show, show_notes, shown, table, write_figure
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.mesh_response import MeshResponse
 
@@ -29,16 +28,18 @@ def compute(
     from pitchpoint.analysis.levels import level, reference_of
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished, header_of
-    from pitchpoint.solvers.mesh_response import find_mesh_response
+    from pitchpoint.io.dataset_tables import write_dataset
+    from pitchpoint.solvers.mesh_response import find_mesh_response, mesh_response_dataset
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
     top = options["to_speed"]
     low = 0.05 * top if options["from_speed"] is None else options["from_speed"]
     speeds = np.linspace(low, top, options["points"])
+    system = compile_model(model, name)
     with ProgressDisplay("frf", "speeds", quiet=quiet) as progress:
         found = find_mesh_response(
-            compile_model(model, name),
+            system,
             options["responses"],
             options["speed_of"],
             speeds,
@@ -47,7 +48,8 @@ def compute(
             progress=progress,
         )
     if target is not None:
-        store(target, header_of(model, file, name or "", "mesh_response", "frequency_response"), found)
+        header = header_of(model, file, name or "", "mesh_response", "frequency_response")
+        write_dataset(target, header, mesh_response_dataset(system, found), notes=found.notes)
     if options["picture"] is not None:
         _draw(options["picture"], found)
     sizes = np.abs(found.response) / np.sqrt(2.0)
@@ -151,30 +153,3 @@ def nearest_mode(hertz: float, modes: list[dict[str, Any]]) -> str:
         return "–"
     mode = min(near, key=lambda m: abs(hertz - m["frequency"]))
     return f"{mode['name'].partition(',')[0]}, {shown(mode['frequency'], 'frequency', 4)}"
-
-
-def store(path: Path, header: Header, found: MeshResponse) -> None:
-    """Write a response to a result file."""
-    from pitchpoint.io.tables import Axis, Quantity, write_tables
-
-    axes = [
-        Axis("speed", found.speed.tolist(), "rad/s", f"speed of {found.body}", "omega"),
-        Axis("order", found.order.tolist(), "1", f"order of {found.body}"),
-        Axis("output", list(found.outputs)),
-        Axis("mode", list(found.mode_names)),
-    ]
-    dims = ("speed", "order", "output")
-    filled = [
-        (
-            Quantity("response_real", dims, "1", "response, real part of the peak amplitude"),
-            found.response.real,
-        ),
-        (Quantity("response_imag", dims, "1", "response, imaginary part"), found.response.imag),
-        (Quantity("output_unit", ("output",), dtype="text", long_name="SI unit"), list(found.units)),
-        (Quantity("frequency", dims[:2], "Hz", "excitation frequency"), found.frequency),
-        (Quantity("mesh", ("order",), dtype="text", long_name="mesh"), list(found.meshes)),
-        (Quantity("harmonic", ("order",), "1", "multiple of the mesh frequency"), list(found.harmonics)),
-        (Quantity("error", ("order",), "m", "loaded transmission error"), np.abs(found.error)),
-        (Quantity("mode_frequency", ("mode",), "Hz", "natural frequency"), found.mode_frequency),
-    ]
-    write_tables(path, header, axes, filled, notes=found.notes)

@@ -16,7 +16,6 @@ from pitchpoint.cli.settings import set_option
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.modal import Modes
 
@@ -102,7 +101,8 @@ def compute(
     """Compute the modes and write them if requested; return the output of `modes --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished, header_of
-    from pitchpoint.solvers.modal import find_modes
+    from pitchpoint.io.dataset_tables import write_dataset
+    from pitchpoint.solvers.modal import find_modes, modal_dataset
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -110,7 +110,8 @@ def compute(
     with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
         found = find_modes(system, name, phase=phase, count=count, progress=progress)
     if target is not None:
-        store(target, header_of(model, file, name or "", "modes", "modal"), found)
+        header = header_of(model, file, name or "", "modes", "modal")
+        write_dataset(target, header, modal_dataset(system, found), notes=found.notes)
     if animation is not None:
         animate(animation, found, model)
     summary = finished(begun, target, found.notes) | {
@@ -122,7 +123,10 @@ def compute(
 
 
 def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
-    """Print frequencies and damping of the lowest modes, and the number of omitted modes."""
+    """Print frequencies and damping of the lowest modes, and the number of omitted modes.
+
+    The lowest modes are those of the undamped frequency; the rows are in the order of the natural frequency.
+    """
     least = ROUNDING * max((abs(row["undamped_frequency"]) for row in summary["modes"]), default=0.0)
 
     def above_rounding(frequency: float) -> float:
@@ -138,7 +142,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
             largest(row["strain_share"]),
             largest({part: sum(ways.values()) for part, ways in row["kinetic_share"].items()}),
         ]
-        for row in summary["modes"][:count]
+        for row in sorted(summary["modes"][:count], key=lambda row: above_rounding(row["frequency"]))
     ]
     heads = ["mode", "natural frequency", "damping ratio", "undamped", "strain energy", "kinetic energy"]
     table(title, heads, cells)
@@ -150,7 +154,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     total = summary["total"]
     if count < total:
         last = shown(summary["modes"][count - 1]["undamped_frequency"], "frequency", 4)
-        show(f"{count} of {total} modes, up to {last}; --count {total} shows all of them")
+        show(f"{count} of {total} modes, up to {last} undamped; --count {total} shows all of them")
     if count:
         show(
             "natural frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest"
@@ -223,72 +227,3 @@ def animate(path: str, found: Modes, model: Model) -> None:
         body_shape=found.damped_body_shape,
         nodes=node_shapes(model, found),
     )
-
-
-def store(path: Path, header: Header, found: Modes) -> None:
-    """Write modes to a result file."""
-    from pitchpoint.io.tables import Axis, Quantity, write_tables
-    from pitchpoint.solvers.mode_energies import WAYS
-
-    groups, energies = found.groups, found.energies
-    axes = [
-        Axis("mode", list(range(1, len(found.names) + 1)), long_name="number of the mode"),
-        Axis("coordinate", list(found.coordinates)),
-        Axis("direction", ["x", "y", "z", "rx", "ry", "rz"]),
-        Axis("body", list(found.bodies)),
-        Axis("part", list(groups.parts)),
-        Axis("motion", list(WAYS)),
-    ]
-    by_coordinate = ("mode", "coordinate")
-    ways = ("mode", "part", "motion")
-    filled = [
-        (Quantity("frequency", ("mode",), "Hz", "damped natural frequency", "f"), found.damped_frequency),
-        (
-            Quantity("undamped_frequency", ("mode",), "Hz", "undamped natural frequency at rest", "f_0"),
-            found.frequency,
-        ),
-        (Quantity("whirl", ("mode",), dtype="text", long_name="whirl of the shafts"), list(found.whirl)),
-        (Quantity("kinetic_share", ways, "1", "share in the kinetic energy"), energies.kinetic),
-        (
-            Quantity("gyroscopic_share", ("mode",), "1", "gyroscopic over kinetic energy"),
-            energies.gyroscopic,
-        ),
-        (Quantity("damping_ratio", ("mode",), "1", "damping ratio", "zeta"), found.damping_ratio),
-        (Quantity("eigenvalue_real", ("mode",), "1/s", "real part of the eigenvalue"), found.eigenvalue.real),
-        (
-            Quantity("eigenvalue_imag", ("mode",), "1/s", "imaginary part of the eigenvalue"),
-            found.eigenvalue.imag,
-        ),
-        (Quantity("shape", by_coordinate, "1", "undamped shape, modal mass 1"), found.shape),
-        (
-            Quantity("damped_shape_real", by_coordinate, "1", "damped shape, real part"),
-            found.damped_shape.real,
-        ),
-        (
-            Quantity("damped_shape_imag", by_coordinate, "1", "damped shape, imaginary part"),
-            found.damped_shape.imag,
-        ),
-        (Quantity("coordinate_share", by_coordinate, "1", "share of a coordinate"), found.kinetic),
-        (
-            Quantity("participation", ("mode", "direction"), "1", "participation factor, SI units"),
-            found.participation,
-        ),
-        (
-            Quantity("effective_mass", ("mode", "direction"), "1", "effective mass [kg, kg m^2]"),
-            found.effective_mass,
-        ),
-        (
-            Quantity("body_shape", ("mode", "body", "direction"), "1", "motion of the bodies [m, rad]"),
-            found.body_shape,
-        ),
-        (Quantity("name", ("mode",), dtype="text", long_name="name of the mode"), list(found.names)),
-    ]
-    if groups.components:
-        axes.append(Axis("component", list(groups.components)))
-        share = Quantity("strain_share", ("mode", "component"), "1", "share in the strain energy")
-        filled.append((share, energies.strain))
-    if found.elements:
-        axes.append(Axis("element", list(found.elements)))
-        share = Quantity("potential_share", ("mode", "element"), "1", "share of the strain energy")
-        filled.append((share, found.potential))
-    write_tables(path, header, axes, filled, notes=found.notes)

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 
 
 def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset, **ending: Any) -> None:
-    """Write a dataset of numbers, and of texts over one dimension, to a result file.
+    """Write a dataset of numbers and texts to a result file; `open_result` gives the same variables.
+
+    Complex numbers are stored as real and imaginary part, `NAME_real` and `NAME_imag`.
 
     Parameters
     ----------
@@ -29,12 +31,13 @@ def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset
     header
         Provenance; attributes of the dataset that the file is to contain are among its options.
     data
-        Dataset; dimensions without coordinate are numbered.
+        Dataset.
     **ending
         Final status, as for `write_tables`.
     """
     axes, filled = _tables_of(data)
-    write_tables(path, header, axes, filled, **ending)
+    others = [str(name) for name in data.coords if name not in data.sizes]
+    write_tables(path, header, axes, filled, coordinates=others, **ending)
 
 
 def write_datasets(
@@ -77,7 +80,7 @@ def write_datasets(
                     quantity.name,
                     [scales[name] for name in quantity.axes],
                     group=group,
-                    dtype="f8",
+                    dtype=quantity.dtype,
                     attributes=_words(quantity),
                 )
                 made[...] = values
@@ -108,23 +111,27 @@ def _tables_of(data: xr.Dataset) -> tuple[list[Axis], list[tuple[Quantity, Any]]
     axes = [
         Axis(
             str(name),
-            data[name].values.tolist() if name in data.coords else list(range(size)),
+            data[name].values.tolist() if name in data.coords else size,
             unit=str(data[name].attrs.get("units", "")) if name in data.coords else "",
             long_name=str(data[name].attrs.get("long_name", "")) if name in data.coords else "",
         )
         for name, size in data.sizes.items()
     ]
-    filled = [
-        (
-            Quantity(
-                str(name),
-                tuple(map(str, variable.dims)),
-                str(variable.attrs.get("units", "")),
-                str(variable.attrs.get("long_name", "")),
-                dtype="text" if variable.dtype.kind in "OU" else "f8",
-            ),
-            list(map(str, variable.values)) if variable.dtype.kind in "OU" else variable.values,
-        )
-        for name, variable in data.data_vars.items()
-    ]
+    filled = []
+    for name in (name for name in data.variables if name not in data.sizes):
+        filled += _stored(str(name), data[name])
     return axes, filled
+
+
+def _stored(name: str, variable: xr.DataArray) -> list[tuple[Quantity, Any]]:
+    """Variable as stored: texts, whole numbers, numbers, or the parts of complex numbers."""
+    dims, values = tuple(map(str, variable.dims)), variable.values
+    words = (str(variable.attrs.get("units", "")), str(variable.attrs.get("long_name", "")))
+    if values.dtype.kind in "OU":
+        return [(Quantity(name, dims, *words, dtype="text"), values.astype(object))]
+    if values.dtype.kind == "c":
+        return [
+            (Quantity(f"{name}_{word}", dims, *words, part_of=name), part)
+            for word, part in (("real", values.real), ("imag", values.imag))
+        ]
+    return [(Quantity(name, dims, *words, dtype="i8" if values.dtype.kind in "iu" else "f8"), values)]

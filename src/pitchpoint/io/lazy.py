@@ -60,9 +60,25 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
         if item.chunks:
             variable.encoding["preferred_chunks"] = dict(zip(dims, item.chunks, strict=True))
         variables[key] = variable
+    variables |= _complex(variables)
     coords = {key: v for key, v in variables.items() if v.dims == (key,)}
     plain = {key: v for key, v in variables.items() if key not in coords}
     return xr.decode_cf(xr.Dataset(plain, coords, _attributes(where.attrs)), decode_times=False)
+
+
+def _complex(variables: dict[str, xr.Variable]) -> dict[str, xr.Variable]:
+    """Complex variables from their real and imaginary parts, which are removed."""
+    import xarray as xr
+
+    found = {}
+    for key in [key for key, v in variables.items() if v.attrs.get("part_of") and key.endswith("_real")]:
+        real, name = variables[key], str(variables[key].attrs["part_of"])
+        if f"{name}_imag" not in variables:
+            raise ValueError(f"the imaginary part of {name} is missing")
+        imag = variables.pop(f"{name}_imag")
+        attrs = {word: text for word, text in variables.pop(key).attrs.items() if word != "part_of"}
+        found[name] = xr.Variable(real.dims, real.values + 1j * imag.values, attrs)
+    return found
 
 
 @functools.cache

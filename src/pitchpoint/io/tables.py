@@ -38,7 +38,8 @@ class Axis:
 class Quantity:
     """Variable: name, names of its dimensions, unit, description and storage type.
 
-    The default symbol is that of the nomenclature.
+    The default symbol is that of the nomenclature. `part_of` names the complex variable of which it is the
+    real or imaginary part.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Quantity:
     long_name: str = ""
     symbol: str = ""
     dtype: str = "f8"
+    part_of: str = ""
 
 
 class TableWriter(Closing):
@@ -67,6 +69,8 @@ class TableWriter(Closing):
         is called `growing_name`.
     texts
         Contents of the quantities of type `text`; they cannot be changed later.
+    coordinates
+        Names of the quantities that are coordinates of a dataset.
 
     Examples
     --------
@@ -87,7 +91,8 @@ class TableWriter(Closing):
         *,
         growing: Sequence[tuple[str, str, str]] = (),
         growing_name: str = "jump",
-        texts: Mapping[str, Sequence[str]] | None = None,
+        texts: Mapping[str, Any] | None = None,
+        coordinates: Sequence[str] = (),
     ) -> None:
         self._begun = time.perf_counter()
         lengths = {a.name: a.values if isinstance(a.values, int) else len(a.values) for a in axes}
@@ -101,7 +106,9 @@ class TableWriter(Closing):
         with container.writing():
             self._make(axes, quantities, growing, growing_name)
             for name, words in (texts or {}).items():
-                self._variables[name][...] = list(words)
+                self._variables[name][...] = words
+            if coordinates:  # as in the CF conventions of netCDF
+                container.file.attrs["coordinates"] = " ".join(coordinates)
         container.begin()
 
     def _make(
@@ -136,6 +143,7 @@ class TableWriter(Closing):
                     "units": q.unit,
                     "long_name": q.long_name,
                     "symbol": q.symbol or symbol(q.name),
+                    "part_of": q.part_of,
                     "_Encoding": "utf-8" if q.dtype == "S1" else "",
                 },
             )
@@ -209,10 +217,13 @@ def write_tables(
     code: int = st.OK,
     steps: int = 0,
     notes: Sequence[str] = (),
+    coordinates: Sequence[str] = (),
 ) -> None:
     """Write complete tables, such as modes: quantities with arrays, and the final status."""
     texts = {q.name: values for q, values in filled if q.dtype == "text"}
-    with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
+    with TableWriter(
+        path, header, axes, [q for q, _ in filled], texts=texts, coordinates=coordinates
+    ) as table:
         for quantity, values in filled:
             if quantity.dtype != "text":
                 table.fill(quantity.name, ..., values)

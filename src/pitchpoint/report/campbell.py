@@ -51,8 +51,8 @@ def campbell_of(
     body
         Body of the speed; default: the first rotating one with a gear in mesh, else the first rotating one.
     speeds, points
-        Range of its speeds [rad/s], default from zero to 1.2 times the highest speed of the scenario or of
-        all scenarios; number of speeds.
+        Range of its speeds [rad/s], default from zero to 1.2 times the highest operating speed; number of
+        speeds.
     orders
         As for `solve_campbell`, and `bearings`.
     count, frequency
@@ -79,7 +79,7 @@ def campbell_of(
     if body is None:
         raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
     system = compile_model(model, scenario)
-    linear = linearise(system, scenario)
+    linear = linearise(system, scenario, turning=body)
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
@@ -87,8 +87,8 @@ def campbell_of(
     reached = operating_range(system, body, chosen)
     if speeds is None:
         top = (
-            1.2 * reached[1]
-            if reached
+            1.2 * max([*(reached or ()), *(operating or ())])
+            if reached or operating
             else highest_speed(system, body, lowest(linear, FEW).omega / (2.0 * math.pi))
         )
         if not 0.0 < top < math.inf:
@@ -96,12 +96,14 @@ def campbell_of(
                 f"no scenario gives a speed of {body}; give --speeds, such as 0..3000rpm", INCONSISTENT
             )
         speeds = (0.0, top)
+    note = _apart(speeds, operating)
     operating = operating or reached
     words = order_words(USUAL if orders is None else orders)
     more = _bearing_orders(model, body) if BEARINGS in words else None
     found = follow_modes(
         system, np.linspace(*speeds, points), body, scenario, count=count, progress=progress, linear=linear
     )
+    found = replace(found, notes=(*found.notes, *note))
     return campbell_dataset(
         system, found, orders=[w for w in words if w != BEARINGS], more_orders=more, operating=operating
     )
@@ -111,6 +113,14 @@ REACH = 1.25
 """Frequency at rest over the highest one up to which modes are followed: backward whirl falls."""
 FEW = 12
 """Number of modes that define the speeds without a scenario."""
+
+
+def _apart(speeds: tuple[float, float], operating: tuple[float, float] | None) -> tuple[str, ...]:
+    """Note on a given operating range of which no speed is computed."""
+    if operating is None or (speeds[0] <= operating[1] and operating[0] <= speeds[1]):
+        return ()
+    ranges = ["–".join(f"{x * 30.0 / math.pi:.5g}" for x in ends) + " rpm" for ends in (operating, speeds)]
+    return (f"the operating speeds {ranges[0]} are outside the computed speeds {ranges[1]}; extend --speeds",)
 
 
 def body_of_speeds(model: Model) -> str | None:

@@ -130,7 +130,7 @@ def follow_modes(
         known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
         raise SolverError(f"no body {body!r}; there are: {known}", INCONSISTENT)
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
-    linear = linear or linearise(system, scenario)
+    linear = linear or linearise(system, scenario, turning=body)
     own, parts = linear.system, linear.at_rest
     rates = body_rates(own, body, scenario_named(own, scenario))
     total = linear.basis.shape[1]

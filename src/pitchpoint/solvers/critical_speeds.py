@@ -12,6 +12,9 @@ factor is 4 i (T + V)/omega:
 * eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
   unfavourable one, as are the phases of several meshes of one frequency.
+* torque M on a body of the moment of inertia J: its acceleration is J |phi''| = M T_r/((T + V) zeta) with the
+  kinetic energy T_r of its rotation.
+* ripple of a driven body: that of the elements between it and the machine, as for a transmission error.
 
 Without gyroscopic effects T = V, and the amplification is the share of X over 2 zeta.
 
@@ -34,9 +37,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.eigen import ratio_of
-from pitchpoint.solvers.excitation_orders import MESH, SHAFT, SIDEBAND, Order
+from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.machine_groups import Groups
 from pitchpoint.solvers.mode_energies import (
+    WAYS,
     Energies,
     energies_of,
     gyroscopic_terms,
@@ -48,8 +52,10 @@ from pitchpoint.solvers.unstable_modes import UNDAMPED
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
 UNBALANCE, MISALIGNMENT = "unbalance", "misalignment"
-BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN)
+TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
+BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
+ROTATION = WAYS.index("rotation")
 ROUNDS, EXACT = 6, 1e-9
 """Maximum number of corrections of a crossing, and its relative accuracy."""
 
@@ -81,7 +87,8 @@ class CriticalSpeed:
     whirl
         Whirl of the mode at this speed.
     source
-        What drives the mode: unbalance, misalignment, run-out, transmission error, other.
+        What drives the mode: unbalance, misalignment, run-out, transmission error, pulsating torque, ripple
+        of the drive, bearing fault, given order.
     participation
         Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, run-out,
         bearing fault) of the mode where the order acts, 0 to 1.
@@ -201,6 +208,8 @@ def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple
     * first order of a shaft: unbalance, kinetic energy of its forward whirl; or run-out of its gears, strain
       energy of their meshes;
     * higher orders of a shaft: misalignment, kinetic energy of its lateral motion; or run-out;
+    * torques: kinetic energy of the rotation of the bodies on which they act;
+    * ripple of a drive: strain energy of the components on the driven body;
     * other orders: strain energy of the bearing named by the order, such as `BPFO front`; otherwise 1.
     """
     strain: Array = energies.strain[k]
@@ -217,6 +226,12 @@ def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple
             lateral += float(energies.backward[k, own].sum())
         word = UNBALANCE if order.harmonic == 1 else MISALIGNMENT
         return (word, lateral) if lateral >= teeth else (RUN_OUT, teeth)
+    if order.kind == LOAD:
+        moved = [p for p in range(len(groups.parts)) if groups.moves[p] in order.parts]
+        return TORQUE, float(energies.kinetic[k, moved, ROTATION].sum())
+    if order.kind == RIPPLE:
+        joined = [e for e, ends in enumerate(groups.ends) if set(ends) & set(order.parts)]
+        return DRIVEN, float(strain[joined].sum())
     bearing = f" bearing {order.name.partition(' ')[2]}"
     named = [e for e, name in enumerate(groups.components) if f" {name}".endswith(bearing)]
     return (FAULT, float(strain[named].sum())) if named else (GIVEN, 1.0)

@@ -7,7 +7,7 @@ has its own mean, independent of the periods of the others. Independent meshes a
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -94,6 +94,19 @@ def _equal(n: int) -> tuple[Array, Array]:
     return (np.arange(n) + 0.5) / n, np.full(n, 1.0 / n)
 
 
+def observe_at(system: System, state: State, phases: Mapping[int, tuple[int, float]]) -> Array:
+    """Observations at a state with meshes shifted to given phases, by mesh index the flank and its phase."""
+    records = mesh_records(system)
+    kept = {m: records[m].copy() for m in phases}
+    for m, (_, now) in observed_phases(system, state, [*phases]):
+        flank, wanted = phases[m]
+        shift(records[m], flank * nearest(wanted - now[flank]))
+    found = evaluate.observe(system, state)
+    for m in phases:
+        _put_back(records[m], kept[m])
+    return found
+
+
 @dataclass(frozen=True)
 class _Cycle:
     """Cycle of a mesh: flank, initial phase, quadrature phases and weights, matrix blocks."""
@@ -145,7 +158,7 @@ def _means_together(
     system: System, state: State, held: tuple[int, ...], batch: Sequence[int], loose: bool, rates: Array
 ) -> dict[int, tuple[Array, Array]]:
     """Means of independent meshes, evaluated simultaneously."""
-    cycles = {m: _cycle(system, m, values) for m, values in _observed(system, state, batch)}
+    cycles = {m: _cycle(system, m, values) for m, values in observed_phases(system, state, batch)}
     records = mesh_records(system)
     kept = {m: records[m].copy() for m in batch}
     total = {m: np.zeros((2, len(c.blocks.places), 6, 6)) for m, c in cycles.items()}
@@ -160,8 +173,8 @@ def _means_together(
                 shift_into_contact(system, at, {m: c.flank for m, c in active.items()})
             for _ in range(0 if loose else 2):  # the new deflection changes the phase slightly
                 at = _rest_at(system, at, held, state, rates)
-                for m, (_, phase) in _observed(system, at, [*active]):
-                    ahead = _nearest(float(active[m].phases[step]) - phase[active[m].flank])
+                for m, (_, phase) in observed_phases(system, at, [*active]):
+                    ahead = nearest(float(active[m].phases[step]) - phase[active[m].flank])
                     shift(records[m], active[m].flank * ahead)
             both = tangents(system, at, _records(system, active))
             for m, cycle in active.items():
@@ -188,7 +201,7 @@ def _records(system: System, meshes: Collection[int]) -> dict[str, NDArray[np.in
     return {kind: np.array(rows, np.int64) for kind, rows in found.items()}
 
 
-def _observed(
+def observed_phases(
     system: System, state: State, meshes: Sequence[int]
 ) -> Iterator[tuple[int, tuple[float, dict[int, float]]]]:
     """Contact state of some meshes, and the phases of both flanks.
@@ -213,8 +226,14 @@ def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> 
     return _Cycle(flank, phase[flank], phases, weights, blocks_of(system, kind, n))
 
 
-def _nearest(difference: float) -> float:
-    """Difference of two phases in [-1/2, 1/2)."""
+def nearest(difference: float) -> float:
+    """Difference of two phases in [-1/2, 1/2).
+
+    Examples
+    --------
+    >>> nearest(0.75), nearest(-0.25)
+    (-0.25, -0.25)
+    """
     return (difference + 0.5) % 1.0 - 0.5
 
 

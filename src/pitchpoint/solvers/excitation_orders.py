@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.gear_trains import mesh_orders
+from pitchpoint.solvers.load_orders import LoadOrder, load_orders
 from pitchpoint.solvers.mode_energies import Motions
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
@@ -22,14 +23,17 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands")
+USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands", "loads")
 """Default orders: once and twice per revolution of every shaft, mesh frequencies with one pair of sidebands
-per gear, and twice the mesh frequencies."""
+per gear, twice the mesh frequencies, and the harmonics of torques and drives."""
 Orders = Sequence[str | float] | str
 """Orders: words and numbers, or one text with commas between them."""
 SHAFT, MESH, SIDEBAND, OTHER = "shaft", "mesh", "sideband", "other"
+LOAD, RIPPLE = "load", "ripple"
 EQUAL = 1e-9
 """Relative distance of orders that are one line."""
+LOADS = "loads"
+"""Word for the harmonics of torques and drives."""
 FEW = 2
 """Maximum number of names in the name of an order."""
 
@@ -45,11 +49,12 @@ class Order:
     value
         Periods per revolution of the reference body.
     kind
-        `shaft`, `mesh`, `sideband` or `other`.
+        `shaft`, `mesh`, `sideband`, `load` (a torque), `ripple` (of a drive) or `other`.
     harmonic
         Number of the harmonic of the shaft or mesh.
     parts, meshes
-        Parts that rotate with the shaft, and meshes with a gear on them; the meshes of a mesh order.
+        Parts that rotate with the shaft, and meshes with a gear on them; the meshes of a mesh order; the
+        parts on which a torque or drive acts.
     """
 
     name: str
@@ -77,8 +82,9 @@ def excitation_orders(
         Rates of all coordinates with the reference body at 1 rad/s.
     chosen
         `3x` for the third order of every shaft, `mesh` and `2mesh` for mesh harmonics, `sidebands` and
-        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, numbers; a
-        sequence, or a text such as `mesh,2`.
+        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, `loads` for
+        the harmonics of torques that repeat with the angle of a body, and of the ripples of drives, numbers;
+        a sequence, or a text such as `mesh,2`.
     others
         Further orders by name, such as those of bearing faults.
 
@@ -87,7 +93,8 @@ def excitation_orders(
     SolverError
         If a word is unknown.
     """
-    shafts, meshes, bands, more = _read(chosen)
+    words = order_words(chosen)
+    shafts, meshes, bands, more = read_orders([word for word in words if word != LOADS])
     turning = _shafts(system, motions, rates)
     teeth = _grouped([(name, value, (name,)) for name, value in mesh_orders(system, rates).items()])
     found = [
@@ -97,16 +104,35 @@ def excitation_orders(
     ]
     for n in meshes:
         for name, value, own in teeth:
-            words = f"mesh {name}" if n == 1 else f"{n}× mesh {name}"
-            found.append(Order(words, n * value, MESH, n, (), own))
+            label = f"mesh {name}" if n == 1 else f"{n}× mesh {name}"
+            found.append(Order(label, n * value, MESH, n, (), own))
             for j in range(1, bands + 1):
                 for shaft, rotation in _gears(system, motions, rates, own[0]):
                     for sign, side in ((-1.0, "−"), (1.0, "+")):
-                        band = f"{words} {side} {j}× {shaft}"
+                        band = f"{label} {side} {j}× {shaft}"
                         found.append(Order(band, abs(n * value + sign * j * rotation), SIDEBAND, n, (), own))
+    found += _of_loads(system, motions, rates) if LOADS in words else []
     found += [Order(f"{value:g}×", value, OTHER) for value in more]
     found += [Order(name, abs(value), OTHER) for name, value in (others or {}).items()]
     return tuple(sorted((o for o in found if o.value > 0.0), key=lambda o: o.value))
+
+
+def _of_loads(system: System, motions: Motions, rates: Array) -> list[Order]:
+    """Harmonics of torques and ripples of drives."""
+    groups = motions.groups
+    alike: dict[tuple[tuple[int, ...], float, bool], list[LoadOrder]] = {}
+    for one in load_orders(system, motions.state, rates):
+        parts = tuple(dict.fromkeys(groups.moves[groups.part[b]] for b in one.bodies))
+        alike.setdefault((parts, round(one.order, 9), one.ripple), []).append(one)
+    found = []
+    for (parts, order, ripple), own in alike.items():
+        names = ", ".join(one.name for one in own)
+        if len(own) > FEW:
+            names = f"{own[0].name} and {len(own) - 1} more"
+        source = "ripple of the drive" if ripple else f"torque {names}"
+        name = f"{order:.6g}× {groups.parts[parts[0]]} ({source})"
+        found.append(Order(name, own[0].order * own[0].speed, RIPPLE if ripple else LOAD, 1, parts))
+    return found
 
 
 def order_words(chosen: Orders) -> list[str]:
@@ -120,8 +146,19 @@ def order_words(chosen: Orders) -> list[str]:
     return [str(word).strip() for word in (chosen.split(",") if isinstance(chosen, str) else chosen)]
 
 
-def _read(chosen: Orders) -> tuple[list[int], list[int], int, list[float]]:
-    """Shaft orders, mesh harmonics, pairs of sidebands, numbers."""
+def read_orders(chosen: Orders) -> tuple[list[int], list[int], int, list[float]]:
+    """Shaft orders, mesh harmonics, pairs of sidebands, numbers.
+
+    Raises
+    ------
+    SolverError
+        If a word is unknown.
+
+    Examples
+    --------
+    >>> read_orders("1x,2x,mesh,0.5")
+    ([1, 2], [1], 0, [0.5])
+    """
     shafts, meshes, more, bands = [], [], [], 0
     for word in order_words(chosen):
         found = re.fullmatch(r"(\d*)(x|mesh|sidebands?)", word)
@@ -141,8 +178,8 @@ def _read(chosen: Orders) -> tuple[list[int], list[int], int, list[float]]:
             more.append(value)
         else:
             raise SolverError(
-                f"orders: {word!r} is not an order; use 1x, 2x (shafts), mesh, 2mesh, sidebands, 2sidebands "
-                "or a number; fault frequencies: more_orders in Python, bearings in the command",
+                f"orders: {word!r} is not an order; use 1x, 2x (shafts), mesh, 2mesh, sidebands, 2sidebands, "
+                "loads or a number; fault frequencies: more_orders in Python, bearings in the command",
                 INCONSISTENT,
             )
     return sorted(set(shafts)), sorted(set(meshes)), bands, more

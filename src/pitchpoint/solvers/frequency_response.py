@@ -99,7 +99,7 @@ def find_response(
     SolverError
         If a name is unknown, there is no equilibrium, or the system is singular at a frequency.
     """
-    linear = linearise(system, scenario, phase=phase, start=start)
+    linear = linearise(system, scenario, phase=phase, start=start, turning=synchronous)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
     basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
@@ -211,10 +211,6 @@ def solve_frequency_response(
         Over `frequency` [Hz], `output` and `input`: response (complex), amplitude, phase [rad]; over
         `output` and `input`: their units.
     """
-    import xarray as xr
-
-    from pitchpoint.solvers.dataset import attributes
-
     began = time.perf_counter()
     found = find_response(
         system,
@@ -228,6 +224,16 @@ def solve_frequency_response(
         start=start,
         progress=progress,
     )
+    wall = time.perf_counter() - began
+    return response_dataset(system, found, wall_s=wall, modes=modes or "all")
+
+
+def response_dataset(system: System, found: FrequencyResponse, **attrs: Any) -> xr.Dataset:
+    """Dataset of a response, see `solve_frequency_response`; `attrs` as in `dataset.attributes`."""
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
     dims = ("frequency", "output", "input")
     data = {
         "response": (dims, found.response, {"long_name": "response per unit of the input"}),
@@ -241,5 +247,5 @@ def solve_frequency_response(
         "output_unit": ("output", list(found.output_units)),
         "input_unit": ("input", list(found.input_units)),
     }
-    attrs = attributes(system, "frequency_response", wall_s=time.perf_counter() - began, modes=modes or "all")
-    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": join_notes(found.notes)})
+    known = attributes(system, "frequency_response", **attrs)
+    return xr.Dataset(data, coords=coords, attrs={**known, "notes": join_notes(found.notes)})

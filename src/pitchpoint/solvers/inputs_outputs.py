@@ -18,10 +18,11 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.nearest import hint
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.body_shapes import body_motions
-from pitchpoint.solvers.element_tangents import tangents
+from pitchpoint.solvers.cycle_means import observe_at, observed_phases
 from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.mesh_law import mesh_law
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_record, one_mesh
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State
 
 Array = NDArray[np.float64]
@@ -29,7 +30,7 @@ Array = NDArray[np.float64]
 LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
 MOTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
 MESH_FORCES = ("mesh_force", "normal_force", "circumferential_force", "radial_force", "axial_force")
-"""Channels of a mesh that are proportional to its stiffness."""
+"""Channels of a mesh that are parts of its force along the base tangent."""
 STEP = 2e-10
 """Step of finite differences [m]: below the penetration at which unloaded flanks are assumed in contact."""
 RATE = 1e-6
@@ -47,7 +48,8 @@ class Input:
     force, rate, turning
         Shape (nd,); `turning` is complex.
     follows
-        Motion of the coordinates equivalent to a transmission error of the flanks, or zeros, shape (nd,).
+        Motion of the coordinates equivalent to a transmission error of the flanks (`mesh_law`), or zeros,
+        shape (nd,).
     mesh
         Index of the mesh of a transmission error, -1 for other inputs.
     """
@@ -151,27 +153,9 @@ def _turning(linear: Linearised, J: Array, b: int) -> NDArray[np.complex128]:
 
 
 def _error_of(linear: Linearised, name: str, k: int) -> Input:
-    """Unloaded transmission error of the flanks of a mesh: relative travel of the gears less the deflection.
-
-    It acts like a relative travel of the gears, through the stiffness in use (mean over the cycle or that of
-    one phase) and the damping of the mesh.
-    """
-    system, stopped = linear.system, linear.state.copy()
-    stopped.v[:] = 0.0
-    force = _by_travel(system, k, lambda: evaluate.residual(system, stopped))
-    D, K = (evaluate.dense(system, A) for A in tangents(system, stopped, one_mesh(system, k)))
-    used = np.flatnonzero(np.any(K != 0.0, axis=0) | (force != 0.0))
-    weight = system.weight[used]
-    scaled = np.linalg.lstsq(
-        K[np.ix_(used, used)] / np.outer(weight, weight), force[used] / weight, rcond=1e-9
-    )[0]
-    follows = np.zeros_like(force)
-    follows[used] = scaled / weight
-    share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {mesh_names(system)[k]}")]
-    mean = np.zeros_like(force)
-    mean[share.places] = share.matrix @ follows[share.places]
-    nothing = np.zeros(force.size, complex)
-    return Input(name, "m", mean, D @ follows, nothing, follows, k)
+    """Unloaded transmission error of the flanks of a mesh: travel of the gears less the deflection."""
+    law = mesh_law(linear, k)
+    return Input(name, "m", law.stiffness, law.damping, np.zeros(law.turn.size, complex), law.turn, k)
 
 
 def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def]
@@ -188,7 +172,7 @@ def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def
 def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
     """Output rows by name; channels are differentiated at the operating point.
 
-    Mesh forces are scaled to the stiffness in use, such as the mean over the cycle.
+    Mesh forces follow the law of the mesh in use, such as the mean over the cycle.
 
     Raises
     ------
@@ -228,46 +212,69 @@ def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array
     """Derivatives of all channels with respect to coordinates, rates, multipliers and flank errors."""
     system, state = linear.system, linear.state
     weight = system.weight
-    nothing = np.zeros((system.sizes["no"], 0))
     largest = float(np.abs(state.lam).max(initial=0.0))
-    found = [
+    place, rate, react = (
         _differences(system, state, "q", STEP / weight),
         _differences(system, state, "v", RATE / weight),
         _differences(system, state, "lam", np.full(state.lam.size, 1e-3 * (1.0 + largest))),
-    ]
-    errors = [-_by_travel(system, k, lambda: evaluate.observe(system, state)) for k in range(meshes)]
-    feed = np.column_stack(errors) if errors else nothing
-    for o, channel in enumerate(system.layout.channels):
-        if channel.name.startswith("transmission_error["):
-            feed[o] = 0.0  # it is the travel of the gears, independent of their flanks
+    )
+    feed = np.zeros((system.sizes["no"], meshes))
     for k, name in enumerate(mesh_names(system)):
-        ratio = _mean_ratio(linear, k, name)
-        for word in MESH_FORCES:
-            o = system.layout.channel(f"{word}[{name}]")
-            found[0][o] *= ratio
-            feed[o] *= ratio
-    return found[0], found[1], found[2], feed
+        by_travel = _by_travel(system, k, lambda: evaluate.observe(system, state))
+        by_travel[system.layout.channel(f"transmission_error[{name}]")] = 0.0  # independent of the flanks
+        _follow_the_law(linear, k, by_travel, (place, rate))
+        feed[:, k] = -by_travel
+    return place, rate, react, feed
 
 
-def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
-    """Stiffness of a mesh in use (mean over its cycle) over its stiffness at the operating point."""
-    stopped = linear.state.copy()
-    stopped.v[:] = 0.0
-    _, now = tangents(linear.system, stopped, one_mesh(linear.system, k))
-    share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {name}")]
-    own = evaluate.dense(linear.system, now)[np.ix_(share.places, share.places)]
-    size = float(np.sum(own * own))
-    return float(np.sum(own * share.matrix)) / size if size > 0.0 else 1.0
+def _follow_the_law(linear: Linearised, k: int, by_travel: Array, slopes: tuple[Array, Array]) -> None:
+    """Replace slopes of the channels of a mesh by those of its law; `by_travel`: theirs over the travel.
+
+    A rotation of the gears acts through the travel alone. Forces are parts of the force along the base
+    tangent; displaced gears change in addition their direction.
+    """
+    system, law, (place, rate) = linear.system, mesh_law(linear, k), slopes
+    name, turning = mesh_names(system)[k], law.travel != 0.0
+    own = [o for o in np.flatnonzero(by_travel).tolist() if _is_of(system.layout.channels[o].name, name)]
+    if not law.turn.any():
+        return
+    stiffness = float(law.now @ law.turn)
+    for o in own:
+        place[o, turning] = by_travel[o] * law.travel[turning]
+        rate[o, turning] = float(rate[o] @ law.turn) * law.travel[turning]
+    along = system.layout.channel(f"mesh_force[{name}]")
+    found = place[along].copy()
+    for word in MESH_FORCES if stiffness > 0.0 else ():
+        o = system.layout.channel(f"{word}[{name}]")
+        part = 1.0 if o == along else by_travel[o] / stiffness
+        of_direction = np.where(turning, 0.0, place[o] - by_travel[o] / by_travel[along] * found)
+        place[o] = part * law.force + (0.0 if o == along else of_direction)
+        by_travel[o] = float(place[o] @ law.turn)
+    rate[along] = law.force_by_rate
+
+
+def _is_of(channel: str, mesh: str) -> bool:
+    """Whether a channel is one of a mesh or of its tooth pairs, such as `pair_force[stage.0]`."""
+    inside = channel.partition("[")[2].rstrip("]")
+    return inside == mesh or inside.startswith(f"{mesh}.")
 
 
 def _differences(system, state: State, key: str, steps: Array) -> Array:  # type: ignore[no-untyped-def]
-    """Central differences of all channels with respect to one part of the state, shape (no, n)."""
+    """Central differences of all channels with respect to one part of the state, shape (no, n).
+
+    The phases of the meshes are fixed, as in the matrices.
+    """
     found = np.zeros((system.sizes["no"], steps.size))
+    phases = {
+        m: (flank, phase[flank])
+        for m, (contact, phase) in observed_phases(system, state, range(len(mesh_names(system))))
+        for flank in (-1 if contact < 0.0 else 1,)
+    }
     for k, step in enumerate(steps):
         sides = []
         for sign in (1.0, -1.0):
             moved = state.copy()
             getattr(moved, key)[k] += sign * step
-            sides.append(evaluate.observe(system, moved))
+            sides.append(observe_at(system, moved, phases if key == "q" else {}))
         found[:, k] = (sides[0] - sides[1]) / (2.0 * step)
     return found

@@ -18,6 +18,7 @@ from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.core.units import format_quantity
+from pitchpoint.core.words import listed
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.cycle_means import shift
@@ -25,7 +26,9 @@ from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, unda
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, without_friction
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
-from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
+from pitchpoint.solvers.initial_state.start import body_rates
+from pitchpoint.solvers.load_orders import mean_loads, of_one_angle
+from pitchpoint.solvers.operating_point import OperatingPoint, operating_point, scenario_named
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
@@ -88,19 +91,35 @@ class Linearised:
 
 
 def _frictionless_point(
-    system: System, scenario: Scenario | str | None, start: State | None
+    system: System, scenario: Scenario | str | None, start: State | None, turning: str | None
 ) -> OperatingPoint:
     """The operating point with frictionless flanks, and a note if the flanks have friction.
 
     The other positions and speeds of the analysis (mesh phases, speeds of a Campbell diagram) are equilibria
-    of the frictionless machine, so the operating point must be one, too.
+    of the frictionless machine, so the operating point must be one, too. Torques that pulsate with the angle
+    of rotating bodies enter with their mean.
     """
     smooth = without_friction(system)
-    point = operating_point(smooth, scenario, start)
-    if smooth is system:
-        return point
-    note = "flank friction is neglected in the modes, since it depends on the motion, not on the state"
-    return replace(point, notes=(*point.notes, note))
+    point, notes = operating_point(smooth, scenario, start), []
+    rates = point.state.v
+    if turning is not None and not rates.any():
+        rates = body_rates(point.system, turning, scenario_named(system, scenario))
+    steady, pulsating = mean_loads(smooth, point.state, rates)
+    if pulsating:
+        point = operating_point(steady, scenario, start)
+        notes.append(
+            f"{listed(list(pulsating))}: the mean torque over the angle is used; its slope has the mean zero"
+        )
+    elif still := of_one_angle(smooth, point.state):
+        notes.append(
+            f"{listed(list(still))}: the slope of the torque at the present angle acts as a spring; for the "
+            "rotating body select a scenario with its speed"
+        )
+    if smooth is not system:
+        notes.append(
+            "flank friction is neglected in the modes, since it depends on the motion, not on the state"
+        )
+    return replace(point, notes=(*point.notes, *notes))
 
 
 def linearise(
@@ -110,9 +129,13 @@ def linearise(
     phase: float | None = None,
     mean: bool = True,
     start: State | None = None,
+    turning: str | None = None,
     progress: Progress = silent,
 ) -> Linearised:
-    """Linearize about the loaded state of a scenario; arguments as in `modal.find_modes`."""
+    """Linearize about the loaded state of a scenario; arguments as in `modal.find_modes`.
+
+    `turning`: the body that rotates in an analysis over the speed, if the scenario is at rest.
+    """
     if (count := system.sizes["nd"]) == 0:
         raise SolverError(
             "all bodies are fixed, so there are no modes; free a body (motion: torsion, planar or free)",
@@ -125,7 +148,7 @@ def linearise(
             "separately, or reduce the freedom of bodies (motion: torsion or planar) and the number of shaft "
             "pieces (largest_piece)"
         )
-    point = _frictionless_point(system, scenario, start)
+    point = _frictionless_point(system, scenario, start, turning)
     own, state = point.system.copy(), point.state
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)

@@ -103,11 +103,25 @@ class LoadCycle:
 
 
 @dataclass(frozen=True)
-class _Load:
-    """A torque over a rigid motion: record, time, angle and mean speed of its body at the beginning, share of
-    every free rotation.
+class PulsatingLoad:
+    """A torque that repeats over a rigid motion.
 
-    `rates`: those of its arguments [rad/s].
+    Parameters
+    ----------
+    number, record
+        Its record and number.
+    begin
+        Time at the beginning [s].
+    angle, speed
+        Angle [rad] at the beginning and mean speed [rad/s] of its body, relative to that of the reaction.
+    share
+        Share of the free rotations in this angle.
+    by_angle
+        Periods of its arguments per revolution; empty if it does not depend on the angle.
+    timed
+        Whether an argument depends on time.
+    rates
+        Rates of the arguments [rad/s].
     """
 
     number: int
@@ -116,12 +130,18 @@ class _Load:
     angle: float
     speed: float
     share: Array
+    by_angle: tuple[float, ...]
+    timed: bool
     rates: tuple[float, ...]
 
     def over(self, t: Array, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
         """Torque and slopes over angle and speed, for times since the beginning and ripples (n, times)."""
         turned = self.angle + self.speed * t + self.share @ angle
         return slopes_of(self.record, self.begin + t, turned, self.speed + self.share @ speed)
+
+    def at_angles(self, angles: Array, speed: float) -> Array:
+        """Torque at the beginning over the angles of the body at a speed, shape of `angles`."""
+        return values_of(self.record, self.begin, angles, speed)
 
 
 def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequence[int]) -> LoadCycle | None:
@@ -142,7 +162,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     evaluate.residual(system, state)
     free = [k for k, spin in enumerate(held) if spin not in set(driven)]
     motions = rotations(system, held)[:, free] if held else np.zeros((system.sizes["nd"], 0))
-    loads = _repeating(system, state, motions)
+    loads = pulsating_loads(system, state, motions)
     rates = np.array(sorted({abs(rate) for load in loads for rate in load.rates}))
     if not rates.size:
         return None
@@ -176,7 +196,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     )
 
 
-def _torques(loads: list[_Load], h: float, n: int) -> Torques:
+def _torques(loads: list[PulsatingLoad], h: float, n: int) -> Torques:
     """Sum of the loads on the free rotations at points of distance h [s]."""
 
     def over(part: slice, speed: Array, angle: Array) -> tuple[Array, Array, Array]:
@@ -208,7 +228,7 @@ def _range_of(row: Array, motion: Motion) -> tuple[float, float, float]:
     return float(speed.min()), float(speed.max()), float(np.ptp(angle))
 
 
-def _stops(system: System, loads: list[_Load], path: Array | None, h: float) -> dict[str, float]:
+def _stops(system: System, loads: list[PulsatingLoad], path: Array | None, h: float) -> dict[str, float]:
     """Loaded bodies that reach standstill in a motion of the free rotations, and when [s]."""
     found: dict[str, float] = {}
     for load in loads:
@@ -220,7 +240,7 @@ def _stops(system: System, loads: list[_Load], path: Array | None, h: float) -> 
     return found
 
 
-def _repeating(system: System, state: State, motions: Array) -> list[_Load]:
+def pulsating_loads(system: System, state: State, motions: Array) -> list[PulsatingLoad]:
     """Loads whose torque repeats over the motion, with the rates of their arguments."""
     system.workspace  # noqa: B018 - fills in the addresses of the records
     frames, found = system.workspace.fr, []
@@ -241,13 +261,15 @@ def _repeating(system: System, state: State, motions: Array) -> list[_Load]:
         if phases is not None:
             rates = (by_time + by_angle * speed for by_time, by_angle in phases)
             found.append(
-                _Load(
+                PulsatingLoad(
                     number=k,
                     record=record,
                     begin=state.t,
                     angle=float(rest + TURNS * turns),
                     speed=speed,
                     share=row @ motions,
+                    by_angle=tuple(sorted({abs(by_angle) for _, by_angle in phases if by_angle != 0.0})),
+                    timed=any(by_time != 0.0 for by_time, _ in phases),
                     rates=tuple(rate for rate in rates if rate != 0.0),
                 )
             )

@@ -155,7 +155,7 @@ def find_mesh_response(
         raise SolverError("a speed is zero, at which no mesh excites; use speeds above zero", INCONSISTENT)
     if not 1 <= harmonics <= points // 4:
         raise SolverError(f"harmonics: {harmonics} (limit 1 to {points // 4})", INCONSISTENT)
-    linear = linearise(system, scenario)
+    linear = linearise(system, scenario, turning=body)
     rates = body_rates(linear.system, body, scenario_named(linear.system, scenario))
     orders = {m: o for m, o in mesh_orders(linear.system, rates).items() if o > 0.0}
     if not orders:
@@ -229,14 +229,19 @@ def solve_mesh_response(
         amplitude; over `speed` and `order`: frequency [Hz]; over `order`: mesh, harmonic, error [m]; over
         `output`: unit; over `mode`: mode_frequency [Hz], mode_name.
     """
-    import xarray as xr
-
-    from pitchpoint.solvers.dataset import attributes
-
     began = time.perf_counter()
     found = find_mesh_response(
         system, outputs, body, speeds, scenario, harmonics=harmonics, points=points, progress=progress
     )
+    return mesh_response_dataset(system, found, wall_s=time.perf_counter() - began)
+
+
+def mesh_response_dataset(system: System, found: MeshResponse, **attrs: Any) -> xr.Dataset:
+    """Dataset of a response, see `solve_mesh_response`; `attrs` as in `dataset.attributes`."""
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
     dims = ("speed", "order", "output")
     data = {
         "response": (dims, found.response, {"long_name": "response to the loaded transmission error"}),
@@ -246,13 +251,13 @@ def solve_mesh_response(
         "mode_frequency": ("mode", found.mode_frequency, {"units": "Hz", "long_name": "natural frequency"}),
     }
     coords: dict[str, Any] = {
-        "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {body}"}),
-        "order": ("order", found.order, {"units": "1", "long_name": f"order of {body}"}),
+        "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {found.body}"}),
+        "order": ("order", found.order, {"units": "1", "long_name": f"order of {found.body}"}),
         "output": list(found.outputs),
         "unit": ("output", list(found.units)),
         "mesh": ("order", list(found.meshes)),
         "harmonic": ("order", list(found.harmonics)),
         "mode_name": ("mode", list(found.mode_names)),
     }
-    attrs = attributes(system, "mesh_response", wall_s=time.perf_counter() - began, body=body)
-    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": join_notes(found.notes)})
+    known = attributes(system, "mesh_response", body=found.body, **attrs)
+    return xr.Dataset(data, coords=coords, attrs={**known, "notes": join_notes(found.notes)})

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -278,12 +278,18 @@ def solve_modal(
         and effective_mass, over `body` and `direction` body_shape, the displacement of the origin of every
         body and its rotation, world axes. Over `coordinate` also damped_shape_real, damped_shape_imag.
     """
+    began = time.perf_counter()
+    found = find_modes(system, scenario, phase=phase, mean=mean, count=count, start=start, progress=progress)
+    wall = time.perf_counter() - began
+    return modal_dataset(system, found, wall_s=wall, phase="mean" if phase is None else phase)
+
+
+def modal_dataset(system: System, m: Modes, **attrs: Any) -> xr.Dataset:
+    """Dataset of modes, see `solve_modal`; `attrs` as in `dataset.attributes`."""
     import xarray as xr
 
     from pitchpoint.solvers.dataset import attributes
 
-    began = time.perf_counter()
-    m = find_modes(system, scenario, phase=phase, mean=mean, count=count, start=start, progress=progress)
     one, by_coordinate = ("mode",), ("mode", "coordinate")
     data = {
         "frequency": (one, m.damped_frequency, *FREQUENCY),
@@ -310,7 +316,6 @@ def solve_modal(
         "effective_mass": (("mode", "direction"), m.effective_mass, "1", "effective mass [kg, kg m^2]"),
         "body_shape": (("mode", "body", "direction"), m.body_shape, "1", "motion of the bodies [m, rad]"),
     }
-    wall = time.perf_counter() - began
     return xr.Dataset(
         {k: (dims, v, {"units": unit, "long_name": text}) for k, (dims, v, unit, text) in data.items()},
         coords={
@@ -325,7 +330,7 @@ def solve_modal(
             "body": list(m.bodies),
         },
         attrs={
-            **attributes(system, "modal", wall_s=wall, phase="mean" if phase is None else phase),
+            **attributes(system, "modal", **attrs),
             "notes": join_notes(m.notes),
         },
     )

@@ -7,7 +7,7 @@ The contribution of an element is the difference between the matrix with it and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,6 +48,8 @@ class Parts:
         The two bodies of each element, 0 is ground, shape (ne, 2).
     shares
         Their contributions to K.
+    damping
+        Contributions of the meshes to D, by name of the element.
     """
 
     M: Array
@@ -57,6 +59,7 @@ class Parts:
     kinds: tuple[str, ...]
     bodies: NDArray[np.int64]
     shares: tuple[Share, ...]
+    damping: Mapping[str, Share]
 
 
 def element_list(system: System) -> list[tuple[str, int, str]]:
@@ -116,6 +119,7 @@ def split(
     listed = element_list(system)
     means = cycle_means(system, state, held, touched, under) if mean else {}
     numbers = {place: m for m, place in enumerate(mesh_places(system))}
+    damping: dict[str, Share] = {}
     at_phase = stiffness_by_element(system, state, [(kind, k) for kind, k, _ in listed])
     for e, ((kind, k, name), (blocks, d, own)) in enumerate(zip(listed, at_phase, strict=True)):
         described = registry.find(kind)
@@ -123,7 +127,9 @@ def split(
             D_mean, K_mean = means[numbers[kind, k]]
             D[blocks.places] += D_mean - d
             K[blocks.places] += K_mean - own
-            own = K_mean
+            d, own = D_mean, K_mean
+        if described.role == MESH:
+            damping[name] = share_of_blocks(system, blocks, d)
         if described.main or np.abs(own).max(initial=0.0) > least:
             found.append((kind, name, _ends(system.records[kind][k]), share_of_blocks(system, blocks, own)))
         if progress is not None:
@@ -133,7 +139,7 @@ def split(
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)
     whole = [evaluate.dense(system, blocks) for blocks in (M, D, K)]
-    return Parts(whole[0], whole[1], whole[2], tuple(names), tuple(kinds), ends, tuple(shares))
+    return Parts(whole[0], whole[1], whole[2], tuple(names), tuple(kinds), ends, tuple(shares), damping)
 
 
 def _ends(record: np.void) -> tuple[int, int]:

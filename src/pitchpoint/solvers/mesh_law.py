@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Linear law of a mesh, for its flank error as input and its forces as outputs alike.
+
+A gear that rotates about its own axis at fixed mesh phase changes nothing but the travel u of its mesh. Let
+the coordinates s be such a rotation with u = 1. A flank error e acts like the travel e in the opposite
+direction, so the generalised forces of a mesh with the matrices K and D are
+
+    Q = -K (q - s e) - D (q' - s e')
+
+and by virtual work its force along the base tangent is F = -s^T Q: the torque on the gear over its base
+radius. Since input and output are the same law, F vanishes with the acceleration of the gear.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.element_tangents import Share, tangents
+from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.torque_paths import torque_paths
+from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record, one_mesh
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class MeshLaw:
+    """Mesh in a linear system, with the stiffness and damping of the analysis, such as the mean over a cycle.
+
+    Parameters
+    ----------
+    travel
+        Travel along the base tangent by rotation, at the spin coordinates, shape (nd,) [m/rad].
+    turn
+        Rotation s of one gear that changes the travel by 1 m, shape (nd,).
+    stiffness, damping
+        K s and D s [N/m, N s/m]; zero without a gear that can rotate.
+    force, force_by_rate
+        Force along the base tangent by coordinates and rates: rows s^T K and s^T D.
+    now
+        s^T K at the mesh phase of the operating point.
+    """
+
+    travel: Array
+    turn: Array
+    stiffness: Array
+    damping: Array
+    force: Array
+    force_by_rate: Array
+    now: Array
+
+
+def mesh_law(linear: Linearised, k: int) -> MeshLaw:
+    """Linear law of mesh number k."""
+    system = linear.system
+    travel, turn = _rotation(linear, k)
+    name = f"mesh {mesh_names(system)[k]}"
+    K = linear.at_rest.shares[linear.at_rest.elements.index(name)]
+    D = linear.at_rest.damping[name]
+    stopped = linear.state.copy()
+    stopped.v[:] = 0.0
+    now = evaluate.dense(system, tangents(system, stopped, one_mesh(system, k))[1])
+    return MeshLaw(
+        travel,
+        turn,
+        _times(K, turn),
+        _times(D, turn),
+        _times(Share(K.places, K.matrix.T), turn),
+        _times(Share(D.places, D.matrix.T), turn),
+        np.asarray(turn @ now),
+    )
+
+
+def _rotation(linear: Linearised, k: int) -> tuple[Array, Array]:
+    """Travel by rotation, and the rotation of one gear that changes the travel by 1 m."""
+    system, record = linear.system, mesh_record(linear.system, k)
+    travel, turn = np.zeros(system.sizes["nd"]), np.zeros(system.sizes["nd"])
+    for path in torque_paths(system):
+        if (path.kind, path.number) == mesh_places(system)[k]:
+            for spin, teeth in path.row.items():
+                travel[spin] = teeth * float(record["p_bt"]) / (2.0 * np.pi)
+    own = [spin for spin in (spin_of(system.program["body"], int(record[end])) for end in "ij") if spin >= 0]
+    chosen = max(own, key=lambda spin: abs(travel[spin]), default=-1)
+    if chosen >= 0 and travel[chosen] != 0.0:
+        turn[chosen] = 1.0 / travel[chosen]
+    return travel, turn
+
+
+def _times(share: Share, vector: Array) -> Array:
+    """A share times a vector, shape (nd,)."""
+    found = np.zeros_like(vector)
+    found[share.places] = share.matrix @ vector[share.places]
+    return found
