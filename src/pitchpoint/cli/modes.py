@@ -101,8 +101,8 @@ def compute(
     """Compute the modes and write them if requested; return the output of `modes --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished, header_of
-    from pitchpoint.io.dataset_tables import write_dataset
-    from pitchpoint.solvers.modal import find_modes, modal_dataset
+    from pitchpoint.io.dataset_tables import write_variables
+    from pitchpoint.solvers.modal import COORDINATES, find_modes, modal_variables
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -111,7 +111,7 @@ def compute(
         found = find_modes(system, name, phase=phase, count=count, progress=progress)
     if target is not None:
         header = header_of(model, file, name or "", "modes", "modal")
-        write_dataset(target, header, modal_dataset(system, found), notes=found.notes)
+        write_variables(target, header, modal_variables(found), COORDINATES, notes=found.notes)
     if animation is not None:
         animate(animation, found, model)
     summary = finished(begun, target, found.notes) | {

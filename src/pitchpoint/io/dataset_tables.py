@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     import h5py
     import xarray as xr
 
+Variable = tuple[tuple[str, ...], Any, str, str]
+"""Dimensions, values, SI unit and description."""
+
 
 def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset, **ending: Any) -> None:
     """Write a dataset of numbers and texts to a result file; `open_result` gives the same variables.
@@ -35,8 +38,30 @@ def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset
     **ending
         Final status, as for `write_tables`.
     """
-    axes, filled = _tables_of(data)
-    others = [str(name) for name in data.coords if name not in data.sizes]
+    write_variables(path, header, _variables(data), [str(name) for name in data.coords], **ending)
+
+
+def write_variables(
+    path: str | os.PathLike[str],
+    header: Header,
+    variables: Mapping[str, Variable],
+    coordinates: Sequence[str],
+    **ending: Any,
+) -> None:
+    """Write the variables of a dataset as `write_dataset` does, without the library of datasets.
+
+    Parameters
+    ----------
+    path, header, **ending
+        As for `write_dataset`.
+    variables
+        Dimensions, values, SI unit and description by name, coordinates included.
+    coordinates
+        Names of the coordinates.
+    """
+    axes, filled = _tables_of(variables)
+    sizes = {axis.name for axis in axes}
+    others = [name for name in coordinates if name not in sizes]
     write_tables(path, header, axes, filled, coordinates=others, **ending)
 
 
@@ -67,7 +92,7 @@ def write_datasets(
         Final status.
     """
     begun = time.perf_counter()
-    tables = {group: _tables_of(data) for group, data in datasets.items()}
+    tables = {group: _tables_of(_variables(data)) for group, data in datasets.items()}
     count = sum(len(axes) + len(filled) for axes, filled in tables.values())
     size = sum(int(values.nbytes) for _, filled in tables.values() for _, values in filled)
     container = Container(path, header, count, size)
@@ -106,32 +131,43 @@ def _words(part: Axis | Quantity) -> dict[str, str]:
     }
 
 
-def _tables_of(data: xr.Dataset) -> tuple[list[Axis], list[tuple[Quantity, Any]]]:
-    """Dimensions and variables of a dataset."""
-    axes = [
-        Axis(
-            str(name),
-            data[name].values.tolist() if name in data.coords else size,
-            unit=str(data[name].attrs.get("units", "")) if name in data.coords else "",
-            long_name=str(data[name].attrs.get("long_name", "")) if name in data.coords else "",
+def _variables(data: xr.Dataset) -> dict[str, Variable]:
+    """Dimensions, values, unit and description of all variables of a dataset."""
+    return {
+        str(name): (
+            tuple(map(str, found.dims)),
+            found.values,
+            str(found.attrs.get("units", "")),
+            str(found.attrs.get("long_name", "")),
         )
-        for name, size in data.sizes.items()
-    ]
+        for name, found in data.variables.items()
+    }
+
+
+def _tables_of(variables: Mapping[str, Variable]) -> tuple[list[Axis], list[tuple[Quantity, Any]]]:
+    """Dimensions and variables of a dataset."""
+    sizes: dict[str, int] = {}
+    for dims, values, _, _ in variables.values():
+        sizes |= dict(zip(dims, values.shape, strict=True))
+    axes = []
+    for name, size in sizes.items():
+        _, values, unit, words = variables.get(name, ((), None, "", ""))
+        axes.append(Axis(name, size if values is None else values.tolist(), unit=unit, long_name=words))
     filled = []
-    for name in (name for name in data.variables if name not in data.sizes):
-        filled += _stored(str(name), data[name])
+    for name in (name for name in variables if name not in sizes):
+        filled += _stored(name, *variables[name])
     return axes, filled
 
 
-def _stored(name: str, variable: xr.DataArray) -> list[tuple[Quantity, Any]]:
+def _stored(
+    name: str, dims: tuple[str, ...], values: Any, unit: str, words: str
+) -> list[tuple[Quantity, Any]]:
     """Variable as stored: texts, whole numbers, numbers, or the parts of complex numbers."""
-    dims, values = tuple(map(str, variable.dims)), variable.values
-    words = (str(variable.attrs.get("units", "")), str(variable.attrs.get("long_name", "")))
     if values.dtype.kind in "OU":
-        return [(Quantity(name, dims, *words, dtype="text"), values.astype(object))]
+        return [(Quantity(name, dims, unit, words, dtype="text"), values.astype(object))]
     if values.dtype.kind == "c":
         return [
-            (Quantity(f"{name}_{word}", dims, *words, part_of=name), part)
+            (Quantity(f"{name}_{word}", dims, unit, words, part_of=name), part)
             for word, part in (("real", values.real), ("imag", values.imag))
         ]
-    return [(Quantity(name, dims, *words, dtype="i8" if values.dtype.kind in "iu" else "f8"), values)]
+    return [(Quantity(name, dims, unit, words, dtype="i8" if values.dtype.kind in "iu" else "f8"), values)]

@@ -284,14 +284,31 @@ def solve_modal(
     return modal_dataset(system, found, wall_s=wall, phase="mean" if phase is None else phase)
 
 
+COORDINATES = ("mode", "name", "component", "part", "motion", "coordinate", "element", "direction", "body")
+"""Coordinates among the variables of modes."""
+
+
 def modal_dataset(system: System, m: Modes, **attrs: Any) -> xr.Dataset:
     """Dataset of modes, see `solve_modal`; `attrs` as in `dataset.attributes`."""
     import xarray as xr
 
     from pitchpoint.solvers.dataset import attributes
 
+    found = {
+        name: (dims, values, {key: word for key, word in (("units", unit), ("long_name", text)) if word})
+        for name, (dims, values, unit, text) in modal_variables(m).items()
+    }
+    return xr.Dataset(
+        {name: variable for name, variable in found.items() if name not in COORDINATES},
+        coords={name: found[name] for name in COORDINATES},
+        attrs={**attributes(system, "modal", **attrs), "notes": join_notes(m.notes)},
+    )
+
+
+def modal_variables(m: Modes) -> dict[str, tuple[tuple[str, ...], Any, str, str]]:
+    """Dimensions, values, SI unit and description of the variables of modes, `COORDINATES` included."""
     one, by_coordinate = ("mode",), ("mode", "coordinate")
-    data = {
+    data: dict[str, tuple[tuple[str, ...], Any, str, str]] = {
         "frequency": (one, m.damped_frequency, *FREQUENCY),
         "undamped_frequency": (one, m.frequency, "Hz", "undamped natural frequency at rest"),
         "damping_ratio": (one, m.damping_ratio, *RATIO),
@@ -316,21 +333,17 @@ def modal_dataset(system: System, m: Modes, **attrs: Any) -> xr.Dataset:
         "effective_mass": (("mode", "direction"), m.effective_mass, "1", "effective mass [kg, kg m^2]"),
         "body_shape": (("mode", "body", "direction"), m.body_shape, "1", "motion of the bodies [m, rad]"),
     }
-    return xr.Dataset(
-        {k: (dims, v, {"units": unit, "long_name": text}) for k, (dims, v, unit, text) in data.items()},
-        coords={
-            "mode": np.arange(1, len(m.names) + 1),
-            "name": ("mode", list(m.names), {"long_name": "name of the mode"}),
-            "component": list(m.groups.components),
-            "part": list(m.groups.parts),
-            "motion": list(WAYS),
-            "coordinate": list(m.coordinates),
-            "element": list(m.elements),
-            "direction": list(DIRECTIONS),
-            "body": list(m.bodies),
-        },
-        attrs={
-            **attributes(system, "modal", **attrs),
-            "notes": join_notes(m.notes),
-        },
-    )
+    labels = {
+        "component": m.groups.components,
+        "part": m.groups.parts,
+        "motion": WAYS,
+        "coordinate": m.coordinates,
+        "element": m.elements,
+        "direction": DIRECTIONS,
+        "body": m.bodies,
+    }
+    data["mode"] = (one, np.arange(1, len(m.names) + 1), "", "")
+    data["name"] = (one, np.array(m.names, dtype=object), "", "name of the mode")
+    return data | {
+        name: ((name,), np.array(list(texts), dtype=str), "", "") for name, texts in labels.items()
+    }

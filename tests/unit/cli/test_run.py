@@ -236,9 +236,9 @@ def test_a_killed_run_leaves_a_readable_file(tmp_path: Path) -> None:
         (
             "17 deg",
             "  b: {body: driven, stiffness: {radial: 1e8 N/m, tilt: 1e6 N m/rad}}\n",
-            "holds driven.z:",
+            "holds driven along its axis: add",
         ),
-        ("", "", "holds driven.x, driven.y:"),
+        ("", "", "holds driven across its axis: add"),
     ],
 )
 def test_what_nothing_holds_is_named_with_exit_code_3(
