@@ -242,22 +242,14 @@ def _stops(system: System, loads: list[PulsatingLoad], path: Array | None, h: fl
 
 def pulsating_loads(system: System, state: State, motions: Array) -> list[PulsatingLoad]:
     """Loads whose torque repeats over the motion, with the rates of their arguments."""
-    system.workspace  # noqa: B018 - fills in the addresses of the records
-    frames, found = system.workspace.fr, []
+    found = []
     given = [] if system.model is None else [load.torque for load in system.model.loads.values()]
     laws = [law for law in given if law is not None]
     for k, (record, law) in enumerate(zip(system.records[LOAD], laws, strict=False)):
         if int(record["form"]) == CONSTANT:
             continue
-        i, j = int(record["i"]), int(record["j"])
-        sense = int(sense_of(frames[i], frames[j], j))
-        rest, turns = turn_between(frames[i], frames[j], sense)
-        row = np.zeros(len(state.v))
-        for body, sign in ((i, 1.0), (j, -float(sense))):
-            for spin, value in turning(system, body, sign).items():
-                row[spin] += value
-        speed = float(row @ state.v)
-        phases = _phases(record, law, float(rest + TURNS * turns), speed)
+        angle, speed, row = relative_turn(system, state, record)
+        phases = _phases(record, law, angle, speed)
         if phases is not None:
             rates = (by_time + by_angle * speed for by_time, by_angle in phases)
             found.append(
@@ -265,7 +257,7 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
                     number=k,
                     record=record,
                     begin=state.t,
-                    angle=float(rest + TURNS * turns),
+                    angle=angle,
                     speed=speed,
                     share=row @ motions,
                     by_angle=tuple(sorted({abs(by_angle) for _, by_angle in phases if by_angle != 0.0})),
@@ -274,6 +266,22 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
                 )
             )
     return found
+
+
+def relative_turn(system: System, state: State, record: np.void) -> tuple[float, float, Array]:
+    """Angle [rad] and speed [rad/s] of the body of a load relative to its reaction; the speed per rate.
+
+    The frames are those of the last evaluation.
+    """
+    system.workspace  # noqa: B018 - fills in the addresses of the records
+    frames, i, j = system.workspace.fr, int(record["i"]), int(record["j"])
+    sense = int(sense_of(frames[i], frames[j], j))
+    rest, turns = turn_between(frames[i], frames[j], sense)
+    row = np.zeros(len(state.v))
+    for body, sign in ((i, 1.0), (j, -float(sense))):
+        for spin, value in turning(system, body, sign).items():
+            row[spin] += value
+    return float(rest + TURNS * turns), float(row @ state.v), row
 
 
 def _phases(record: np.void, law: object, angle: float, speed: float) -> list[tuple[float, float]] | None:

@@ -24,6 +24,36 @@ def channel(system, roll, name):
     return roll.rows[:, system.layout.channel(name)]
 
 
+FAN = """\
+gears:
+  p: {number_of_teeth: 24, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0.2}
+  w: {number_of_teeth: 49, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies:
+  i: {gears: [p], inertia: 2.0e-3 kg m^2}
+  o: {gears: [w], inertia: 4.0e-2 kg m^2}
+meshes:
+  stage: {gears: [p, w], center_distance: 73.5 mm}
+loads:
+  d: {body: i, torque: balance}
+  fan: {body: o, torque: "60 N m*(speed/(77 rad/s))^2"}
+scenarios:
+  slow: {quasi_static: {mesh: stage, points: 4}, speed: {i: 2000 rpm}}
+  steady: {speed: {i: 2000 rpm}, duration: 1 ms}
+"""
+
+
+@pytest.mark.parametrize("what", ["slow", "stage"])
+def test_torques_over_the_speed_are_those_of_the_scenario(what: str):
+    """60 N m (w_o/77)^2 at w_o = 2000 rpm 24/49 is 52.16 N m at the pinion."""
+    speed = 2000.0 * math.pi / 30.0 * 24.0 / 49.0
+    expected = 60.0 * (speed / 77.0) ** 2 * 24.0 / 49.0 / (24e-3 * math.cos(math.radians(20.0)))
+    system = compiled(FAN, "slow" if what == "slow" else "steady")[1]
+    roll = roll_through(system, what, 4)
+    assert channel(system, roll, "mesh_force[stage]") == pytest.approx(expected, rel=1e-9)
+    assert channel(system, roll, "torque[d]") == pytest.approx(52.1594, rel=1e-6)
+    assert roll.notes == ()
+
+
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_transmission_error_of_a_torsional_pair(sign):
     """Both flanks: u = +-(gap/2 + T/(r_b k)) + e at the phase of the loaded flank."""

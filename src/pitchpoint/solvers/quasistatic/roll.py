@@ -33,6 +33,7 @@ from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders, rotations, tied_by_teeth
 from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.quasistatic.loads import loads_at_speed
 from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
 from pitchpoint.solvers.quasistatic.path import (
     held_in_roll,
@@ -160,7 +161,7 @@ def roll_through(
     refuse_rates(system, "a slow roll")
     # balance the torques without friction, which a slow roll neglects
     point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
-    own = point.system.copy()
+    own = loads_at_speed(point.system, point.state)
     k = mesh_names(own).index(mesh)
     state = point.state.copy()
     state.v[:] = 0.0
@@ -299,7 +300,8 @@ def solve_quasistatic(
     system
         The compiled model.
     what
-        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads are those at t = 0. Default:
+        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads are those at t = 0, torques
+        over the speed those at the speeds of the scenario. Default:
         the scenario the system was compiled with, or the only mesh.
     points, periods
         Points per mesh period and number of periods, unless the scenario gives them.
