@@ -163,7 +163,7 @@ def respond(
         if port.mesh >= 0:
             feed = outs.feed[:, port.mesh]
             damper = np.where(feed != 0.0, outs.rate @ port.follows, 0.0)
-            found[:, i] += feed - 1j * omega * damper
+            found[:, i] += port.direct * feed - 1j * omega * damper
     return np.asarray(found)
 
 

@@ -9,7 +9,7 @@ Inputs: a coordinate (`BODY.spin`), a force or moment on a body in world axes (`
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +52,8 @@ class Input:
         shape (nd,).
     mesh
         Index of the mesh of a transmission error, -1 for other inputs.
+    direct
+        Whether outputs contain the transmission error itself, beside its rate.
     """
 
     name: str
@@ -61,6 +63,12 @@ class Input:
     turning: NDArray[np.complex128]
     follows: Array
     mesh: int = -1
+    direct: bool = True
+
+    def parts(self) -> tuple[Input, Input]:
+        """A transmission error through the stiffness of its mesh, and one through its dampers."""
+        none = np.zeros_like(self.force)
+        return replace(self, rate=none, follows=none), replace(self, force=none, direct=False)
 
     def at(self, omega: float) -> NDArray[np.complex128]:
         """Generalised forces at a circular frequency [rad/s], shape (nd,)."""

@@ -30,6 +30,7 @@ from pitchpoint.solvers.linear_system import linearise
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -140,12 +141,13 @@ def find_mesh_response(
 
     Notes
     -----
-    y(i omega) = H(i omega) e(i omega), omega = h z n: H is the response to a transmission error through the
-    mean mesh stiffness (`frequency_response`), e the loaded transmission error at constant torque. At low
-    speed the gears follow e. Valid while the flanks stay in contact and the dynamic mesh force is small
-    against the mean force, since the variation of the stiffness then excites with the static deflection; near
-    parametric resonances and after contact loss run a time response. Errors of different meshes have the
-    phases of the initial position.
+    y(i omega) = H_K(i omega) e(i omega) + H_D(i omega) e_f(i omega), omega = h z n: H_K and H_D are the
+    responses to a transmission error through the mean mesh stiffness and through the dampers
+    (`frequency_response`), e the loaded transmission error at constant torque, e_f the error of the flanks.
+    At low speed the gears follow e. Valid while the flanks stay in contact and the dynamic mesh force is
+    small against the mean force, since the variation of the stiffness then excites with the static
+    deflection; near parametric resonances and after contact loss run a time response. Errors of different
+    meshes have the phases of the initial position.
     """
     known = system.layout.bodies[1:]
     if body not in known:
@@ -167,7 +169,7 @@ def find_mesh_response(
         found, more = loaded_error(system, scenario, mesh, harmonics, points)
         errors.append(found)
         notes += [n for n in more if n not in notes]
-    ins = find_inputs(linear, [f"transmission_error[{m}]" for m in orders])
+    ins = [port.parts() for port in find_inputs(linear, [f"transmission_error[{m}]" for m in orders])]
     response = np.zeros((turning.size, len(orders), harmonics, len(outputs)), complex)
     rise = np.array(powers)
     for s, speed in enumerate(turning):
@@ -176,8 +178,8 @@ def find_mesh_response(
         for m, order in enumerate(orders.values()):
             for h in range(1, harmonics + 1):
                 omega = abs(speed) * h * order
-                per_unit = respond(at, matrices, at.basis, [ins[m]], outs, omega)[:, 0]
-                response[s, m, h - 1] = per_unit * errors[m][h - 1] * (1j * omega) ** rise
+                per_unit = respond(at, matrices, at.basis, ins[m], outs, omega)
+                response[s, m, h - 1] = (per_unit @ errors[m][:, h - 1]) * (1j * omega) ** rise
         progress(s + 1, turning.size, "speeds")
     modes = find_modes(system, scenario, linear=linear)
     return MeshResponse(
@@ -186,7 +188,7 @@ def find_mesh_response(
         tuple(m for m in orders for _ in range(harmonics)),
         tuple(h for _ in orders for h in range(1, harmonics + 1)),
         np.array([h * o for o in orders.values() for h in range(1, harmonics + 1)]),
-        np.concatenate(errors),
+        np.concatenate([loaded for loaded, _ in errors]),
         response.reshape(turning.size, -1, len(outputs)),
         tuple(outputs),
         tuple(f"{u}{('', '/s', '/s^2')[p]}" for u, p in zip(outs.units, powers, strict=True)),
@@ -199,14 +201,23 @@ def find_mesh_response(
 def loaded_error(
     system: System, scenario: Scenario | str | None, mesh: str, harmonics: int, points: int
 ) -> tuple[Complex, tuple[str, ...]]:
-    """Harmonics of the loaded transmission error of a mesh, complex peak amplitudes [m], and notes."""
-    chosen = scenario_named(system, scenario)
-    roll = roll_through(system, chosen, points, 1, mesh=mesh, others=False)
+    """Harmonics of the errors of a mesh [m], complex peak amplitudes, shape (2, harmonics), and notes.
+
+    The loaded transmission error, which acts through the stiffness, and the error of its flanks, whose rate
+    the dampers feel: teeth of varying stiffness move without moving the flanks.
+    """
+    chosen, k, flanks = scenario_named(system, scenario), mesh_names(system).index(mesh), []
+
+    def look(own: System, _: Array) -> None:
+        """Keep the error of the flanks."""
+        flanks.append(float(mesh_record(own, k)["now"]["e_t"]))
+
+    roll = roll_through(system, chosen, points, 1, mesh=mesh, others=False, look=look)
     if roll.status != OK:
         raise SolverError(f"slow roll of {mesh}: {roll.sentence}", roll.status)
     curve = roll.rows[:-1, system.layout.channel(f"transmission_error[{mesh}]")]
-    series = 2.0 * np.fft.rfft(curve) / curve.size
-    return series[1 : harmonics + 1], roll.notes
+    series = 2.0 * np.fft.rfft([curve, flanks[: curve.size]]) / curve.size
+    return series[:, 1 : harmonics + 1], roll.notes
 
 
 def solve_mesh_response(
