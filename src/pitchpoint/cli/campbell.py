@@ -108,7 +108,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     )
     if as_json:
         emit_json(summary)
-    elif error is None:
+    elif error is None and not (quiet and files["output"] is not None):
         _print(f"{model.title or file}: critical speeds", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 

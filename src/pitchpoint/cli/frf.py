@@ -99,9 +99,11 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     )
     if as_json:
         emit_json(summary)
-    elif error is None and by_order:
+    elif error is not None or (quiet and target is not None):
+        pass  # the tables are in the file
+    elif by_order:
         frf_orders.print_orders(f"{model.title or file}: mesh orders", summary, quiet=quiet)
-    elif error is None:
+    else:
         _print(f"{model.title or file}: frequency response", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 

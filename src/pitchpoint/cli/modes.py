@@ -80,7 +80,7 @@ def modes(
     )
     if as_json:
         emit_json(summary)
-    elif error is None:
+    elif error is None and not (quiet and target is not None):
         at = "the mean stiffness" if phase is None else f"the phase {phase:g}"
         shown_modes = len(summary["modes"]) if count is not None else min(len(summary["modes"]), SHOWN)
         _print(f"{model.title or file}: modes at {at}", summary, shown_modes, quiet=quiet)

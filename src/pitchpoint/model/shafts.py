@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -78,6 +79,16 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
                 value=_mm(section.bore),
                 limit=f"below the diameter {_mm(section.diameter)}",
                 remedy="give diameters, not radii",
+            )
+    solid = all(section.bore < section.diameter for section in shaft.sections)
+    for k, (one, two) in enumerate(pairwise(shaft.sections), 1):
+        if solid and max(one.bore, two.bore) >= min(one.diameter, two.diameter):
+            report.problem(
+                (*at, "sections", k),
+                "does not touch the section before",
+                value=f"diameter {_mm(two.diameter)} and bore {_mm(two.bore)} after diameter "
+                f"{_mm(one.diameter)} and bore {_mm(one.bore)}",
+                remedy="make each bore smaller than the other diameter, or add a section between them",
             )
     pieces = sum(s.length / (shaft.largest_piece or 2.0 * s.diameter) for s in shaft.sections)
     if pieces > MAX_PIECES:

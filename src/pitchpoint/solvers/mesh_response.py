@@ -206,7 +206,8 @@ def loaded_error(
     The loaded transmission error, which acts through the stiffness, and the error of its flanks, whose rate
     the dampers feel: teeth of varying stiffness move without moving the flanks.
     """
-    chosen, k, flanks = scenario_named(system, scenario), mesh_names(system).index(mesh), []
+    chosen, k = scenario_named(system, scenario), mesh_names(system).index(mesh)
+    flanks: list[float] = []
 
     def look(own: System, _: Array) -> None:
         """Keep the error of the flanks."""
@@ -216,7 +217,7 @@ def loaded_error(
     if roll.status != OK:
         raise SolverError(f"slow roll of {mesh}: {roll.sentence}", roll.status)
     curve = roll.rows[:-1, system.layout.channel(f"transmission_error[{mesh}]")]
-    series = 2.0 * np.fft.rfft([curve, flanks[: curve.size]]) / curve.size
+    series = 2.0 * np.fft.rfft(np.array([curve, flanks[: curve.size]])) / curve.size
     return series[:, 1 : harmonics + 1], roll.notes
 
 

@@ -321,6 +321,11 @@ def test_a_shaft_survives_writing_and_changing():
             "bore: 50 mm",
             "sections[1].bore: 50 mm is not smaller than the diameter (limit below",
         ),
+        (
+            "[{length: 180 mm, diameter: 50 mm}]",
+            "[{length: 90 mm, diameter: 50 mm}, {length: 90 mm, diameter: 80 mm, bore: 50 mm}]",
+            "shafts.output.sections[1]: diameter 80 mm and bore 50 mm after",
+        ),
         ("[{length: 180 mm, diameter: 50 mm}]", "[]", "shafts.output.sections: has 0 entries"),
         ("g2: 90 mm", "g2: 190 mm", "shafts.output.gears.g2: 190 mm is not a position on the shaft output"),
         ("g2: 90 mm", "g1: 90 mm", "shafts.output.gears: carries g1, which is already on input"),

@@ -27,7 +27,12 @@ class ShaftSection(Component):
     length: float = positive("length", "length")
     diameter: float = positive("length", "outer diameter")
     bore: float = quantity(
-        "length", "inner diameter", 0.0, minimum=0.0, range_words="from 0, below the diameter"
+        "length",
+        "inner diameter",
+        0.0,
+        minimum=0.0,
+        range_words="from 0, below the diameter",
+        also=("bore_diameter", "inner_diameter"),
     )
 
 
