@@ -4,7 +4,8 @@
 With N equal planets at equal angles the motion of a mode repeats from planet to planet, up to a factor
 e^(2 pi i h/N) in the radial and tangential directions of each planet [1]_:
 
-* h = 0, rotational modes: all planets move alike, sun, ring and carrier only rotate (and move axially);
+* h = 0, rotational modes: all planets move alike, sun, ring and carrier only rotate and move axially; axial
+  modes if most of the energy is axial, as in helical sets [2]_;
 * h = 1 or -1, translational modes, in pairs: sun, ring and carrier only move laterally and tilt;
 * other h, planet modes, N - 3 of each: sun, ring and carrier are at rest. If these cannot move laterally, the
   modes with h = 1 or -1 are planet modes, too.
@@ -15,6 +16,8 @@ References
 ----------
 .. [1] J. Lin, R. G. Parker: Analytical characterization of the unique properties of planetary gear free
    vibration, Journal of Vibration and Acoustics 121 (1999) 316-321.
+.. [2] T. Eritenel, R. G. Parker: Modal properties of three-dimensional helical planetary gears, Journal of
+   Sound and Vibration 325 (2009) 397-420.
 """
 
 from __future__ import annotations
@@ -41,7 +44,9 @@ STILL = 1e-6
 PURE = 0.8
 """Share of one type in the energy of the set from which a mode has this type."""
 ROTATIONAL, TRANSLATIONAL, PLANET = TYPES = ("rotational", "translational", "planet")
-"""Types of modes of a planetary set."""
+"""Types of modes of a planetary set by h."""
+AXIAL = "axial"
+"""Type of rotational modes whose energy is mostly axial."""
 
 
 @dataclass(frozen=True)
@@ -175,4 +180,7 @@ def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: A
     if middle.sum() < STILL * whole:
         return PLANET, whole
     best = int(np.argmax(found))
-    return TYPES[best] if found[best] >= PURE * whole else "", whole
+    if found[best] < PURE * whole:
+        return "", whole
+    axial = float(kinetic[list(planets.parts), 1].sum() + middle[1])
+    return AXIAL if TYPES[best] == ROTATIONAL and axial > 0.5 * found[best] else TYPES[best], whole
