@@ -40,6 +40,6 @@ def drift_notes(
         return ()
     worst = max(off, key=abs)
     return (
-        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed, because "
-        "the loads do not balance; drive or hold a body, or reduce settle_periods",
+        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed: "
+        "loads and losses do not balance there; drive or hold a body, or reduce settle_periods",
     )
