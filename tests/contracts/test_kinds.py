@@ -141,6 +141,7 @@ def imported(path: Path) -> set[str]:
 MADE = {
     "solvers/equilibrium/solve.py": {"torque"},  # balances it
     "solvers/load_cycle.py": {"torque"},  # evaluates its law over the period
+    "solvers/quasistatic/loads.py": {"torque"},  # evaluates its law at a speed
     "solvers/model_damping.py": {"damping"},  # fills it in
     # makes them
     "solvers/reduction/condensed_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},

@@ -53,7 +53,7 @@ class Input:
     mesh
         Index of the mesh of a transmission error, -1 for other inputs.
     direct
-        Whether outputs contain the transmission error itself, beside its rate.
+        Whether outputs contain the transmission error itself, in addition to its rate.
     """
 
     name: str
