@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.cli.output import NOTHING, greatest, shown, table
+from pitchpoint.cli.output import NOTHING, shown, table
+from pitchpoint.core.extremes import greatest
 
 FORCE = "bearing_force["
 MOST = 6

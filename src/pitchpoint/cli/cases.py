@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import NOTHING, emit_json, greatest, largest, show, show_notes, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import say_bare, scalar, split_at_path
+from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import factor_name, is_factor, stage_of
 
 if TYPE_CHECKING:

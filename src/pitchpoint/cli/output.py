@@ -182,14 +182,3 @@ def largest(values: Iterable[float | None]) -> str:
     """
     known = [value for value in values if value is not None and not math.isnan(value)]
     return f"{max(known):.4f}" if known else NOTHING
-
-
-def greatest(row: Mapping[str, Any]) -> float:
-    """Extreme value of a channel with the largest magnitude: forces on the back flank are negative.
-
-    Examples
-    --------
-    >>> greatest({"min": -3.0, "max": 1.0})
-    -3.0
-    """
-    return max(float(row["min"]), float(row["max"]), key=abs)

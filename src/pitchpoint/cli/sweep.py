@@ -9,8 +9,9 @@ import click
 
 from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, scenario
-from pitchpoint.cli.output import emit_json, greatest, largest, show, show_notes, shown, table
+from pitchpoint.cli.output import emit_json, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
+from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import is_factor, stage_of
 
 if TYPE_CHECKING:

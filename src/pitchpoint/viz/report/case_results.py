@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import FACTOR
 from pitchpoint.viz.quantities import Array, Scale, channel_scale, scale
 from pitchpoint.viz.report.bearing_forces import NOTHING
@@ -104,7 +105,7 @@ def _number(name: str) -> Callable[[Row], float]:
 
 
 def _magnitude(row: Row) -> float:
-    return max(abs(float(row["min"])), abs(float(row["max"])))
+    return abs(greatest(row))
 
 
 def _range(row: Row) -> float:
@@ -116,11 +117,6 @@ def _range(row: Row) -> float:
 def _alternating(row: Row) -> float:
     """Rms of the alternating part; round-off of a constant is zero."""
     return float(row["rms"]) if row["rms"] > ROUND_OFF * _magnitude(row) else 0.0
-
-
-def _signed(row: Row) -> float:
-    """Extreme value with the largest magnitude."""
-    return max(float(row["min"]), float(row["max"]), key=abs)
 
 
 def _rows(case: Case, quantity: str) -> Iterator[tuple[str, Row]]:
@@ -169,7 +165,7 @@ def _quantity(
 def _bearings(cases: Sequence[Case]) -> list[CaseQuantity]:
     """Largest radial and axial force of the bearings; axial forces that are round-off count as none."""
     found, size = [], 0.0
-    for way, value in (("radial", _magnitude), ("axial", _signed)):
+    for way, value in (("radial", _magnitude), ("axial", greatest)):
         ends = f".{way}"
         own = [
             {"channels": {n: r for n, r in case["channels"].items() if n.endswith(f"{ends}]")}}
