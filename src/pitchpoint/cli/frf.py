@@ -52,7 +52,8 @@ if TYPE_CHECKING:
 @click.option(
     "--synchronous",
     metavar="BODY",
-    help="Body whose speed follows the frequency; the other speeds follow by their ratios.",
+    help="Body whose speed follows the frequency, in its direction of rotation in the scenario; the other "
+    "speeds follow by their ratios. For an unbalance: its own body.",
 )
 @click.option(
     "--mesh-orders",
@@ -61,7 +62,11 @@ if TYPE_CHECKING:
     help="Levels of the response to the loaded transmission error of every mesh, by its first N orders, over "
     "the speed of a body.",
 )
-@click.option("--speed-of", metavar="BODY", help="Body whose speed is varied with --mesh-orders.")
+@click.option(
+    "--speed-of",
+    metavar="BODY",
+    help="Body whose speed is varied with --mesh-orders, in the direction of the scenario.",
+)
 @quantity("--from-speed", "angular_speed", "Lowest speed; default: 5 % of the highest.")
 @quantity("--to-speed", "angular_speed", "Highest speed.")
 @state

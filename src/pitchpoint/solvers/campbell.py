@@ -30,8 +30,7 @@ from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.initial_state.start import body_rates
-from pitchpoint.solvers.linear_system import Linearised, linearise
+from pitchpoint.solvers.linear_system import Linearised, linearise, rates_of
 from pitchpoint.solvers.mode_energies import (
     Energies,
     Motions,
@@ -43,7 +42,6 @@ from pitchpoint.solvers.mode_energies import (
     whirl_words,
 )
 from pitchpoint.solvers.mode_names import base_names, full_names
-from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.solvers.whirl_basis import WhirlModes, normalised
@@ -86,7 +84,7 @@ class Campbell:
     orders
         Mesh frequency over the rotational frequency of the body, by mesh.
     rates
-        Rates of all coordinates with the body at 1 rad/s.
+        Rates of all coordinates with the body at 1 rad/s in the direction of the scenario.
     motions, modes
         For evaluations at further speeds.
     total
@@ -132,7 +130,7 @@ def follow_modes(
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linear or linearise(system, scenario, turning=body)
     own, parts = linear.system, linear.at_rest
-    rates = body_rates(own, body, scenario_named(own, scenario))
+    rates = rates_of(linear, body, scenario)
     total = linear.basis.shape[1]
     wanted = min(count if count is not None else total if total <= ALL else FEW, total)
     modes = WhirlModes(

@@ -46,7 +46,7 @@ def solve_campbell(
     system
         The compiled model.
     speeds
-        Speeds of one body [rad/s], shape (n_speed,).
+        Speeds of one body [rad/s], shape (n_speed,), positive in its direction of rotation in the scenario.
     body
         Reference body of the speed; default the first. The speeds of the other bodies follow from the gear
         ratios; speeds that these do not determine, as in a planetary set of three free members, have the

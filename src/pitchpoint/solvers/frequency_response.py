@@ -4,7 +4,8 @@
 M, D and K are those of `linear_system.linearise`: they include gyroscopic and centrifugal terms; mesh
 stiffness is the mean over the mesh cycle or the value at one phase. Closed loops are projected onto their
 free directions; the reactions follow. Driven spins are fixed. With a synchronous body, the rotational
-frequency of that body equals the excitation frequency, as for its unbalance response.
+frequency of that body equals the excitation frequency, as for its unbalance response: the direction of
+rotation is that of the operating point, and the other bodies follow by their speed ratios.
 """
 
 from __future__ import annotations
@@ -19,14 +20,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import SINGULAR
+from pitchpoint.core.status import INCONSISTENT, SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
-from pitchpoint.solvers.initial_state.start import body_rates
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
-from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
-from pitchpoint.solvers.operating_point import scenario_named
+from pitchpoint.solvers.linear_system import Linearised, linearise, lowest, rates_of
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -35,6 +34,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+SAME = 1e-6
+"""Relative difference of speeds up to which an unbalance rotates with the synchronous body."""
 
 
 @dataclass(frozen=True)
@@ -90,24 +92,24 @@ def find_response(
     modes
         Number of undamped modes of a modal solution; default: the direct solution.
     synchronous
-        Body whose speed equals the excitation frequency; other bodies follow by their speed ratios.
+        Body whose speed equals the excitation frequency, in the direction of the scenario; other bodies
+        follow by their speed ratios. An unbalance must rotate with the speed of this body.
     progress
         Called after every frequency.
 
     Raises
     ------
     SolverError
-        If a name is unknown, there is no equilibrium, or the system is singular at a frequency.
+        If a name is unknown, there is no equilibrium, the system is singular at a frequency, or an unbalance
+        rotates with another speed than the synchronous body.
     """
     linear = linearise(system, scenario, phase=phase, start=start, turning=synchronous)
-    ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
+    rates = None if synchronous is None else rates_of(linear, synchronous, scenario)
+    ins, outs = find_inputs(linear, inputs, rates), find_outputs(linear, outputs)
+    if synchronous is not None:
+        _refuse_other_speeds(ins, synchronous)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
     basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
-    rates = (
-        None
-        if synchronous is None
-        else body_rates(linear.system, synchronous, scenario_named(linear.system, scenario))
-    )
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
     matrices = matrices_of(linear)
     for f, omega in enumerate(2.0 * np.pi * hertz):
@@ -117,6 +119,24 @@ def find_response(
         progress(f + 1, hertz.size, "frequencies")
     names, units = tuple(i.name for i in ins), tuple(i.unit for i in ins)
     return FrequencyResponse(hertz, found, outs.names, names, outs.units, units, linear.notes)
+
+
+def _refuse_other_speeds(ins: Sequence[Input], synchronous: str) -> None:
+    """Refuse an unbalance that does not rotate with the frequency of the response."""
+    problems = []
+    for port in ins:
+        if port.speed is None or abs(abs(port.speed) - 1.0) <= SAME:
+            continue
+        body = port.name.partition("[")[2].rstrip("]")
+        problems.append(
+            f"{port.name} excites at {abs(port.speed):.6g} times the frequency of {synchronous}: choose "
+            f"{body} as the synchronous body; the other bodies follow by their speed ratios"
+            if port.speed
+            else f"{port.name} does not excite, since {body} does not rotate with {synchronous}: choose "
+            f"{body} as the synchronous body"
+        )
+    if problems:
+        raise SolverError("; ".join(problems), INCONSISTENT)
 
 
 def matrices_of(linear: Linearised) -> tuple[Any, Any, Any]:

@@ -54,6 +54,8 @@ class Input:
         Index of the mesh of a transmission error, -1 for other inputs.
     direct
         Whether outputs contain the transmission error itself, in addition to its rate.
+    speed
+        Speed of the body of an unbalance about its axis [rad/s], for the rates of the analysis; else None.
     """
 
     name: str
@@ -64,6 +66,7 @@ class Input:
     follows: Array
     mesh: int = -1
     direct: bool = True
+    speed: float | None = None
 
     def parts(self) -> tuple[Input, Input]:
         """A transmission error through the stiffness of its mesh, and one through its dampers."""
@@ -112,8 +115,8 @@ def _unknown(name: str, known: Sequence[str], what: str) -> SolverError:
     return SolverError(f"no {what} is called {name!r}; {hint(name, known)}", INCONSISTENT)
 
 
-def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
-    """Excitations by name.
+def find_inputs(linear: Linearised, names: Sequence[str], rates: Array | None = None) -> tuple[Input, ...]:
+    """Excitations by name; an unbalance rotates as its body does at `rates`, default: the operating point.
 
     Raises
     ------
@@ -142,7 +145,8 @@ def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
         J = body_motions(system, linear.state, np.eye(nd)).real if J is None else J
         if name.startswith("unbalance["):
             b = system.layout.bodies.index(name[10:-1])
-            found.append(Input(name, "kg m", zero, zero, _turning(linear, J, b), zero))
+            turning, speed = _turning(linear, J, b, linear.state.v if rates is None else rates)
+            found.append(Input(name, "kg m", zero, zero, turning, zero, speed=speed))
             continue
         body, _, word = name.rpartition(".")
         force = J[:, system.layout.bodies.index(body), LOADS.index(word)]
@@ -151,13 +155,19 @@ def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
     return tuple(found)
 
 
-def _turning(linear: Linearised, J: Array, b: int) -> NDArray[np.complex128]:
-    """Force of an unbalance over omega^2; it rotates from the first axis of the frame to the second."""
-    evaluate.residual(linear.system, linear.state)
+def _turning(linear: Linearised, J: Array, b: int, rates: Array) -> tuple[NDArray[np.complex128], float]:
+    """Force of an unbalance over omega^2, which rotates with its body, and the speed of the body in space.
+
+    A body at rest counts as rotating from the first axis of its frame to the second.
+    """
+    state = linear.state.copy()
+    state.v[:] = rates
+    evaluate.residual(linear.system, state)
     frame = linear.system.workspace.fr[b]
-    sense = -1.0 if frame["spin"] < 0.0 else 1.0
-    direction = frame["R"][:, 0] - 1j * sense * frame["R"][:, 1]
-    return np.asarray(J[:, b, :3] @ direction, dtype=np.complex128)
+    R, speed = np.array(frame["R"]), float(frame["tw"][3:] @ frame["R"][:, 2])
+    evaluate.residual(linear.system, linear.state)
+    direction = R[:, 0] - 1j * (-1.0 if speed < 0.0 else 1.0) * R[:, 1]
+    return np.asarray(J[:, b, :3] @ direction, dtype=np.complex128), speed
 
 
 def _error_of(linear: Linearised, name: str, k: int) -> Input:

@@ -170,6 +170,13 @@ def linearise(
     return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes))
 
 
+def rates_of(linear: Linearised, body: str, scenario: Scenario | str | None) -> Array:
+    """Rates of all coordinates with one body at 1 rad/s, in the direction of the operating point."""
+    rates = body_rates(linear.system, body, scenario_named(linear.system, scenario))
+    spin = linear.system.spin(body)
+    return -rates if rates[spin] * linear.state.v[spin] < 0.0 else rates
+
+
 def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
     """Note on the flanks that are assumed in contact in unloaded meshes."""
     front, back = (", ".join(m for m, flank in loose.items() if flank == sense) for sense in (1, -1))

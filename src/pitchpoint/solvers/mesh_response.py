@@ -24,9 +24,8 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.initial_state.start import body_rates
 from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
-from pitchpoint.solvers.linear_system import linearise
+from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.quasistatic.roll import roll_through
@@ -124,7 +123,8 @@ def find_mesh_response(
     body
         Body of the speed.
     speeds
-        [rad/s], shape (n_speed,), not zero.
+        [rad/s], shape (n_speed,), not zero. The direction of rotation is that of the scenario, whatever
+        their sign.
     scenario
         Scenario with the loads; as in `modal.find_modes`.
     harmonics
@@ -158,7 +158,7 @@ def find_mesh_response(
     if not 1 <= harmonics <= points // 4:
         raise SolverError(f"harmonics: {harmonics} (limit 1 to {points // 4})", INCONSISTENT)
     linear = linearise(system, scenario, turning=body)
-    rates = body_rates(linear.system, body, scenario_named(linear.system, scenario))
+    rates = rates_of(linear, body, scenario)
     orders = {m: o for m, o in mesh_orders(linear.system, rates).items() if o > 0.0}
     if not orders:
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
@@ -173,7 +173,7 @@ def find_mesh_response(
     response = np.zeros((turning.size, len(orders), harmonics, len(outputs)), complex)
     rise = np.array(powers)
     for s, speed in enumerate(turning):
-        at = at_speeds(linear, speed * rates)
+        at = at_speeds(linear, abs(speed) * rates)
         matrices = matrices_of(at)
         for m, order in enumerate(orders.values()):
             for h in range(1, harmonics + 1):

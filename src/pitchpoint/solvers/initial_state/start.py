@@ -179,25 +179,39 @@ def highest_speeds(system: System, scenario: Scenario) -> dict[str, float]:
 def body_rates(system: System, body: str, scenario: Scenario | None = None) -> NDArray[np.float64]:
     """Rates of all coordinates, shape (nd,), for one body at 1 rad/s together with its train.
 
-    Speeds that this does not determine, as in a planetary gear set with three free members, have the ratio of
-    the speeds of the scenario; bodies that it drives or holds at zero speed are at rest.
+    The direction of rotation is that of the scenario, positive if the body is at rest there. A body fixed to
+    a shaft has the speed of the shaft. Speeds that this does not determine, as in a planetary gear set with
+    three free members, have the ratio of the speeds of the scenario; bodies that it drives or holds at zero
+    speed are at rest.
     """
     model = system.model
     if model is None:
         return np.asarray(rotations(system, (system.spin(body),))[:, 0])
     chosen = scenario or system.scenario or Scenario()
-    known = highest_speeds(system, chosen)
+    known, body = highest_speeds(system, chosen), turning_body(system, body)
+    own = model.start_speeds(replace(chosen, speed=known)).get(body, 0.0)
     others = {}
     if known.keys() - {body}:
         train = spins_of_train(system, system.spin(body))
-        own = model.start_speeds(replace(chosen, speed=known)).get(body, 0.0)
         beside = {n: w for n, w in known.items() if n != body and system.spin(n) in train}
-        others = {n: w / own if own else 0.0 for n, w in beside.items() if own or not w}
-    rates = np.zeros(system.sizes["nd"])
-    for name, ratio in model.start_speeds(replace(chosen, speed={body: 1.0} | others)).items():
+        others = {n: w / abs(own) if own else 0.0 for n, w in beside.items() if own or not w}
+    rates, sense = np.zeros(system.sizes["nd"]), -1.0 if own < 0.0 else 1.0
+    for name, ratio in model.start_speeds(replace(chosen, speed={body: sense} | others)).items():
         if ratio != 0.0:
             rates[system.spin(name)] = ratio
     return rates
+
+
+def turning_body(system: System, body: str) -> str:
+    """Body of the model with the spin of a body: the shaft of a station or of a body that is fixed to it."""
+    spin, names = system.spin(body), system.layout.bodies
+    model = system.model
+    if model is None:
+        return body
+    stations = {s: n for n, places in model.stations.items() for s in station_names(n, len(places))}
+    own = system.program["body"]["spin"]
+    owner = next(name for name, at in zip(names, own, strict=True) if int(at) == spin)
+    return stations.get(owner, owner)
 
 
 def drive_records(system: System) -> list[tuple[str, np.void]]:
