@@ -33,8 +33,8 @@ SOFTEST, STIFFEST = 1e5, 1e13
 PULL = 1e8
 """Stiffness of the springs between teeth with another law [N/m]."""
 HOLD = 1e-3
-"""Stiffness, over that of the teeth, that holds every body at its place of the last pass: a planet that floats
-in its bearing has no other stiffness in one direction."""
+"""Stiffness, over that of the teeth, that holds every body at its place of the last pass: a planet that
+floats in its bearing has no other stiffness in one direction."""
 PASSES = 3
 """Linear solutions; lines of action turn by a displacement over the centre distance."""
 
