@@ -52,8 +52,9 @@ def without_axial_support(model: Model) -> Iterator[AxialSupport]:
 
     Bodies with springs, contacts, axially stiff couplings or joints are assumed to be held by them; a joint
     that leaves all six directions to the bearings, as that of planets with `motion: free`, does not hold.
-    Axial loads are those of helical and bevel gears, of gravity and of forces. Gears of different helix angle
-    that mesh with the same body, such as double helical gears, hold their body themselves.
+    Axial loads are those of helical and bevel gears, of spur gears on shafts that bend, of gravity and of
+    forces. Gears of different helix angle that mesh with the same body, such as double helical gears, hold
+    their body themselves.
     """
     if model.others:
         return
@@ -140,7 +141,7 @@ def _is_loaded(model: Model, name: str) -> bool:
     for load in model.loads.values():
         if load.body == name and load.force is not None and _pushes(load, z):
             return True
-    return bool(model.bodies[name].bevel_gears) or _is_pushed_by_helix(model, name)
+    return bool(model.bodies[name].bevel_gears) or _is_pushed_by_teeth(model, name)
 
 
 def _pushes(load: Any, z: Any) -> bool:
@@ -152,8 +153,11 @@ def _pushes(load: Any, z: Any) -> bool:
     return bool(abs(along) > AXIAL * np.linalg.norm(force))
 
 
-def _is_pushed_by_helix(model: Model, name: str) -> bool:
-    """Whether helical gears push a body along its axis, and do not hold it at the same time."""
+def _is_pushed_by_teeth(model: Model, name: str) -> bool:
+    """Whether cylindrical gears push a body along its axis, and do not hold it at the same time.
+
+    Spur gears push a shaft as it bends: the normal of tilted flanks has an axial component.
+    """
     slopes: dict[str | None, set[float]] = {}
     for mesh in model.meshes.values():
         one, two = mesh.gears
@@ -162,4 +166,4 @@ def _is_pushed_by_helix(model: Model, name: str) -> bool:
                 slopes.setdefault(model.body_of(other), set()).add(round(model.gears[own].geometry.beta, 9))
     if any(len(found) > 1 for found in slopes.values()):
         return False
-    return any(beta != 0.0 for found in slopes.values() for beta in found)
+    return any(name in model.shafts or beta != 0.0 for found in slopes.values() for beta in found)

@@ -101,15 +101,38 @@ def test_remark_on_the_bearings_of_a_shaft(first, second, side):
     assert all(words[side] in str(each) and each.line == 6 for each in found)
 
 
+BODIES = """\
+bodies:
+  s1: {motion: free, gears: [p], mass: 4 kg, inertia: 1e-2 kg m^2, transverse_inertia: 1e-2 kg m^2,
+    position: [0, 0, 0]}
+  s2: {motion: free, gears: [w]}
+"""
+
+
 def test_spur_gears_need_no_axial_support_unless_something_pushes():
     spur = re.sub(r"helix_angle: 18 deg, hand: \w+, ", "", pair(FLOATING, FLOATING))
     spur = spur.replace("center_distance: 140 mm", "center_distance: 134 mm")
+    spur = re.sub("shafts:.*(?=rolling_bearings)", BODIES, spur, flags=re.DOTALL)
     assert not [*without_axial_support(loads_model(spur))]
     for more in ("gravity: [0, 0, -9.81 m/s^2]\n", ""):
         pushed = spur if more else spur.replace("loads: {", "loads: {f: {body: s1, force: [0, 0, 9 N]}, ")
         assert [e.body for e in without_axial_support(loads_model(more + pushed))] == ["s1"]
     across = spur.replace("loads: {", "loads: {f: {body: s1, force: [0, 9 N, 0]}, ")
     assert not [*without_axial_support(loads_model("gravity: [0, -9.81 m/s^2, 0]\n" + across))]
+
+
+def test_spur_gears_push_a_shaft_that_bends():
+    """The tooth force is normal to the flank, which tilts with the shaft: it has an axial component."""
+    spur = re.sub(r"helix_angle: 18 deg, hand: \w+, ", "", pair(FLOATING, FLOATING))
+    model = loads_model(spur.replace("center_distance: 140 mm", "center_distance: 134 mm"))
+    assert [(e.body, e.side) for e in without_axial_support(model)] == [("s1", 0)]
+    with pytest.raises(SolverError) as failure:
+        solve_equilibrium(compile_model(model))
+    assert str(failure.value) == (
+        "no equilibrium: nothing holds s1 along its axis: a1 and a2 support no axial force; use a bearing "
+        "that supports axial forces (line 6)"
+    )
+    assert failure.value.status == SINGULAR
 
 
 def test_double_helical_gears_hold_their_shaft():
