@@ -18,13 +18,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import SolverError, join_notes
+from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, SINGULAR
+from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
-from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
+from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest, rates_of
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -99,10 +99,12 @@ def find_response(
 
     Raises
     ------
+    ModelError
+        If a name is unknown, or an unbalance rotates with another speed than the synchronous body.
     SolverError
-        If a name is unknown, there is no equilibrium, the system is singular at a frequency, or an unbalance
-        rotates with another speed than the synchronous body.
+        If there is no equilibrium, or the system is singular at a frequency.
     """
+    check_names(system, inputs, outputs, () if synchronous is None else (synchronous,))
     linear = linearise(system, scenario, phase=phase, start=start, turning=synchronous)
     rates = None if synchronous is None else rates_of(linear, synchronous, scenario)
     ins, outs = find_inputs(linear, inputs, rates), find_outputs(linear, outputs)
@@ -128,15 +130,13 @@ def _refuse_other_speeds(ins: Sequence[Input], synchronous: str) -> None:
         if port.speed is None or abs(abs(port.speed) - 1.0) <= SAME:
             continue
         body = port.name.partition("[")[2].rstrip("]")
-        problems.append(
-            f"{port.name} excites at {abs(port.speed):.6g} times the frequency of {synchronous}: choose "
-            f"{body} as the synchronous body; the other bodies follow by their speed ratios"
-            if port.speed
-            else f"{port.name} does not excite, since {body} does not rotate with {synchronous}: choose "
-            f"{body} as the synchronous body"
-        )
+        what = f"excites at {abs(port.speed):.6g} times the frequency of {synchronous}"
+        if not port.speed:
+            what = f"does not excite, since {body} does not rotate with {synchronous}"
+        remedy = f"choose {body} as the synchronous body; the other bodies follow by their speed ratios"
+        problems.append(Message(port.name, what, remedy=remedy))
     if problems:
-        raise SolverError("; ".join(problems), INCONSISTENT)
+        raise ModelError(problems)
 
 
 def matrices_of(linear: Linearised) -> tuple[Any, Any, Any]:

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.initial_state.start import body_rates
@@ -99,7 +99,7 @@ def test_at_rest_the_synchronous_body_rotates_in_the_positive_direction():
 
 def test_unbalance_of_a_shaft_with_another_speed_is_refused():
     with pytest.raises(
-        SolverError, match=r"unbalance\[b\] excites at 0.5 times the frequency of a"
+        ModelError, match=r"unbalance\[b\]: excites at 0.5 times the frequency of a"
     ) as caught:
         find_response(pair(), ["unbalance[b]"], ["b.ux"], [40.0], "s", synchronous="a")
     assert "choose b as the synchronous body" in str(caught.value)
