@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 SHOWN = 20
 """Number of critical speeds in the table."""
-TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 
 
 def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> str | None:
@@ -98,8 +97,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     if options["output"] is not None:
         files["output"] = result_path(options["output"], file, name or "")
     if options["plot"] is not None:
-        path = check_picture(options["plot"])
-        files["plot"] = check_target(path, TARGETS[path.suffix.lower()], [file])
+        files["plot"] = check_picture(options["plot"], [file])
     if options["csv"] is not None:
         files["csv"] = check_target(options["csv"], "analysis", [file])
     summary, error = unless_it_cannot_begin(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.options import common, model_file, output, scenario
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 @click.command(name="compare-solvers")
 @model_file
 @scenario
-@output("HTML page with work-precision diagrams; default: none.")
+@output("Work-precision diagrams (html, svg, png); default: none.")
 @click.option(
     "--limit",
     type=click.FloatRange(0.01, 86400.0),
@@ -46,11 +46,11 @@ def compare_solvers(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario, unless_it_cannot_begin
-    from pitchpoint.io.target import check_target
+    from pitchpoint.report.figure_picture import check_picture
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
-    target = None if output is None else check_target(output, "page", [file])
+    target = None if output is None else check_picture(output, [file])
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, name, target, limit, quiet=quiet), {"runs": [], "reference": None}
     )
@@ -96,10 +96,11 @@ def rows_of(found: Comparison) -> list[dict[str, Any]]:
 
 
 def _draw(target: Path, runs: list[dict[str, Any]], title: str) -> None:
-    """Write the page with the work-precision curves."""
+    """Write a picture of the work-precision curves."""
+    from pitchpoint.report.figure_picture import write_picture
     from pitchpoint.viz.work_precision import plot_work_precision
 
-    write_figure(target, plot_work_precision(runs, title))
+    write_picture(target, plot_work_precision(runs, title))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

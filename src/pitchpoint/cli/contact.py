@@ -106,7 +106,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import result_path, unless_it_cannot_begin
-    from pitchpoint.io.target import check_target
+    from pitchpoint.report.figure_picture import check_picture
 
     model = read_model(file, allow_code, quiet)
     if options["shafts"]:
@@ -131,7 +131,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
         options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
-        options["picture"] = check_target(options["picture"], "page", [file])
+        options["picture"] = check_picture(options["picture"], [file], (".html",))
     empty: dict[str, Any] = {"torque": [], "numbers": {}}
     if len(meshes) > 1:
         empty = {"omitted": {}, "failed": {}, "meshes": {}}

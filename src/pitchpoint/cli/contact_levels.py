@@ -68,7 +68,8 @@ def contact_levels(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
     from pitchpoint.contact.potential_range import TableSize
-    from pitchpoint.io.target import check_target, write_file
+    from pitchpoint.io.target import write_file
+    from pitchpoint.report.figure_picture import check_picture
     from pitchpoint.solvers.contact_analysis.levels import compare_levels
     from pitchpoint.sweep.threads import on_all_cores
 
@@ -80,7 +81,7 @@ def contact_levels(
     else:
         side = side_of(flank)
     tilt = None if misalignment is None else misalignment_of(misalignment, model, name)
-    page = None if picture is None else check_target(picture, "page", [file])
+    page = None if picture is None else check_picture(picture, [file], (".html",))
     small = TableSize(phase=SMALL[0], approach=SMALL[1]) if size == "small" else None
     with refused_input(), ProgressDisplay(name, "levels", quiet=quiet or as_json) as progress:
         found = compare_levels(

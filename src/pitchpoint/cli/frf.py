@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.options import common, model_file, output, quantity, state, writes
-from pitchpoint.cli.output import emit_json, show, show_notes, shown, table, write_figure
+from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ if TYPE_CHECKING:
 @quantity("--from-speed", "angular_speed", "Lowest speed; default: 5 % of the highest.")
 @quantity("--to-speed", "angular_speed", "Highest speed.")
 @state
-@writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
+@writes("--picture", metavar="FILE", help="Write the plots (html, svg, png).")
 @output("Result file (netCDF-4/HDF5); default: none.")
 @set_option
 @common
@@ -80,7 +80,7 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
-    from pitchpoint.io.target import check_target
+    from pitchpoint.report.figure_picture import check_picture
 
     by_order = options["mesh_orders"] is not None
     if by_order:
@@ -96,7 +96,7 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     name = known_scenario(model, scenario) if scenario is not None else None
     target = result_path(options["output"], file, name or "") if options["output"] is not None else None
     if options["picture"] is not None:
-        options["picture"] = check_target(options["picture"], "page", [file])
+        options["picture"] = check_picture(options["picture"], [file])
     chosen = frf_orders.compute if by_order else compute
     empty: dict[str, Any] = {"orders": [], "outputs": []} if by_order else {"inputs": [], "outputs": []}
     summary, error = unless_it_cannot_begin(
@@ -167,12 +167,13 @@ def compute(
 
 
 def _draw(path: Path, found: FrequencyResponse) -> None:
-    """Write a page with amplitude and phase."""
+    """Write a picture of amplitude and phase."""
+    from pitchpoint.report.figure_picture import write_picture
     from pitchpoint.viz.frequency_response_plot import curve_units, plot_frequency_response
 
     units = curve_units(found.output_units, found.input_units)
     figure = plot_frequency_response(found.frequency, found.response, found.outputs, found.inputs, units)
-    write_figure(path, figure)
+    write_picture(path, figure)
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from pitchpoint.cli.output import show, show_notes, shown, table, write_figure
+from pitchpoint.cli.output import show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -86,7 +86,8 @@ def check_options(options: dict[str, Any]) -> None:
 
 
 def _draw(path: Path, found: MeshResponse) -> None:
-    """Write a page with order cuts and maps."""
+    """Write a picture of order cuts and maps."""
+    from pitchpoint.report.figure_picture import write_picture
     from pitchpoint.viz.mesh_response_plot import order_names, plot_mesh_response
 
     figure = plot_mesh_response(
@@ -99,7 +100,7 @@ def _draw(path: Path, found: MeshResponse) -> None:
         modes=found.mode_frequency,
         shaft=found.body,
     )
-    write_figure(path, figure)
+    write_picture(path, figure)
 
 
 def print_orders(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

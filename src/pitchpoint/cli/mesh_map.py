@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.output import write_figure
-
 if TYPE_CHECKING:
     from pitchpoint.contact.overlap_map import BestOverlap
     from pitchpoint.model.model import Model
@@ -34,15 +32,15 @@ def write_map(target: Path, model: Model | None, given: Given) -> dict[str, Best
     import numpy as np
 
     from pitchpoint.contact.overlap_map import best_overlap, overlap_map
-    from pitchpoint.io.target import check_target
+    from pitchpoint.report.figure_picture import check_picture, write_picture
     from pitchpoint.viz.overlap_plot import plot_overlap_map
 
-    check_target(target, "page", [model.file] if model is not None and model.file else [])
+    check_picture(target, [model.file] if model is not None and model.file else [])
     marks, (S_R, T_R) = _marks(model, given)
     across = max(2.5, *(math.ceil(10.0 * a) / 10.0 for a, _ in marks.values()))
     up = max(3.0, *(math.ceil(10.0 * b) / 10.0 for _, b in marks.values()))
     found = overlap_map(np.linspace(1.0, across, POINTS), np.linspace(0.0, up, POINTS), S_R, T_R)
-    write_figure(target, plot_overlap_map(found, marks))
+    write_picture(target, plot_overlap_map(found, marks))
     return {name: best_overlap(a, MOST_OVERLAP, S_R, T_R) for name, (a, _) in marks.items()}
 
 

@@ -12,9 +12,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    import plotly.graph_objects as go
     from rich.table import Table
 
     from pitchpoint.cli.columns import Column
@@ -82,15 +79,6 @@ def number_rows(
         + [shown(thing[key], dimension, digits) for thing in numbers.values()]
         for key, meaning, dimension in rows
     ]
-
-
-def write_figure(target: Path, figure: go.Figure) -> None:
-    """Write a plot as an HTML page."""
-    from pitchpoint.io.target import PAGE_MARK, write_file
-
-    body = figure.to_html(full_html=False, include_plotlyjs=True)
-    head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
-    write_file(target, f"{head}<body>{body}</body></html>")
 
 
 def table(

@@ -18,7 +18,7 @@ from pitchpoint.cli.contact_input import (
     torques_option,
 )
 from pitchpoint.cli.options import common, model_file, output, quantity, writes
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
+from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -84,7 +84,7 @@ _MET = 1e-6
 @click.option("--seed", type=click.IntRange(min=0), default=1, show_default=True, help="Seed of the search.")
 @click.option("--jobs", "-j", type=click.IntRange(min=1), metavar="N", help="Threads; default: one per core.")
 @writes("--write", metavar="FILE", help="Write the model with the rounded modifications.")
-@writes("--picture", metavar="HTML", help="Write an HTML page with the Harris map.")
+@writes("--picture", metavar="FILE", help="Write the Harris map (html, svg, png).")
 @output("Result file (netCDF-4/HDF5); default: none.")
 @common
 def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
@@ -99,6 +99,7 @@ def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: A
     from pitchpoint.cli.relief_options import plan_of
     from pitchpoint.cli.results import result_path
     from pitchpoint.io.target import check_target
+    from pitchpoint.report.figure_picture import check_picture
 
     model = read_model(file, allow_code, quiet)
     mesh = mesh_with_contact(model, options["mesh"], ("flexible", "rigid"))  # others have tables
@@ -107,9 +108,10 @@ def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: A
     files: dict[str, Path] = {}
     if options["output"] is not None:
         files["output"] = result_path(options["output"], file, "")
-    for name, kind in (("picture", "page"), ("write", "model")):
-        if options[name] is not None:
-            files[name] = check_target(options[name], kind, [file])
+    if options["picture"] is not None:
+        files["picture"] = check_picture(options["picture"], [file])
+    if options["write"] is not None:
+        files["write"] = check_target(options["write"], "model", [file])
     summary, data, error = compute(model, file, mesh, plan, files, jobs=options["jobs"], quiet=quiet)
     if as_json:
         emit_json(summary)
@@ -174,6 +176,7 @@ def _write(
     from pitchpoint.io.yaml_edit import changed_text
     from pitchpoint.io.yaml_tree import text_of
     from pitchpoint.model.write import quantity_text
+    from pitchpoint.report.figure_picture import write_picture
     from pitchpoint.solvers.contact_analysis.relief.variables import with_values
     from pitchpoint.viz.relief_plot import plot_relief
 
@@ -183,7 +186,7 @@ def _write(
         )
         write_dataset(files["output"], header, data, **ending)
     if "picture" in files:
-        write_figure(files["picture"], plot_relief(data))
+        write_picture(files["picture"], plot_relief(data))
     if "write" in files:
         chosen = data["value"].sel(design="rounded")
         values = {

@@ -10,6 +10,7 @@ import os
 import shutil
 import struct
 import zlib
+from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import unquote_to_bytes
@@ -20,27 +21,47 @@ from pitchpoint.report.film import BROWSERS, FLAGS
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-FORMATS = (".html", ".svg", ".png")
-"""Extensions of picture files of plots."""
+KINDS = {".html": "page", ".svg": "svg", ".png": "png"}
+"""Kinds of picture files of plots by their extensions, see `io.target`."""
 HEADER = 33
 """Length of the signature and the first chunk of a PNG file [bytes]."""
 WIDTH = 1000
 """Width of SVG and PNG pictures [pixels]; a PNG has twice as many."""
 
 
-def check_picture(path: str | os.PathLike[str]) -> Path:
+def check_picture(
+    path: str | os.PathLike[str],
+    inputs: Iterable[str | os.PathLike[str]] = (),
+    formats: Collection[str] = tuple(KINDS),
+) -> Path:
     """Path of a picture; checks before a computation that it can be written.
+
+    Parameters
+    ----------
+    path
+        File to write; its extension is the format.
+    inputs
+        Input files of the same command.
+    formats
+        Possible extensions: a page of several plots is `.html`.
 
     Raises
     ------
     PitchpointError
-        If the extension is not one of `FORMATS`, or the browser for SVG and PNG is missing.
+        If the extension is another one, or the browser for SVG and PNG is missing.
+    OutputError
+        If the file must not be replaced, see `io.target.check_target`.
     """
+    from pitchpoint.io.target import check_target
+
     target = Path(path)
-    if target.suffix.lower() not in FORMATS:
-        raise PitchpointError(f"{target.name} has no extension of a picture; use {', '.join(FORMATS)}")
-    if target.suffix.lower() != ".html":
-        _browser(target.suffix)
+    kind = target.suffix.lower()
+    check_target(target, KINDS.get(kind, "page"), inputs)
+    if kind not in formats:
+        what = "has no extension of a picture" if len(formats) > 1 else "is a page of several plots"
+        raise PitchpointError(f"{target.name} {what}; use {', '.join(formats)}")
+    if kind != ".html":
+        _browser(kind)
     return target
 
 

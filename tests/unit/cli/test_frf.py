@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.reading import open_result
+from tests.support.browser import CHROMIUM
 from tests.support.cli_files import TORSION, json_of, written
 
 ERROR = ["-i", "transmission_error[stage]", "-r", "mesh_force[stage]"]
@@ -34,6 +37,21 @@ def test_response_to_the_error_of_the_flanks(tmp_path: Path, capsys: pytest.Capt
     with open_result(target) as data:
         assert data["response"].values.real[1, 0, 0] == found["real"][1][0][0]
     assert "plotly" in page.read_text(encoding="utf-8")
+
+
+def test_the_extension_of_a_picture_is_its_format(tmp_path: Path, capsys) -> None:
+    """HTML is not written into a file of another format, neither by other commands that draw."""
+    file, wrong = written(tmp_path, TORSION), str(tmp_path / "plot.pdf")
+    one = ["frf", file, *ERROR, "--to", "5 kHz", "--points", "3", "--picture"]
+    other = ["compare-solvers", file, "-o"]
+    for command in (one, [*one[:2], *ORDERS, "--picture"], other):
+        assert run_command([*command, wrong]) == 2
+        assert "plot.pdf has no extension of a picture; use .html, .svg, .png" in capsys.readouterr().err
+    if CHROMIUM is not None:
+        # in a process of its own: Playwright runs once per process
+        target = tmp_path / "plot.svg"
+        subprocess.run([sys.executable, "-m", "pitchpoint", *one, str(target)], check=True, timeout=120)
+        assert target.read_bytes().startswith(b"<svg")
 
 
 def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
