@@ -15,8 +15,6 @@ from pitchpoint.report.planets import load_sharing
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.model.components.bevel_gear import BevelGear
-    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.quasistatic.roll import Roll
     from pitchpoint.system.system import System
@@ -44,16 +42,19 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     """Number of periods of a mesh after which a slow roll repeats.
 
     Another mesh of the train repeats when the ratio of the mesh frequencies times the periods is an integer,
-    a gear with single-tooth deviations after whole turns.
+    a gear with errors over its turn after whole turns.
     """
+    from pitchpoint.model.tooth_errors import periods_of_errors
+
     turning, order = _rates(model, mesh)
     if not order:
         return 1
     rates = [_order_of(model, name, turning) for name in model.every_mesh]
-    for name, gear in _every_gear(model):
-        body = model.body_of(name)
-        if gear.teeth_differ and body is not None:
-            rates.append(abs(turning.get(body, 0.0)))
+    for name, one in model.every_mesh.items():
+        for gear, periods in zip(one.gears, periods_of_errors(model, name), strict=True):
+            body = model.body_of(gear)
+            if periods > 1 and body is not None:
+                rates.append(abs(turning.get(body, 0.0)))
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
 
@@ -186,13 +187,10 @@ def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[
 
 
 def _single_teeth(model: Model) -> bool:
-    """Whether single teeth differ from the others of their gear."""
-    return any(gear.teeth_differ for _, gear in _every_gear(model))
+    """Whether a gear has errors over its turn, such as single teeth that differ."""
+    from pitchpoint.model.tooth_errors import periods_of_errors
 
-
-def _every_gear(model: Model) -> list[tuple[str, Gear | BevelGear]]:
-    """Names and descriptions of all gears."""
-    return [*model.gears.items(), *model.bevel_gears.items()]
+    return any(max(periods_of_errors(model, name)) > 1 for name in model.every_mesh)
 
 
 def force_title(force: Array) -> str:

@@ -8,6 +8,7 @@ order.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,9 +18,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import SolverError, join_notes
-from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.progress import Progress, report_step, silent
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.model.tooth_errors import periods_of_errors
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
@@ -165,7 +167,7 @@ def find_mesh_response(
     outs = find_outputs(linear, displacements)
     errors, notes = [], list(linear.notes)
     for mesh in orders:
-        found, more = loaded_error(system, scenario, mesh, harmonics, points)
+        found, more = loaded_error(system, scenario, mesh, harmonics, points, along=rates)
         errors.append(found)
         notes += [n for n in more if n not in notes]
     ins = [port.parts() for port in find_inputs(linear, [f"transmission_error[{m}]" for m in orders])]
@@ -198,12 +200,19 @@ def find_mesh_response(
 
 
 def loaded_error(
-    system: System, scenario: Scenario | str | None, mesh: str, harmonics: int, points: int
+    system: System,
+    scenario: Scenario | str | None,
+    mesh: str,
+    harmonics: int,
+    points: int,
+    along: Array | None = None,
 ) -> tuple[Complex, tuple[str, ...]]:
     """Harmonics of the errors of a mesh [m], complex peak amplitudes, shape (2, harmonics), and notes.
 
     The loaded transmission error, which acts through the stiffness, and the error of its flanks, whose rate
-    the dampers feel: teeth of varying stiffness move without moving the flanks.
+    the dampers feel: teeth of varying stiffness move without moving the flanks. Both are means over all tooth
+    pairs (`rolled_periods`), so that eccentric gears and single teeth do not count as orders of the mesh. The
+    roll goes in the direction of the rates `along`, by default those of the scenario.
     """
     chosen, k = scenario_named(system, scenario), mesh_names(system).index(mesh)
     flanks: list[float] = []
@@ -212,12 +221,59 @@ def loaded_error(
         """Keep the error of the flanks."""
         flanks.append(float(mesh_record(own, k)["now"]["e_t"]))
 
-    roll = roll_through(system, chosen, points, 1, mesh=mesh, others=False, look=look)
+    at, share = (
+        ((0,), np.ones(1)) if system.model is None else rolled_periods(*periods_of_errors(system.model, mesh))
+    )
+    roll = roll_through(
+        system, chosen, points, mesh=mesh, others=False, look=look, at=at, along=along, progress=_of_roll
+    )
     if roll.status != OK:
         raise SolverError(f"slow roll of {mesh}: {roll.sentence}", roll.status)
     curve = roll.rows[:-1, system.layout.channel(f"transmission_error[{mesh}]")]
-    series = 2.0 * np.fft.rfft(np.array([curve, flanks[: curve.size]])) / curve.size
+    mean = share @ np.array([curve, flanks[: curve.size]]).reshape(2, -1, points)
+    series = 2.0 * np.fft.rfft(mean) / points
     return series[:, 1 : harmonics + 1], roll.notes
+
+
+def _of_roll(done: float, total: float, note: str = "") -> None:
+    """Report the progress of a roll, which comes before the speeds."""
+    report_step(f"{note}, {100.0 * done / total:.0f} %")
+
+
+def rolled_periods(n_1: int, n_2: int) -> tuple[tuple[int, ...], Array]:
+    """Periods of a mesh whose weighted mean is that over all pairs of teeth, and their weights.
+
+    Parameters
+    ----------
+    n_1, n_2
+        Periods after which the errors of gear 1 and of gear 2 repeat.
+
+    Notes
+    -----
+    With errors of both gears the mean is that over the hunting period of lcm(n_1, n_2) periods for
+    e = f(psi) + f_1(psi, tooth of gear 1) + f_2(psi, tooth of gear 2): the mean over the teeth of gear 1 that
+    meet one tooth of gear 2, plus that over the teeth of gear 2 that meet one tooth of gear 1, less the pair
+    that is in both. Products of errors of both gears are neglected. Tooth numbers with a common divisor g
+    have g such sets of pairs.
+
+    Examples
+    --------
+    >>> rolled_periods(1, 3)
+    ((0, 1, 2), array([0.33333333, 0.33333333, 0.33333333]))
+    >>> rolled_periods(2, 3)[0]
+    (0, 3, 2, 4)
+    """
+    if min(n_1, n_2) == 1:
+        n = max(n_1, n_2)
+        return tuple(range(n)), np.full(n, 1.0 / n)
+    share: dict[int, float] = {}
+    g = math.gcd(n_1, n_2)
+    for r in range(g):
+        for own, step in ((n_1, n_2), (n_2, n_1)):
+            for k in range(own // g):
+                share[r + k * step] = share.get(r + k * step, 0.0) + 1.0 / own
+        share[r] -= 1.0 / g
+    return tuple(share), np.array(list(share.values()))
 
 
 def solve_mesh_response(

@@ -11,8 +11,8 @@ import pytest
 
 from pitchpoint.core.errors import ModelError, SolverError
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.mesh_response import find_mesh_response, solve_mesh_response
-from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.solvers.mesh_response import find_mesh_response, loaded_error, solve_mesh_response
+from pitchpoint.solvers.quasistatic.roll import roll_through, solve_quasistatic
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from tests.support.machines import STAGES, compiled
@@ -120,6 +120,92 @@ def test_slow_gears_follow_the_loaded_error(box):
     series = found.error @ np.exp(2j * np.pi * np.outer([1, 2, 3], np.arange(64) / 64))
     left = curve - curve.mean() - series.real
     assert np.abs(left).max() < 0.2 * np.ptp(curve)  # the harmonics above the third
+
+
+PLAIN = """\
+gears:
+  p: {number_of_teeth: Z1, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0FIRST}
+  w: {number_of_teeth: Z2, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0SECOND}
+bodies: {pin: {gears: [p], inertia: 0.001 kg m^2}, whl: {gears: [w], inertia: 0.03 kg m^2}}
+meshes:
+  st: {gears: [p, w], stiffness: {law: constant, value: 3e8 N/m},
+       transmission_error: {cosine: [1 um], sine: [0, 0.4 um]ORDERS}}
+loads: {a: {body: pin, torque: 200 N m}, b: {body: whl, torque: balance}}
+scenarios:
+  s: {speed: {pin: 4000 rpm}, duration: 0.1 s}
+  rest: {duration: 0.1 s}
+  roll: {quasi_static: {mesh: st, points: 16, periods: 2}}
+"""
+
+
+def plain(first: str = "", second: str = "", orders: str = "", teeth: tuple[int, int] = (23, 71)):
+    """A pair with an error of known mesh orders, and errors over the turns of its gears."""
+    text = PLAIN.replace("FIRST", first).replace("SECOND", second).replace("ORDERS", orders)
+    return compiled(text.replace("Z1", str(teeth[0])).replace("Z2", str(teeth[1])), "s")[1]
+
+
+ECCENTRIC = ", faults: {e: {type: eccentricity, amount: 15 um, phase: 20 deg}}"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "orders", "teeth"),
+    [
+        (ECCENTRIC, "", "", (17, 40)),
+        ("", ECCENTRIC, "", (17, 19)),
+        ("", "", ", shaft1: {1: [5 um, 30 deg]}", (17, 40)),
+        ("", "", ", shaft1: {1: [5 um, 30 deg]}, shaft2: {2: [3 um, 0 deg]}", (18, 24)),
+        (ECCENTRIC, ECCENTRIC, "", (17, 19)),
+    ],
+)
+def test_errors_over_a_turn_are_no_mesh_orders(first: str, second: str, orders: str, teeth: tuple[int, int]):
+    """With constant stiffness the mean over all tooth pairs is the error of the mesh, 1 and 0.4 um.
+
+    Within one period the errors over a turn rise by 6 um, whose ramp has orders of 1 um and more. They shift
+    the phase of the mesh by 2 pi e/p_bt: at the start of the roll, 0.03 rad for 30 um,
+    and 0.03^2 of 1 um in the mean.
+    """
+    errors = [
+        find_mesh_response(system, ["mesh_force[st]"], "pin", [100.0], "s", harmonics=2).error
+        for system in (plain(first, second, orders, teeth), plain(teeth=teeth))
+    ]
+    assert np.abs(errors[1]) == pytest.approx([1e-6, 0.4e-6], rel=1e-3)
+    assert np.abs(errors[0]) == pytest.approx(np.abs(errors[1]), abs=2e-9)
+    assert np.abs(np.angle(errors[0] / errors[1])).max() < 2.0 * 0.03
+
+
+def test_mean_over_the_tooth_pairs_is_that_of_the_hunting_period():
+    """Run-out of both gears with teeth whose pairs come and go: 36 instead of 72 periods of a pair 18/24."""
+    model, _ = compiled(
+        PLAIN.replace("law: constant, value: 3e8 N/m", "law: din3990, tip_relief_factor: 0.5")
+        .replace("FIRST", ", deviations: {runout: {amount: 8 um}}")
+        .replace("SECOND", ", deviations: {runout: {amount: 6 um, phase: 50 deg}}")
+        .replace("ORDERS", "")
+        .replace("Z1", "18")
+        .replace("Z2", "24")
+    )
+    system = compile_model(model, "s")
+    found = loaded_error(system, "s", "st", 3, 16)[0]
+    roll = roll_through(system, "s", 16, 72, mesh="st", others=False)
+    curve = roll.rows[:-1, system.layout.channel("transmission_error[st]")].reshape(-1, 16)
+    mean, one = (2.0 * np.fft.rfft(x)[1:4] / 16 for x in (curve.mean(axis=0), curve[0]))
+    assert found[0] == pytest.approx(mean, abs=3e-8)
+    assert np.abs(one - mean).max() > 1e-7
+
+
+def test_the_roll_has_the_direction_of_the_speed():
+    """At rest a positive speed of either gear: both have opposite directions, and errors in reverse."""
+    system = plain()
+    one, two = (
+        find_mesh_response(system, ["mesh_force[st]"], body, [100.0], "rest", harmonics=2).error
+        for body in ("pin", "whl")
+    )
+    assert two == pytest.approx(one.conj(), rel=1e-6)
+
+
+def test_a_short_roll_notes_the_period_of_the_errors():
+    notes = solve_quasistatic(plain(ECCENTRIC), "roll").attrs["notes"]
+    assert "the errors of the teeth of st repeat after 23 periods" in notes
+    assert "repeat" not in solve_quasistatic(plain(), "roll").attrs["notes"]
 
 
 def test_orders_of_two_stages():

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 import numpy as np
 
@@ -18,11 +19,15 @@ from pitchpoint.solvers.gear_trains import (
     held_spins,
     mesh_orders,
     rotations,
+    tied_by_teeth,
     turning_rates,
 )
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
+
+LARGEST_RATIO = 10**6
+"""Largest denominator of a speed ratio that is recovered from its rounded value."""
 
 
 def turned_gear(system: System, mesh: int) -> tuple[int, int]:
@@ -74,13 +79,36 @@ def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
     return found
 
 
-def rolled_on(system: System, state: State, spin: int, step: float, rates: Array) -> State:
-    """Copy of a state with one spin and its gear train rotated by a step, with the ratios in `rates`.
+def pitches_of(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
+    """Travel of a mesh in tooth pitches per period of the rolled mesh; exact, None through closed loops.
 
-    In systems with closed loops the ratios are those of the present position, and the loops are closed again.
+    `rolled`: the rotated spin and the index of its mesh.
+    """
+    record = mesh_record(system, mesh)
+    for body in (record["i"], record["j"]):
+        spin = spin_of(system.program["body"], body)
+        if spin < 0 or not is_looped(system) or mesh == rolled[1]:
+            continue
+        if not tied_by_teeth(system, rolled[0], spin):
+            return None
+    return Fraction(ratio).limit_denominator(LARGEST_RATIO)
+
+
+def rolled_on(system: System, state: State, spin: int, step: float, rates: Array, count: int = 1) -> State:
+    """Copy of a state with one spin and its gear train rotated by steps, with the ratios in `rates`.
+
+    In systems with closed loops the ratios are those of the present position, and the loops are closed again
+    after every step.
     """
     if not is_looped(system):
-        return _turn(system, state, step * rates)
+        return _turn(system, state, count * step * rates)
+    for _ in range(abs(count)):
+        state = _through_loops(system, state, spin, step if count > 0 else -step)
+    return state
+
+
+def _through_loops(system: System, state: State, spin: int, step: float) -> State:
+    """Copy of a state with one spin rotated by a step and the loops closed again."""
     along = turning_rates(system, state, spin)
     if not along.any():
         name = system.layout.coordinates[spin].rsplit(".", 1)[0]

@@ -12,8 +12,9 @@ backlash.
 
 from __future__ import annotations
 
+import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -26,18 +27,19 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.core.words import listed
 from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.model.tooth_errors import periods_of_errors
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
-from pitchpoint.solvers.gear_trains import mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.gear_trains import mesh_orders, rotations
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.quasistatic.loads import loads_at_speed
 from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
 from pitchpoint.solvers.quasistatic.path import (
     held_in_roll,
     periods_per_turn,
+    pitches_of,
     rolled_on,
     without_deflections,
 )
@@ -51,8 +53,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DIMENSION = "mesh_phase_position"
-LARGEST_RATIO = 10**6
-"""Largest denominator of a speed ratio that is recovered from its rounded value."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +103,8 @@ class Roll:
         Notes for the user.
     status, sentence
         Status code and its description; a roll that stopped early contains the points before.
+    errors_repeat
+        Periods after which the errors of the teeth of both gears of the rolled mesh repeat.
     """
 
     mesh: str
@@ -113,13 +115,18 @@ class Roll:
     notes: tuple[str, ...] = ()
     status: int = OK
     sentence: str = ""
+    errors_repeat: int = 1
 
     @property
     def cycle_notes(self) -> tuple[str, ...]:
-        """Notes on other meshes whose cycle is not covered by whole periods in a finished roll."""
+        """Notes on cycles of meshes and errors that whole periods in a finished roll do not cover."""
         if self.status != OK:
             return ()
         periods = round(float(self.position[-1]))
+        own = (
+            f"the errors of the teeth of {self.mesh} repeat after {self.errors_repeat} periods, and its mean "
+            f"and peak to peak are those of {periods}",
+        )
         parts: dict[tuple[int, str], list[str]] = {}
         for name, mesh in self.meshes.items():
             cycles = Fraction(0) if mesh.pitches is None else mesh.pitches * periods
@@ -136,7 +143,7 @@ class Roll:
             else:
                 where = f"{'is' if one else 'are'} driven through a closed loop"
                 found.append(f"{who} {where}, and {its} values are those of this part of the cycle")
-        return tuple(found)
+        return (*own, *found) if periods % self.errors_repeat else tuple(found)
 
 
 def roll_through(
@@ -149,11 +156,15 @@ def roll_through(
     others: bool = True,
     progress: Progress = silent,
     look: Callable[[System, Array], None] | None = None,
+    at: Sequence[int] | None = None,
+    along: Array | None = None,
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
     Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
-    evaluated system and its channels.
+    evaluated system and its channels. `at`: numbers of the rolled periods, counted from the initial position,
+    instead of the first ones. `along`: rates of the coordinates in whose direction the roll goes; default:
+    the speeds of the scenario.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -167,10 +178,12 @@ def roll_through(
     state.v[:] = 0.0
     held = held_in_roll(own, k, state)
     spin = held[0]
-    direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
+    direction = -1.0 if (point.state.v if along is None else along)[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)
-    n = points * periods + 1
+    where = np.arange(periods) if at is None else np.array(at)
+    jumps = np.append(np.diff(where) - 1, 0) * points  # steps from one period to the next one that is rolled
+    n = points * where.size + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
     observed = range(len(names)) if others else (k,)
@@ -190,7 +203,8 @@ def roll_through(
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = unloaded_error(own, clear, m, contact)
-            state, clear = (rolled_on(own, x, spin, step, rates) for x in (state, clear))
+            on = 1 + int(jumps[s // points]) if (s + 1) % points == 0 else 1
+            state, clear = (rolled_on(own, x, spin, step, rates, on) for x in (state, clear))
             done = s + 1
             progress(done, n, f"{mesh}: roll")
     except KeyboardInterrupt:
@@ -210,7 +224,8 @@ def roll_through(
         *friction_notes(system),
         *deep_contacts(own.model, [spans]),
     )
-    return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
+    after = math.lcm(*periods_of_errors(system.model, mesh))
+    return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text, after)
 
 
 def _mesh_rolls(
@@ -222,7 +237,7 @@ def _mesh_rolls(
         names[m]: MeshRoll(
             *own,
             _shares(system, rows, names[m], int(mesh_record(system, m)["n_pair"])),
-            _pitches(system, m, rolled, orders[m] / orders[rolled[1]]),
+            pitches_of(system, m, rolled, orders[m] / orders[rolled[1]]),
         )
         for m, own in curves.items()
     }
@@ -262,18 +277,6 @@ def _begun(system: System, scenario: Scenario) -> Scenario:
     if not is_looped(system) or any(isinstance(load.torque, Balance) for load in loads.values()):
         return scenario
     return replace(scenario, start="assembled")
-
-
-def _pitches(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
-    """Travel of a mesh in tooth pitches per period of the rolled mesh; exact, None through closed loops."""
-    record = mesh_record(system, mesh)
-    for body in (record["i"], record["j"]):
-        spin = spin_of(system.program["body"], body)
-        if spin < 0 or not is_looped(system) or mesh == rolled[1]:
-            continue
-        if not tied_by_teeth(system, rolled[0], spin):
-            return None
-    return Fraction(ratio).limit_denominator(LARGEST_RATIO)
 
 
 def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:
