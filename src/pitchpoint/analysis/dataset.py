@@ -19,6 +19,7 @@ import numpy as np
 from pitchpoint.analysis.sampled import Array, SignalError, sample_rate_of
 from pitchpoint.analysis.tacho import angle_channel
 from pitchpoint.analysis.tools import SOURCES, TOOLS, Output, Tool
+from pitchpoint.core.errors import join_notes, split_notes
 from pitchpoint.core.nearest import did_you_mean, hint
 
 if TYPE_CHECKING:
@@ -98,6 +99,7 @@ def analyse(
         _known(name, names, "channel")
     checked = _options(tool, row, options)
     results = [_applied(dataset, tool, row, name, angle, checked) for name in several]
+    remarks = join_notes(note for r in results for note in split_notes(r.attrs["notes"]))
     made = results[0] if one is not None or channel is None else _joined(results, several, tool)
     about = {key: dataset.attrs[key] for key in KEPT if key in dataset.attrs}
     shaft = {"angle": angle} if angle is not None and {"angle", "average"} & set(row.takes) else {}
@@ -108,6 +110,8 @@ def analyse(
         "options": json.dumps(checked, default=str),
         **about,
     }
+    if remarks:
+        made.attrs["notes"] = remarks
     return made
 
 
@@ -278,7 +282,7 @@ def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool)
     for dim in (dims - set(coords)) & set(channel.coords):
         words = {"units": {"time": "s", "angle": "rad"}.get(dim, ""), "long_name": dim}
         coords[dim] = (dim, channel[dim].values, words)
-    return xr.Dataset(variables, coords=coords)
+    return xr.Dataset(variables, coords=coords, attrs={"notes": join_notes(getattr(result, "notes", ()))})
 
 
 def _unit(output: Output, unit: str, squared: bool) -> str:

@@ -15,10 +15,13 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.frames import frame_places, frame_spectra
 from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, positive, same_length
 from pitchpoint.analysis.spectra import Spectrum, order_spectrum
+from pitchpoint.core.units import format_quantity
 
 SAMPLES_PER_ORDER = 2.56
 """Samples per revolution of a grid over the highest order of interest: content above half the grid rate then
 aliases to above that order, except for a band that the filter removes."""
+FAST = 0.05
+"""Relative change of the speed within a frame: the bandwidth of a resonance with 2.5 % damping."""
 MAX_OVERSAMPLING = 32
 """Maximum refinement of the angle grid due to a slow start, before filtering and decimation; the refinement
 for the mean samples per revolution of a record is not limited."""
@@ -59,12 +62,31 @@ class OrderMap:
         Shape (n_order,). Order relative to the reference shaft [-].
     amplitude
         Shape (n_frame, n_order). Peak amplitude, in the unit of the signal.
+    speed_change
+        Shape (n_frame,). Change of the speed within each frame [rad/s]: the resolution of the map in speed.
     """
 
     time: Array
     speed: Array
     order: Array
     amplitude: Array
+    speed_change: Array
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Note on frames within which the speed changes so much that resonances are understated."""
+        fast = self.speed_change > FAST * self.speed
+        if not fast.any():
+            return ()
+        low, high, most = (
+            format_quantity(float(w), "angular_speed", 4)
+            for w in (self.speed[fast].min(), self.speed[fast].max(), self.speed_change[fast].max())
+        )
+        return (
+            f"between {low} and {high} the speed changes by more than {100.0 * FAST:g} % within a frame, by "
+            f"up to {most}, so that maxima at narrow resonances are too low there. Use fewer revolutions per "
+            "frame or a slower run-up",
+        )
 
 
 def resample_over_angle(
@@ -264,7 +286,9 @@ def order_map(
     Notes
     -----
     Frames of equal angle, amplitude spectrum of each as in `spectra.amplitude_spectrum`; the speed of a frame
-    is its angle over its duration [1]_. Valid while amplitudes change little within one frame.
+    is its angle over its duration [1]_. Valid while amplitudes change little within one frame: the amplitude
+    is a weighted mean over the speeds in the frame, so that a frame in which the speed changes by more than
+    the bandwidth of a resonance, 2 zeta Omega, understates its maximum (`OrderMap.notes`).
 
     References
     ----------
@@ -303,9 +327,13 @@ def order_map(
         amplitude[row, 0] = abs(mean)
     phi = one_way(angle)
     step = 2.0 * np.pi / signal.samples_per_revolution
-    begin, end = (np.interp(phi[0] + (starts + k) * step, phi, clock) for k in (0, lengths - 1))
-    speed = (lengths - 1) * step / (end - begin)
-    return OrderMap(0.5 * (begin + end), speed, np.arange(n_order) / revolutions, amplitude)
+    half = 0.5 * (lengths - 1)
+    begin, middle, end = (np.interp(phi[0] + (starts + k * half) * step, phi, clock) for k in range(3))
+    speed = 2.0 * half * step / (end - begin)
+    # twice the difference of the mean speeds of both halves
+    change = 2.0 * half * step * np.abs(1.0 / (end - middle) - 1.0 / (middle - begin))
+    orders = np.arange(n_order) / revolutions
+    return OrderMap(0.5 * (begin + end), speed, orders, amplitude, change)
 
 
 def one_way(angle: ArrayLike) -> Array:

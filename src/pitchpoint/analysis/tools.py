@@ -163,6 +163,7 @@ TOOLS: dict[str, Tool] = {
             Output("speed", "time", "rad/s"),
             Output("order", "order"),
             Output("amplitude", "time order", "{u}"),
+            Output("speed_change", "time", "rad/s"),
         ),
         "order_map",
     ),

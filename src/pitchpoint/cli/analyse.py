@@ -91,6 +91,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     names = options["channels"][0] if len(options["channels"]) == 1 else list(options["channels"]) or None
     settings = {name: value_of(text) for name, text in _pairs(options["settings"], "--option").items()}
     result = apply(record, tool, channel=names, angle=angle, **settings)
+    notes += split_notes(str(result.attrs.get("notes", "")))
     _write(targets, record, result, notes)
     if as_json:
         return emit_json(_plain(result, notes))

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import xarray as xr
 
+from pitchpoint.analysis.dataset import analyse
 from pitchpoint.analysis.orders import order_map, resample_over_angle, tracked_spectrum
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.spectra import amplitude_spectrum, largest_peaks, order_spectrum
@@ -177,3 +179,44 @@ def test_a_peak_between_two_lines_is_found(frequency: float) -> None:
     t = np.arange(4000) / 20_000.0
     found = amplitude_spectrum(np.sin(2 * np.pi * frequency * t), 20_000.0)
     assert largest_peaks(found, 1)[0][0] == pytest.approx(frequency, abs=0.02 * found.resolution)
+
+
+def resonance(last: float, revolutions: float):
+    """Map of a resonance at 2.2 kHz with 2 % damping that order 23 passes between 1000 and 9000 rpm."""
+    time = np.arange(0.0, last, 1.0 / 40_000.0)
+    gain = 8000.0 * np.pi / 30.0 / last
+    angle = 1000.0 * np.pi / 30.0 * time + 0.5 * gain * time**2
+    ratio = 23.0 * (1000.0 * np.pi / 30.0 + gain * time) / (2.0 * np.pi * 2200.0)
+    x = np.real(np.exp(23j * angle) / (1.0 - ratio**2 + 0.04j * ratio))
+    return gain, order_map(x, angle, time, highest_order=40, revolutions=revolutions)
+
+
+def test_map_of_a_fast_run_up_states_its_resolution_in_speed() -> None:
+    """Speed change within a frame of n revolutions at constant acceleration: alpha 2 pi n/Omega."""
+    gain, fast = resonance(2.0, 8.0)
+    whole = slice(fast.speed.size // 4, -fast.speed.size // 4)
+    expected = gain * 16.0 * np.pi / fast.speed
+    assert fast.speed_change[whole] == pytest.approx(expected[whole], rel=0.02)
+    track = np.abs(fast.order - 23.0) < 1.5
+    assert fast.amplitude[:, track].max() < 0.9 * 25.0
+    (note,) = fast.notes
+    assert "the speed changes by more than 5 % within a frame" in note
+    peak = fast.speed[np.argmax(fast.amplitude[:, track].max(axis=1))] * 30.0 / np.pi
+    low, high = (float(word.split(" rpm")[0]) for word in note.removeprefix("between ").split(" and ")[:2])
+    assert low < peak < high
+    _, slow = resonance(60.0, 2.0)
+    assert slow.notes == ()
+    assert slow.amplitude[:, np.abs(slow.order - 23.0) < 1.5].max() == pytest.approx(25.0, rel=0.01)
+
+
+def test_analysis_of_a_dataset_keeps_the_note() -> None:
+    time = np.arange(0.0, 2.0, 1e-3)
+    angle = 2.0 * np.pi * (5.0 * time + 10.0 * time**2)
+    data = xr.Dataset(
+        {"force": ("time", np.cos(3.0 * angle), {"units": "N"}), "angle": ("time", angle, {"units": "rad"})},
+        coords={"time": time},
+    )
+    found = analyse(data, "order_map", channel="force", angle="angle", highest_order=5)
+    assert "within a frame" in found.attrs["notes"]
+    assert found["speed_change"].units == "rad/s"
+    assert "notes" not in analyse(data, "amplitude_spectrum", channel="force").attrs

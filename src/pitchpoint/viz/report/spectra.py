@@ -233,6 +233,8 @@ def _add_maps(
         "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
         name=f"order_map[{channel.name}]",
     )
+    for note in tracked.notes:
+        section.add(f"<p>{escape(note[0].upper() + note[1:])}.</p>")
 
 
 def _long_enough(angle: Array, limit: float) -> None:
