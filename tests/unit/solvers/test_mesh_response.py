@@ -165,7 +165,7 @@ def test_errors_over_a_turn_are_no_mesh_orders(first: str, second: str, orders: 
     and 0.03^2 of 1 um in the mean.
     """
     errors = [
-        find_mesh_response(system, ["mesh_force[st]"], "pin", [100.0], "s", harmonics=2).error
+        loaded_error(system, "s", "st", 2, 16)[0][0]
         for system in (plain(first, second, orders, teeth), plain(teeth=teeth))
     ]
     assert np.abs(errors[1]) == pytest.approx([1e-6, 0.4e-6], rel=1e-3)
