@@ -250,12 +250,12 @@ def flange_stiffness(elements: int, diameter: float, rating: float, compliance: 
 def roller_profile(
     xi: NDArray[np.float64], length: float, diameter: float, *, tapered: bool = False
 ) -> NDArray[np.float64]:
-    """Profile P of a roller: by how much its radius is smaller than in the middle [m].
+    """Profile P of a roller: by how much its radius is smaller than in the middle [m], shape as xi.
 
     Parameters
     ----------
     xi
-        Positions from the middle of the roller, |xi| < length/2 [m].
+        Positions from the middle of the roller, |xi| < length/2 [m], any shape.
     length, diameter
         Effective length L_we and diameter D_we, of tapered rollers in the middle [m].
     tapered
@@ -290,10 +290,12 @@ def roller_slices(
 
     Parameters
     ----------
-    length, diameter, tapered
-        The roller, as of `roller_profile`.
+    length, diameter
+        Effective length L_we and diameter D_we [m].
     count
         Number of slices of equal width.
+    tapered
+        Whether the roller is a cone.
 
     Notes
     -----

@@ -119,11 +119,6 @@ class BearingGeometry:
         return self.kind == "ball" or self.kind in BALL_TYPES
 
     @property
-    def is_tapered(self) -> bool:
-        """Whether the rollers are cones: also given rollers with a contact angle."""
-        return self.kind == "tapered_roller" or (self.kind == "roller" and self.contact_angle != 0.0)
-
-    @property
     def one_shoulder(self) -> bool:
         """Whether the balls of a row have a shoulder on one side only and come apart in the other direction.
 

@@ -69,9 +69,8 @@ def _slices(part: RollingBearing) -> Array | None:
     found = part.geometry
     if found.effective_length is None:
         return None
-    return roller_slices(
-        found.effective_length, found.element_diameter, part.slices, tapered=found.is_tapered
-    )
+    cones = found.contact_angle != 0.0 and not found.aligns  # otherwise cylinders or barrels
+    return roller_slices(found.effective_length, found.element_diameter, part.slices, tapered=cones)
 
 
 def _shift(part: RollingBearing, stiffness: float) -> float:
