@@ -20,18 +20,18 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import new_counts, read_counts
 from pitchpoint.solvers.controls import refuse_sampled
-from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import Start, body_rates, prepare_start
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
+from pitchpoint.solvers.sweep_speeds import at_speed, sweep_orders, sweep_range
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.balance import Balances
 from pitchpoint.sweep.drift import drift_notes
@@ -131,25 +131,12 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     model, sweep = system.model, scenario.sweep
     if model is None or sweep is None:
         raise SolverError("the scenario is not a sweep", NOT_FINITE)
-    mesh = model.sweep_mesh(scenario)
-    orders = mesh_orders(system, body_rates(system, sweep.body, replace(scenario, speed={})))
+    mesh, orders = sweep_orders(system, scenario)
     order = orders[mesh]
-    if not order > 0.0:
-        raise SolverError(
-            f"mesh {mesh} is at rest while {sweep.body} rotates, so it has no mesh frequency; sweep a body "
-            "that rotates relative to the line of centres of the mesh",
-            INCONSISTENT,
-        )
-    if sweep.mesh_frequency is not None:
-        low, high = (2.0 * math.pi * f / order for f in sweep.mesh_frequency)
-    elif sweep.speed is not None:
-        low, high = sweep.speed
-    else:
-        raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
     return SweepPlan(
         mesh=mesh,
         order=order,
-        speeds=np.linspace(low, high, sweep.points),
+        speeds=np.linspace(*sweep_range(system, scenario), sweep.points),
         directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
         ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
         settle=sweep.settle_periods,
@@ -180,10 +167,7 @@ class _SweepRun:
 
     def _start(self, system: System, scenario: Scenario, speed: float) -> Start:
         """Start at a speed."""
-        own = system.copy()
-        for record in own.rows(DRIVE):
-            record["speed"] = speed * self.plan.ratio[own.layout.bodies[int(record["i"])]]
-        return prepare_start(own, replace(scenario, speed={self.body: speed}, duration=1.0))
+        return prepare_start(*at_speed(system, scenario, speed))
 
     def _frequency(self, speed: float) -> float:
         return abs(speed) * self.plan.order / (2.0 * math.pi)
