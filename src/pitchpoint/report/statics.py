@@ -56,14 +56,12 @@ def with_rolls(
             return found, notes
         turning = body_of_speeds(model)
         given = compile_model(model, scenario)
-        point, system, pulsating = steady_point(given, scenario, turning=turning)
+        _, system, pulsating = steady_point(given, scenario, turning=turning)
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
     fewer: list[str] = []
-    if point.at:
-        notes.append(f"Slow rolls: state at {point.at}.")
     if pulsating:
-        notes.append(f"Slow rolls: the mean torque over the angle is used for {listed(list(pulsating))}.")
+        notes.append(f"Slow rolls have the mean torque of {listed(list(pulsating))} over the angle.")
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
@@ -84,7 +82,7 @@ def with_rolls(
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
-            notes += [f"{note}." for note in roll.notes]
+            notes += [said for note in roll.notes if (said := f"{note}.") not in notes]
             if len(roll.position) > 2:
                 found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:

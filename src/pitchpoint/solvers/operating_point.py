@@ -27,7 +27,7 @@ class OperatingPoint:
     system
         Copy of the system with balancing torques and damping.
     state
-        Position at equilibrium, speeds of the scenario.
+        Position at equilibrium, mean speeds of the scenario.
     held
         Held spins: the driven ones, and one of every group that can rotate freely.
     notes
@@ -82,7 +82,7 @@ def operating_point(
     own, chosen, words = at_one_speed(own, scenario or own.scenario or Scenario())
     begin = prepare_start(own, chosen)
     notes = (f"state at {words}",) if words else ()
-    return OperatingPoint(begin.system, begin.state, held, (*notes, *begin.notes, *held_outputs(own)), words)
+    return OperatingPoint(begin.system, begin.mean, held, (*notes, *begin.notes, *held_outputs(own)), words)
 
 
 def steady_point(

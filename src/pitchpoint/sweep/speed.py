@@ -27,9 +27,11 @@ from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import new_counts, read_counts
 from pitchpoint.solvers.controls import refuse_sampled
+from pitchpoint.solvers.divergence import FAILURES
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
+from pitchpoint.solvers.speed_drift import runaway
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
 from pitchpoint.solvers.sweep_speeds import at_speed, sweep_orders, sweep_range
 from pitchpoint.solvers.time import scenario_of
@@ -150,7 +152,7 @@ class _SweepRun:
     """Sweep in progress: integrator run, present speed and step counts."""
 
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
-        self.plan = plan
+        self.plan, self.scenario = plan, scenario
         first = next(plan.points())[1]
         self.body = scenario.sweep.body  # type: ignore[union-attr]
         start = self._start(system, scenario, first)
@@ -203,6 +205,14 @@ class _SweepRun:
             for wave in waves
         )
         return angle / window + self.balances.allowance(self.system.spin(self.body), speed, window)
+
+    def runaway(self) -> str:
+        """Sentence on the unstable operating point that the speed left before the sweep failed; else ''."""
+        start, at = (
+            self.balances.starts.get(self.speed),
+            replace(self.scenario, speed={self.body: self.speed}),
+        )
+        return "" if start is None else runaway(start, at, self.run.state())
 
     def advance(self, periods: int, sums: Accumulators | None) -> int:
         """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""
@@ -305,7 +315,7 @@ def run_sweep(
         status = INTERRUPTED
     return SweepSummary(
         status=status,
-        sentence=explain(walk.system, status),
+        sentence=explain(walk.system, status) + (walk.runaway() if status in FAILURES else ""),
         points=points,
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,
@@ -314,7 +324,7 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
-            *drift_notes(points, walk.body, plan.measure, walk.cut_ripple),
+            *drift_notes(points, walk.body, plan.measure, walk.cut_ripple, walk.balances.unstable),
         ),
     )
 
