@@ -80,8 +80,8 @@ class UnstableSpeed:
 def unstable_speed(system: System, state: State) -> UnstableSpeed | None:
     """The fastest growing deviation from constant speed, if there is one.
 
-    Torques that repeat with the angle count with their mean slope, flanks and joints without friction. There
-    is no result for machines with closed loops, whose inertia changes, and with clutches and actuators.
+    Torques that repeat with the angle count with their mean slope, flanks and joints without friction. None
+    also for machines with closed loops, whose inertia changes, and with clutches or actuators.
 
     Parameters
     ----------
