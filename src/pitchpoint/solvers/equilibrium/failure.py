@@ -100,7 +100,7 @@ def advice(names: tuple[str, ...]) -> str:
 
 
 def run_away(system: System, state: State) -> tuple[str, str]:
-    """Name of a body that moved out of bearings that hold it in one axial direction, and the message; or ''.
+    """Name of a body that moved out of bearings that do not hold it along its axis, and the message; or ''.
 
     Parameters
     ----------
@@ -111,6 +111,12 @@ def run_away(system: System, state: State) -> tuple[str, str]:
     """
     for body, bearings, side in () if system.model is None else without_axial_support(system.model):
         moved = float(state.q[system.layout.coordinates.index(f"{body}.z")])
+        if side == 0 and abs(moved) > FAR:
+            supports = "support" if bearings[1:] else "supports"
+            return f"{body}.z", (
+                f"nothing holds {body} along its axis: {_listed(bearings)} {supports} no axial force; use a "
+                "bearing that supports axial forces"
+            )
         if side and -side * moved > FAR:
             held, free = ("+z", "-z") if side > 0 else ("-z", "+z")
             return f"{body}.z", (

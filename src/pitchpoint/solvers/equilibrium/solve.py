@@ -65,6 +65,9 @@ LOAD = torque.KIND.name
 MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""
+NEGLIGIBLE = 1e-12
+"""Residual over the loads of the initial state, up to which any state is in equilibrium, however close to one
+the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 TINY = 1e-9
@@ -158,7 +161,7 @@ def find_equilibrium(
             raise SolverError(words, DIVERGED, mechanism.state)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
-    found, count, failure = _pseudo_time(system, state, free, tolerance)
+    found, count, failure, worst = _pseudo_time(system, state, free, tolerance)
     if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
@@ -169,8 +172,6 @@ def find_equilibrium(
         if name:
             where = coordinate_source(system, name).removeprefix(name)
             raise SolverError(f"no equilibrium: {words}{where}", SINGULAR, found.state)
-        left = np.abs(found.residual / system.weight)[free]
-        worst = int(free[np.argmax(left)])
         size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"
         raise SolverError(
             f"no equilibrium found after {count} steps: {size} are unbalanced on "
@@ -185,14 +186,19 @@ def find_equilibrium(
 
 def _pseudo_time(
     system: System, state: State, free: NDArray[np.int64], tolerance: float
-) -> tuple[Rest, int, int]:
-    """Iterate the free coordinates to equilibrium; returns the result, step count and status (0: success)."""
+) -> tuple[Rest, int, int, int]:
+    """Iterate the free coordinates to equilibrium.
+
+    Returns the result, the step count, the status (0: success) and the coordinate farthest from its goal.
+    """
     weight = 1.0 / system.weight  # residuals as forces
     R = evaluate.residual(system, state)
     mass, root, damping = None, np.zeros(0), np.zeros(R.size)
     if state.v.any():
         damping = abs(rest_matrix(system, state, NEWTON, (0.0, 1.0, 0.0))) @ np.abs(state.v)
-    wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
+    unloaded = evaluate.residual(system, system.initial_state())
+    loads = float(np.abs(unloaded * weight).max(initial=0.0))
+    wanted = max(tolerance * float(np.abs(R * weight).max(initial=0.0)), NEGLIGIBLE * loads)
     tangent, started = Tangent(system, state), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
@@ -202,8 +208,9 @@ def _pseudo_time(
         # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
         rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
-        if (np.abs((R * weight)[free]) <= goal).all():
-            return Rest(state, R), count, 0
+        left = np.abs((R * weight)[free])
+        if (left <= goal).all():
+            return Rest(state, R), count, 0, -1
         if mass is None:  # not needed if the initial state is in equilibrium
             mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
             root = np.sqrt(mass.diagonal())
@@ -225,18 +232,18 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
-        left = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
+        ratio = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
         # forces grow first on bodies that swing down from an unstable position
-        if left < 0.9 or ((left <= GROWTH or tangent.exact) and not beyond):
-            mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
+        if ratio < 0.9 or ((ratio <= GROWTH or tangent.exact) and not beyond):
+            mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue
         length = float(np.abs(step * system.weight[free]).max(initial=0.0))
         if length < SHORT and (surfaces := crossed(system, state, trial)):
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
             if rest is not None and rest.holds:
-                return rest, count, 0
+                return rest, count, 0, -1
             # the residual beyond a jump does not measure the step across it
             state = trial if rest is None else rest.state
             R = evaluate.residual(system, state)
@@ -248,14 +255,15 @@ def _pseudo_time(
             and beyond
             and (found := rest_between(system, state, trial, free, goal)) is not None
         ):
-            return found, count, 0
+            return found, count, 0, -1
         if length < TINY and not beyond:  # the residual still acts along the step: cross the jump
             state, R = trial, new
             continue
         mu *= 8.0
         if mu > 1e30:
             break
-    return Rest(state, R), count, SINGULAR if mu < 1.0 else DIVERGED
+    worst = int(free[np.argmax(left / np.maximum(goal, np.finfo(float).tiny))])
+    return Rest(state, R), count, SINGULAR if mu < 1.0 else DIVERGED, worst
 
 
 def _wrapped(system: System, state: State) -> State:
