@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Slow rolls that a report computes from the model, and the scenario of their loads.
 
-The loads are those of the operating point of the first scenario: torques that repeat with the angle have
-their mean, as in linear analyses. Results that cannot be computed (for example loads that no tooth carries)
-are omitted with a remark.
+The loads are constant, those of the operating point of the first scenario at t = 0. Results that cannot be
+computed (for example loads that no tooth carries) are omitted with a remark.
 """
 
 from __future__ import annotations
@@ -13,7 +12,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.core.words import listed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -32,7 +30,6 @@ def with_rolls(
     `after` is the number of work units that follow, for `progress`.
     """
     from pitchpoint.core.status import INTERRUPTED
-    from pitchpoint.report.campbell import body_of_speeds
     from pitchpoint.report.rolls import (
         ALL_POINTS,
         LARGE,
@@ -42,7 +39,8 @@ def with_rolls(
         points_per_period,
         points_to_roll,
     )
-    from pitchpoint.solvers.operating_point import steady_point
+    from pitchpoint.solvers.operating_point import operating_point
+    from pitchpoint.solvers.quasistatic.loads import loads_at_state
     from pitchpoint.solvers.quasistatic.roll import roll_through
     from pitchpoint.system.compile import compile_model
 
@@ -54,14 +52,11 @@ def with_rolls(
     try:
         if not rolled:
             return found, notes
-        turning = body_of_speeds(model)
         given = compile_model(model, scenario)
-        _, system, pulsating = steady_point(given, scenario, turning=turning)
+        system = loads_at_state(given, operating_point(given, scenario).state)
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
     fewer: list[str] = []
-    if pulsating:
-        notes.append(f"Slow rolls have the mean torque of {listed(list(pulsating))} over the angle.")
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "

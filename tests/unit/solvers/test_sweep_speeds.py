@@ -123,5 +123,4 @@ def test_the_report_of_a_sweep_says_which_state_it_shows(tmp_path) -> None:
     html = page.read_text("utf-8")
     assert "carries no load" not in html
     assert "the slow roll has the loads at 600 rpm of i, the lowest speed of the sweep." in html
-    assert "Slow rolls have the mean torque of fan over the angle." in html
     assert "loaded state of scenario sw at 600 rpm of i, the lowest speed of the sweep, with mean" in html

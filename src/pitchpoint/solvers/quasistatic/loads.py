@@ -9,6 +9,7 @@ from pitchpoint.elements.signal import CONSTANT, OVER_ANGLE, Pool, set_constant,
 from pitchpoint.elements.torque import KIND, values_of
 from pitchpoint.solvers.load_cycle import pulsating_loads, relative_turn
 from pitchpoint.solvers.load_orders import angles_of, with_pool
+from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 SAME = 1e-9
@@ -45,3 +46,17 @@ def loads_at_speed(system: System, state: State) -> System:
             over, values = np.append(over, 2.0 * np.pi / base), np.append(values, values[0])
             set_table(record, pool, over, values, OVER_ANGLE, 2.0 * np.pi / base)
     return with_pool(own, records, pool)
+
+
+def loads_at_state(system: System, state: State) -> System:
+    """Copy of a system whose torques are constant, with their values at a state."""
+    own = system.copy()
+    if KIND.name not in own.records:
+        return own
+    evaluate.residual(own, state)
+    records = own.records[KIND.name].copy()
+    for record in records:
+        if int(record["form"]) != CONSTANT:
+            angle, speed, _ = relative_turn(own, state, record)
+            set_constant(record, float(values_of(record, state.t, [angle], [speed])[0]))
+    return own.with_params({KIND.name: records})
