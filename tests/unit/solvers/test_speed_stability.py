@@ -64,6 +64,7 @@ def found_in(text: str):
         # load and slope have a factor of up to 1.9, also at the start
         (f"{SQUARE}*(1 + 0.9*cos(3*angle))", SLOPE),
         # constant power: the torque falls with the speed, and so does the brake
+        ("-4.6 kW/speed", 4600.0 / OUTPUT**2),
         (POWER, 4600.0 * (OUTPUT**2 - 1.0) / (OUTPUT**2 + 1.0) ** 2),
     ],
 )
