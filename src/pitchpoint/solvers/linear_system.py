@@ -102,7 +102,7 @@ def _frictionless_point(
     of rotating bodies enter with their mean.
     """
     smooth = without_friction(system)
-    point, _, pulsating = steady_point(smooth, scenario, start, turning)
+    point, pulsating = steady_point(smooth, scenario, start, turning)
     notes = []
     if pulsating:
         notes.append(

@@ -32,8 +32,9 @@ ROUND_OFF = 1e-9
 WEAK = 0.05
 """Amplitude over that of the strongest harmonic of a load up to which one is omitted: a table with kinks has
 hundreds."""
-SPEEDS, REACH = 513, 4.0
-"""Points of a mean torque over the speed, and the largest speed over the mean speed."""
+SPEEDS, REACH = 1025, 20.0
+"""Points of a mean torque over the speed, denser about zero, and the largest speed over the mean speed: that of
+a diagram over the speed, if the state is at its lowest speed."""
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,8 @@ def mean_loads(system: System, state: State, rates: Array) -> tuple[System, tupl
     for load in found:
         over, _ = angles_of(load)
         top = REACH * abs(load.speed)
-        speeds = np.linspace(-top, top, SPEEDS)
+        spread = np.linspace(-1.0, 1.0, SPEEDS)
+        speeds = top * spread * np.abs(spread)
         few = over[:: max(1, over.size // 512)]
         means = np.array([float(load.at_angles(few, speed).mean()) for speed in speeds])
         own = float(load.at_angles(over, load.speed).mean())

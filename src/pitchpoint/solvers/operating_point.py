@@ -90,7 +90,7 @@ def steady_point(
     scenario: Scenario | str | None = None,
     start: State | None = None,
     turning: str | None = None,
-) -> tuple[OperatingPoint, System, tuple[str, ...]]:
+) -> tuple[OperatingPoint, tuple[str, ...]]:
     """Operating point in which torques that pulsate with the angle of a rotating body have their mean.
 
     Parameters
@@ -103,11 +103,11 @@ def steady_point(
     Returns
     -------
     tuple
-        The operating point, the given system with these means, and the names of the pulsating loads.
+        The operating point, and the names of the pulsating loads.
     """
     point = operating_point(system, scenario, start)
     rates = point.state.v
     if turning is not None and not rates.any():
         rates = body_rates(point.system, turning, scenario_named(system, scenario))
     steady, pulsating = mean_loads(system, point.state, rates)
-    return operating_point(steady, scenario, start) if pulsating else point, steady, pulsating
+    return operating_point(steady, scenario, start) if pulsating else point, pulsating
