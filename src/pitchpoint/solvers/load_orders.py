@@ -33,8 +33,8 @@ WEAK = 0.05
 """Amplitude over that of the strongest harmonic of a load up to which one is omitted: a table with kinks has
 hundreds."""
 SPEEDS, REACH = 1025, 20.0
-"""Points of a mean torque over the speed, denser about zero, and the largest speed over the mean speed: that of
-a diagram over the speed, if the state is at its lowest speed."""
+"""Points of a mean torque over the speed, denser about zero, and the largest speed over the mean speed: a
+diagram over the speed has its state at the lowest speed."""
 
 
 @dataclass(frozen=True)
