@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Table of the analysis functions for datasets: one row per tool.
 
-A row gives the function, its arguments that come from the dataset, and the fields of its result with
-dimensions (coordinates if a field has the same name) and units, where `{u}` is the unit of the channel.
-Functions that require the result of another function, or several records, are not in this table.
+A row gives the function, its arguments from the dataset, and the fields of its result with dimensions
+(coordinates if a field has the same name) and units, where `{u}` is the unit of the channel. Functions that
+require the result of another one, or several records, are not in this table.
 """
 
 from __future__ import annotations
