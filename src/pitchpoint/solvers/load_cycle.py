@@ -76,6 +76,8 @@ class LoadCycle:
     stops
         Bodies that a rigid train would stop within the time of the mean, and when [s], if it started at
         constant speed; computed without steady motion only.
+    body
+        Of a slow roll the body whose angle [rad] takes the place of the time; else empty.
     """
 
     means: dict[int, float]
@@ -88,6 +90,7 @@ class LoadCycle:
     swing: Array
     steady: bool = True
     stops: dict[str, float] = field(default_factory=dict)
+    body: str = ""
 
     def applied(self, system: System) -> System:
         """Copy of the system with the mean torques."""
@@ -166,7 +169,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     rates = np.array(sorted({abs(rate) for load in loads for rate in load.rates}))
     if not rates.size:
         return None
-    h, points, period = _grid(rates)
+    h, points, period = grid_of(rates)
     mass = motions.T @ rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0)) @ motions
     torques = _torques(loads, h, len(free))
     found = steady_motion(torques, mass, h, points, period > 0.0)
@@ -315,7 +318,7 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
     return None
 
 
-def _grid(rates: Array) -> tuple[float, int, float]:
+def grid_of(rates: Array) -> tuple[float, int, float]:
     """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
 
     No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of

@@ -12,6 +12,7 @@ from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.load_cycle import LoadCycle
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.system import State, System
 
@@ -30,12 +31,15 @@ class OperatingPoint:
         Held spins: the driven ones, and one of every group that can rotate freely.
     notes
         Notes for the user.
+    cycle
+        Mean torques of pulsating loads that balancing torques balance, if there are any.
     """
 
     system: System
     state: State
     held: tuple[int, ...]
     notes: tuple[str, ...] = ()
+    cycle: LoadCycle | None = None
 
 
 def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario | None:
@@ -75,4 +79,4 @@ def operating_point(
     if own.model is None or start is not None:
         return OperatingPoint(own, find_equilibrium(own, start, held).state, held)
     begin = prepare_start(own, scenario or own.scenario or Scenario())
-    return OperatingPoint(begin.system, begin.state, held, (*begin.notes, *held_outputs(own)))
+    return OperatingPoint(begin.system, begin.state, held, (*begin.notes, *held_outputs(own)), begin.cycle)
