@@ -207,7 +207,12 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
 
 
 def mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """Differences between the gears that prevent meshing at any centre distance; as `pair_problems`.
+    """Differences between the gears that prevent meshing at any centre distance.
+
+    Parameters
+    ----------
+    pair, where, names
+        As in `pair_problems`; profile shifts and centre distance do not count.
 
     Examples
     --------

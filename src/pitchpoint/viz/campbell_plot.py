@@ -143,8 +143,8 @@ def _modes(
     listed: list[tuple[float, str, str]] = []
     low, high = place.frequency
     inside = (omega >= place.speed[0])[:, None] & (omega <= place.speed[1])[:, None]
-    seen = (inside & (curves >= low) & (curves <= high)).any(axis=0)
-    ways = {_way(name) for name, visible in zip(names, seen, strict=True) if visible}
+    seen = np.any(inside & (curves >= low) & (curves <= high), axis=0).tolist()
+    ways = {_way(name) for k, name in enumerate(names) if seen[k]}
     shown = set(WAYS) - ways
     for k, name in enumerate(names):
         way = _way(name)

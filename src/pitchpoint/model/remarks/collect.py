@@ -103,7 +103,7 @@ def negative_backlash(model: Model) -> tuple[Message, ...]:
 
 
 def no_backlash(model: Model) -> tuple[Message, ...]:
-    """A remark for every mesh on elastic supports whose backlash is zero although the file does not say so.
+    """A remark for every mesh on elastic supports with zero backlash, unless the file gives it.
 
     Gears that only rotate about fixed axes keep their distance.
     """
@@ -116,13 +116,11 @@ def no_backlash(model: Model) -> tuple[Message, ...]:
             continue
         gears = [model.toothed[gear] for gear in mesh.gears]
         follows = any(getattr(gear, "profile_shift_coefficient", 0.0) is None for gear in gears)
-        distance = (
-            "a profile_shift_coefficient of both gears and a larger center_distance"
-            if follows
-            else f"a {'smaller' if gears[1].type == 'internal' else 'larger'} center_distance"
-            if name in model.meshes
-            else "a backlash > 0"
-        )
+        distance = "a backlash > 0"
+        if name in model.meshes:
+            wider = "smaller" if model.pairs[name].is_internal else "larger"
+            both = "a profile_shift_coefficient of both gears and " if follows else ""
+            distance = f"{both}a {wider} center_distance"
         found.append(
             remark(
                 f"{model.section_of(name)}.{name}",

@@ -7,16 +7,11 @@ position does not balance them over the revolution (decision 0029). Loads over t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from pitchpoint.elements.signal import CONSTANT
-from pitchpoint.elements.torque import values_of
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD
 from pitchpoint.solvers.gear_trains import rotations
-from pitchpoint.solvers.load_cycle import LoadCycle, grid_of, pulsating_loads, relative_turn
+from pitchpoint.solvers.load_cycle import LoadCycle, grid_of, pulsating_loads
 from pitchpoint.solvers.quasistatic.path import held_in_roll
 from pitchpoint.solvers.steady_motion import window
 from pitchpoint.solvers.stiffness_parts import Array
@@ -53,8 +48,8 @@ def mean_loads(system: System, state: State, mesh: str | None) -> LoadCycle | No
     if not rates.size:
         return None
     h, points, period = grid_of(rates)
-    weights = np.full(points, 1.0 / points) if period > 0.0 else window(points)
-    turned = h * np.arange(points)
+    weights: Array = np.full(points, 1.0 / points) if period > 0.0 else window(points)
+    turned = np.arange(points, dtype=np.float64) * h
     means = {
         load.number: float(weights @ load.at_angles(load.angle + load.speed * turned, 0.0)) for load in loads
     }
@@ -70,29 +65,3 @@ def mean_loads(system: System, state: State, mesh: str | None) -> LoadCycle | No
         swing=rest,
         body=system.layout.coordinates[spin].rsplit(".", 1)[0],
     )
-
-
-def pulsation(system: System, state: State, held: Sequence[int], cycle: LoadCycle | None) -> Array:
-    """Pulsating torques at a state less their means, reduced to the held spins [N m], shape (len(held),).
-
-    Parameters
-    ----------
-    system, state
-        The system of a roll, and a position of it.
-    held
-        Held spins.
-    cycle
-        Mean torques that the balancing torques balance, if any.
-    """
-    total = np.zeros(len(held))
-    if cycle is None:
-        return total
-    evaluate.residual(system, state)
-    motions = rotations(system, held)
-    for k, mean in cycle.means.items():
-        record = system.records[LOAD][k]
-        if int(record["form"]) == CONSTANT:
-            continue
-        angle, _, row = relative_turn(system, state, record)
-        total += (float(values_of(record, state.t, np.array([angle]), 0.0)[0]) - mean) * (row @ motions)
-    return total

@@ -32,9 +32,9 @@ from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.load_cycle import pulsation
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.quasistatic.loads import loads_at_speed
-from pitchpoint.solvers.quasistatic.mean_loads import pulsation
 from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
 from pitchpoint.solvers.quasistatic.path import (
     held_in_roll,
