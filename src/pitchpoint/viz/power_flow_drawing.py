@@ -30,6 +30,8 @@ SIDE, BACK = 10.0, 90.0
 """Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
 NEGLIGIBLE = 1e-3
 """Share of the largest power below which a band is not drawn."""
+ROUND_OFF = 1e-6
+"""Share of the largest power below which a power counts as zero."""
 
 
 @dataclass
@@ -117,9 +119,13 @@ def power_flow_svg(flow: PowerFlow) -> str:
 
 
 def undrawn(flow: PowerFlow) -> list[str]:
-    """Names of the links that are too small for a band."""
+    """Names of the links that are too small for a band, without those that are zero up to round-off."""
     most = max((link.given for link in flow.links), default=0.0)
-    return [link.name for link in flow.links if 0.0 < link.given <= NEGLIGIBLE * most]
+    return [
+        link.name
+        for link in flow.links
+        if link.given <= NEGLIGIBLE * most and max(link.given, link.taken) > ROUND_OFF * most
+    ]
 
 
 def _drawn(flow: PowerFlow) -> PowerFlow:

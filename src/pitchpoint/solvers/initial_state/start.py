@@ -36,7 +36,7 @@ from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of
 from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants, cycle_notes
 from pitchpoint.solvers.model_damping import with_damping
-from pitchpoint.solvers.quasistatic.mean_loads import mean_loads
+from pitchpoint.solvers.quasistatic.mean_loads import roll_cycle
 from pitchpoint.solvers.speed_drift import UNBALANCED
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
@@ -149,6 +149,13 @@ class Start:
     state: State
     notes: tuple[str, ...] = ()
     cycle: LoadCycle | None = None
+
+    @property
+    def mean(self) -> State:
+        """State at t = 0 with the mean rates, without the ripple of pulsating loads."""
+        state = self.state.copy()
+        state.v -= 0.0 if self.cycle is None else self.cycle.offset
+        return state
 
 
 def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
@@ -268,7 +275,7 @@ def _at_rest(
     balancing = balancing_loads(system)
     cycle = load_cycle(system, state, held, driven) if balancing else None
     if balancing and cycle is None and scenario.quasi_static is not None:
-        cycle = mean_loads(system, state, scenario.quasi_static.mesh)
+        cycle = roll_cycle(system, state, scenario.quasi_static.mesh)
     mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state)[:2] if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)

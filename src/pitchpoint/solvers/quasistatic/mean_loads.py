@@ -20,7 +20,7 @@ from pitchpoint.system.meshes import mesh_names
 from pitchpoint.system.system import State, System
 
 
-def mean_loads(system: System, state: State, mesh: str | None) -> LoadCycle | None:
+def roll_cycle(system: System, state: State, mesh: str | None) -> LoadCycle | None:
     """Mean torques of loads that repeat over the angle, for a roll from rest; None if there are none.
 
     Parameters
