@@ -30,8 +30,7 @@ class Output:
     dims
         Dimensions, separated by spaces; empty for a scalar.
     unit
-        SI unit; `{u}` is that of the channel, `{u2}` its square, `{squared}` its square if the option
-        `squared` is set.
+        SI unit; `{u}`: of the channel, `{u2}`: its square, `{squared}`: its square if that option is set.
     name
         Name in the dataset, if it is different.
     """
