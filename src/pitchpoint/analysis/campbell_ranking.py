@@ -89,9 +89,8 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
         if "crossing_separation" in diagram
         else np.full(len(speeds), np.nan)
     )
-    response = diagram[
-        "crossing_response" if "crossing_response" in diagram else "crossing_amplification"
-    ].values
+    ranks = "crossing_response" if "crossing_response" in diagram else "crossing_amplification"
+    response = diagram[ranks].values
     bands_of: dict[tuple[str, int], list[float]] = {}
     whole = {(order, int(mode)) for order, mode in zip(orders, modes, strict=True)}
     listed = []

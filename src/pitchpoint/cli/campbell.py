@@ -288,13 +288,8 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         for rank, row in enumerate(summary["critical_speeds"][:SHOWN], start=1)
     ]
     heads = ["rank", f"speed of {summary['body']}", "frequency", "damping", "order", "mode", "driven by"]
-    heads += [
-        "participation",
-        "amplification",
-        "response",
-        *(["separation"] if apart else []),
-        "sidebands [rpm]",
-    ]
+    heads += ["participation", "amplification", "response"]
+    heads += [*(["separation"] if apart else []), "sidebands [rpm]"]
     if cells:
         table(title, heads, cells)
     else:

@@ -14,10 +14,11 @@ With its damping ratio zeta and the energy X of the mode where the order acts, t
 The sources are
 
 * transmission error e of a mesh with the law of `mesh_law`, of the stiffness k = s^T K s: f = K s e; the
-  deflection of its teeth is u = s^T K z/k, and u/e is the amplification with X that of `deflection_energy`.
-  Flanks that tilt against each other take no energy from e. A component with the share q of V, such as a
-  bearing, responds with sqrt(q) times the response of the machine, which is the geometric mean of its
-  deflection over e and of its force over k e;
+  amplification is u/e with the mean deflection of the teeth u = s^T K z/k, and X = k |u|^2/4. Flanks that
+  tilt against each other take no energy from e. Here the conjugate of z is replaced by the left vector of the
+  mode (`tooth_response`), which differs with torques that follow a tilting axis. A component with the share q
+  of V, such as a bearing, responds with sqrt(q) times the response of the machine, which is the geometric
+  mean of its deflection over e and of its force over k e;
 * eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
   unfavourable one, as are the phases of several meshes of one frequency, whose energies X add up;
@@ -58,6 +59,7 @@ from pitchpoint.solvers.mode_energies import (
     whirl_words,
 )
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.tooth_response import tooth_response
 from pitchpoint.solvers.unstable_modes import UNDAMPED
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
@@ -66,15 +68,17 @@ TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
 BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
 ROTATION = WAYS.index("rotation")
+ROUNDING = 1e-12
+"""Share of the energy up to which nothing is excited."""
 ROUNDS, EXACT = 6, 1e-9
 """Maximum number of corrections of a crossing, and its relative accuracy."""
 
 DAMPED = 0.012 / (2.0 * np.pi)
 """Least damping ratio in the ranks, see the module."""
 RANKING = (
-    "ranked by the response of the machine at resonance: root of the energy of its vibration over that of the "
-    f"excitation, with a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response where "
-    "the order acts, such as tooth deflection over transmission error"
+    "ranked by the response of the machine at resonance: root of the energy of its vibration over that of "
+    f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
+    "where the order acts, such as tooth deflection over transmission error"
 )
 """How crossings are ranked, for outputs."""
 
@@ -134,13 +138,19 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         return ()
     _, _, speeds, values, shapes = zip(*solved, strict=True)
     z, senses = np.array(shapes), senses_of(found.motions, found.rates)
-    turning = np.array([gyroscopic_terms(z[k : k + 1], found.modes.at(s).D)[0] for k, s in enumerate(speeds)])
+    turning, gains = np.zeros(len(z)), np.zeros(len(z))
+    for k, (order, _, speed, value, shape) in enumerate(solved):
+        at = found.modes.at(speed)
+        turning[k] = gyroscopic_terms(z[k : k + 1], at.D)[0]
+        near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
+        own = [found.motions.laws[name] for name in order.meshes]
+        gains[k] = tooth_response(at, own, value, shape, near)
     energies = energies_of(
         found.motions, z, np.array(values), turning, np.sign(np.array(speeds))[:, None] * senses
     )
     words = whirl_words(energies)
     listed = [
-        _critical(found, order, mode, speed, value, (energies, k, words[k]))
+        _critical(found, order, mode, speed, value, (energies, k, words[k], gains[k]))
         for k, (order, mode, speed, value, _) in enumerate(solved)
     ]
     return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
@@ -187,17 +197,23 @@ def _solve(
 
 
 def _critical(
-    found: Campbell, order: Order, mode: int, speed: float, value: complex, about: tuple[Energies, int, str]
+    found: Campbell,
+    order: Order,
+    mode: int,
+    speed: float,
+    value: complex,
+    about: tuple[Energies, int, str, float],
 ) -> CriticalSpeed:
-    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl."""
-    energies, k, whirl = about
+    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, `tooth_response`."""
+    energies, k, whirl, of_teeth = about
     ratio = float(ratio_of(np.array([value]))[0])
     ratio = ratio if abs(ratio) > UNDAMPED else 0.0
     source, share = driven_by(found.motions, energies, k, order)
-    share = float(np.clip(share, 0.0, 1.0))
+    share = min(share, 1.0) if share > ROUNDING else 0.0
     strain = float(energies.strain_ratio[k])  # V/T
-    whole = (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)  # W/(T + V)
-    gain = share * whole / ratio if ratio > 0.0 else np.inf if share > 0.0 else 0.0
+    size = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)  # X/(T + V)
+    size = of_teeth if source in (ERROR, RUN_OUT) and share > 0.0 else size
+    gain = size / ratio if ratio > 0.0 else np.inf if size > 0.0 else 0.0
     return CriticalSpeed(
         speed=speed,
         frequency=value.imag / (2.0 * np.pi),
@@ -208,7 +224,7 @@ def _critical(
         source=source,
         participation=share,
         amplification=gain,
-        response=math.sqrt(share) * whole / max(ratio, DAMPED),
+        response=size / math.sqrt(share) / max(ratio, DAMPED) if share > 0.0 else 0.0,
     )
 
 

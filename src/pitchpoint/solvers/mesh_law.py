@@ -55,22 +55,24 @@ class MeshLaw:
     force: Array
     force_by_rate: Array
 
-    def deflection_energy(self, shapes: NDArray[np.complex128]) -> Array:
-        """Strain energy of the deflection that a uniform flank error causes, shape (n,).
+    @property
+    def mean(self) -> float:
+        """Stiffness k = s^T K s against the mean deflection of the teeth over the face [N/m]."""
+        return float(self.force @ self.turn)
 
-        F is the force of all tooth pairs, so the deflection F/k with k = s^T K s is their mean over the face.
-        Its energy z^H K s s^T K z/k, in the same unit as z^H K z, is what an error can excite: tilted flanks
-        have strain energy without a mean deflection.
+    def deflection_energy(self, shapes: NDArray[np.complex128]) -> Array:
+        """Twice the strain energy k |u|^2 of the mean deflection u = F/k of the teeth, shape (n,).
+
+        A uniform flank error excites and causes this deflection. Flanks that tilt against each other have
+        strain energy in z^H K z without a mean deflection.
 
         Parameters
         ----------
         shapes
             Shapes z (n, nd).
         """
-        stiffness = float(self.force @ self.turn)
-        if stiffness <= 0.0:
-            return np.zeros(len(shapes))
-        return np.asarray(np.abs(shapes.conj() @ self.stiffness) * np.abs(shapes @ self.force) / stiffness)
+        k = self.mean
+        return np.asarray(np.abs(shapes @ self.force) ** 2 / k if k > 0.0 else np.zeros(len(shapes)))
 
 
 def mesh_law(system: System, parts: Parts, k: int) -> MeshLaw:

@@ -211,10 +211,9 @@ class _Namer:
         for planets in self.sets:
             kind, share = type_of_mode(planets, twist, wrench, kinetic)
             if kind and share >= MAIN:
-                if kind == TRANSLATIONAL and (
-                    tilting := self._tilts(planets, kinetic, strain, twist, wrench)
-                ):
-                    return tilting
+                tilts = self._tilts(planets, kinetic, strain, twist, wrench)
+                if kind == TRANSLATIONAL and tilts is not None:
+                    return tilts
                 words = f"{kind} mode of {planets.name}"
                 plane = self._plane_of(planets.central, twist, wrench) if kind == TRANSLATIONAL else None
                 return _Named(words, True, plane=plane, multiple=kind == PLANET)
@@ -240,8 +239,8 @@ class _Namer:
         self, planets: PlanetSet, kinetic: Array, strain: Array, twist: Complex, wrench: Complex
     ) -> _Named | None:
         """Tilting of the central body of a set that has most of the energy; None if it does not tilt."""
-        part = max(planets.central, key=lambda p: kinetic[p].sum())
-        if kinetic[part].sum() < MAIN:
+        part = max(planets.central, key=lambda p: kinetic[p].sum(), default=-1)
+        if part < 0 or kinetic[part].sum() < MAIN:
             return None
         found = self._lateral(part, strain, twist, wrench)
         return found if found.words.startswith(TILTING) else None
