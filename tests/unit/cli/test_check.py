@@ -25,6 +25,7 @@ def test_says_what_will_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixtu
     defaults = {entry["key"]: entry["value"] for entry in found["defaults"]}
     assert defaults["scenarios.steady.settle_time"] == "20 % of duration"
     assert defaults["gears.*.material"] == "steel"
+    assert "half the root diameter" in defaults["gears.*.bore_diameter"]
     assert "gears.*.profile_shift_coefficient" not in defaults
 
 

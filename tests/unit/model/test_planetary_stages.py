@@ -115,6 +115,22 @@ def test_values_are_replaced_in_the_stage():
     assert model.replace("gears.sun.face_width", "30 mm").gears["planet_1"].face_width == 0.04
 
 
+def test_errors_and_single_planets_that_the_file_does_not_have():
+    """A new component by one of its keys; the others have their defaults."""
+    model = loads_model(stage_file("planets: 3", sun="planar"))
+    at = "planetary_stages.set.pin_errors"
+    both = {f"{at}.planet_1.tangential": "20 um", f"{at}.planet_3.radial": "-10 um"}
+    assert model.replace_all(both) == loads_model(stage_file(ERRORS, sun="planar"))
+    single = model.replace("planetary_stages.set.single_planets.planet_2.sun_mesh.damper.ratio", 0.1)
+    assert single.meshes["sun-planet_2"].damper.ratio == 0.1
+    for path, words in (
+        (f"{at}.planet_9.radial", "is not a planet of the stage"),
+        (f"{at}.planet_1.radius", "pin_errors.planet_1.radius: is an unknown key; did you mean radial"),
+    ):
+        with pytest.raises(ModelError, match=words):
+            model.replace(path, "10 um")
+
+
 def test_a_fault_of_one_planet():
     crack = "{type: root_crack, tooth: 3, flank: left, depth: 3 mm}"
     more = f"planets: 3\nsingle_planets: {{planet_2: {{faults: {{crack: {crack}}}}}}}"

@@ -148,6 +148,13 @@ class Start:
     notes: tuple[str, ...] = ()
     cycle: LoadCycle | None = None
 
+    @property
+    def mean(self) -> State:
+        """State at t = 0 with the mean rates, without the ripple of pulsating loads."""
+        state = self.state.copy()
+        state.v -= 0.0 if self.cycle is None else self.cycle.offset
+        return state
+
 
 def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
     """Speed of every body at the start [rad/s]; driven bodies start with the speed of their drive."""

@@ -206,6 +206,7 @@ def roll_through(
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
     notes = (
+        *([f"the slow roll has the loads at {point.at}"] if point.at else []),
         *load_notes(own, held, reaction[:done], rows),
         *friction_notes(system),
         *deep_contacts(own.model, [spans]),

@@ -202,7 +202,7 @@ class ModeData:
     `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
     bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
     if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
-    (number of modes, number of components).
+    (number of modes, number of components). `at` is the state of a sweep, in words.
     """
 
     names: Sequence[str]
@@ -214,6 +214,7 @@ class ModeData:
     total: int = 0
     components: Sequence[str] = ()
     strain_share: ArrayLike = ()
+    at: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
