@@ -11,7 +11,7 @@ Torques that follow a tilting axis make K unsymmetric and can turn w by far more
 
 References
 ----------
-.. [1] P. Lancaster: Lambda-Matrices and Vibrating Systems, Pergamon 1966, section 4.3.
+.. [1] F. Tisseur, K. Meerbergen: The quadratic eigenvalue problem, SIAM Review 43 (2001) 235-286.
 """
 
 from __future__ import annotations
