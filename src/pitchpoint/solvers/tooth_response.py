@@ -31,7 +31,7 @@ Complex = NDArray[np.complex128]
 KEPT = 1e-9
 """Size of a direction over the largest one from which it belongs to the span of the shapes."""
 NONE = 1e-13
-"""Singular value over the largest one up to which it is rounding: modes of one frequency."""
+"""Singular value over the inertia up to which it is rounding: modes of one frequency."""
 
 
 def tooth_response(
@@ -73,7 +73,8 @@ def left_vector(linear: Linearised, value: complex, shape: Complex, shapes: Comp
     rows = np.vstack([shapes.real, shapes.imag, shape.real[None], shape.imag[None]])
     _, size, basis = np.linalg.svd(rows, full_matrices=False)
     B = basis[size > KEPT * size[0]].T
-    m, d, k = (B.T @ X @ B for X in (M, D, K))
-    U, size, V = np.linalg.svd(value**2 * m + value * d + k)
+    inertia, damping, stiffness = (f * (B.T @ X @ B) for f, X in ((value**2, M), (value, D), (1.0, K)))
+    U, size, V = np.linalg.svd(inertia + damping + stiffness)
+    least = NONE * float(np.linalg.norm(inertia))
     start = B.T @ (M @ shape.conj())
-    return np.asarray(B @ (U.conj() @ ((V.conj() @ start) / np.maximum(size, NONE * size[0]))))
+    return np.asarray(B @ (U.conj() @ ((V.conj() @ start) / np.maximum(size, least))))

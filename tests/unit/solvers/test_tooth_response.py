@@ -112,7 +112,19 @@ def response(found: Campbell, c: CriticalSpeed) -> float:
     return float(np.linalg.norm(force / np.outer(root, root), 2))
 
 
+SINGLE = """\
+gears:
+  p: {number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  w: {number_of_teeth: 50, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies: {A: {gears: [p], inertia: 1e-3 kg m^2}, B: {gears: [w], inertia: 2e-2 kg m^2}}
+meshes: {m: {gears: [p, w], stiffness: {law: constant, value: 4e8 N/m}, damping: {ratio: 0.01}}}
+loads: {brake: {body: B, torque: -50 N m}}
+scenarios: {run: {drive: {A: {speed: {table: [[0 s, 600 rpm], [1 s, 900 rpm]]}}}, duration: 1 s}}
+"""
+"""Wheel on the teeth of a driven pinion: one degree of freedom."""
+
 MACHINES = {
+    "driven pinion": (SINGLE, "A", 6e3, 1),
     "tilting spur pinion": (TILTING, "A", 14e3, 2),
     "external spur": (drive(0.0), "A", 11e3, 2),
     "external helical": (drive(18.0), "A", 11e3, 3),
