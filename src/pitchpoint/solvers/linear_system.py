@@ -295,15 +295,18 @@ def _rounding(linear: Linearised, listed: Array, omega: Array, shapes: Array) ->
     """
     highest = float(omega.max(initial=0.0))
     limit = highest * math.sqrt(0.5 * np.finfo(float).eps / ACCURATE)
-    if not np.any((listed != 0.0) & (np.abs(listed) < limit)):
+    slow = np.abs(listed)[(listed != 0.0) & (np.abs(listed) < limit)]
+    if not slow.size:
         return ()
+    worst = 0.5 * np.finfo(float).eps * (highest / float(slow.min())) ** 2
+    most = f"up to {100.0 * worst:.2g} %" if worst < 1.0 else "the lowest have no correct digit"
     shape = shapes[int(np.argmax(omega))]
     energy = np.abs(shape * (linear.at_rest.M @ shape))
     at = linear.system.layout.coordinates[int(np.argmax(energy))]
     below, above = (format_quantity(x / math.tau, "frequency", 3) for x in (limit, highest))
     return (
         f"natural frequencies below {below} have rounding errors of more than {100.0 * ACCURATE:g} %, "
-        f"because {at} vibrates at {above}; give it more mass or density",
+        f"{most}, because {at} vibrates at {above}; give it more mass or density",
     )
 
 

@@ -76,6 +76,8 @@ class LoadCycle:
     stops
         Bodies that a rigid train would stop within the time of the mean, and when [s], if it started at
         constant speed; computed without steady motion only.
+    body
+        Of a slow roll the body whose angle [rad] takes the place of the time; else empty.
     """
 
     means: dict[int, float]
@@ -88,6 +90,7 @@ class LoadCycle:
     swing: Array
     steady: bool = True
     stops: dict[str, float] = field(default_factory=dict)
+    body: str = ""
 
     def applied(self, system: System) -> System:
         """Copy of the system with the mean torques."""
@@ -166,7 +169,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     rates = np.array(sorted({abs(rate) for load in loads for rate in load.rates}))
     if not rates.size:
         return None
-    h, points, period = _grid(rates)
+    h, points, period = grid_of(rates)
     mass = motions.T @ rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0)) @ motions
     torques = _torques(loads, h, len(free))
     found = steady_motion(torques, mass, h, points, period > 0.0)
@@ -268,6 +271,32 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
     return found
 
 
+def pulsation(system: System, state: State, held: Sequence[int], cycle: LoadCycle | None) -> Array:
+    """Pulsating torques at a state less their means, reduced to the held spins [N m], shape (len(held),).
+
+    Parameters
+    ----------
+    system, state
+        The system of a roll, and a position of it.
+    held
+        Held spins.
+    cycle
+        Mean torques that the balancing torques balance, if any.
+    """
+    total = np.zeros(len(held))
+    if cycle is None:
+        return total
+    evaluate.residual(system, state)
+    motions = rotations(system, held)
+    for k, mean in cycle.means.items():
+        record = system.records[LOAD][k]
+        if int(record["form"]) == CONSTANT:
+            continue
+        angle, _, row = relative_turn(system, state, record)
+        total += (float(values_of(record, state.t, np.array([angle]), 0.0)[0]) - mean) * (row @ motions)
+    return total
+
+
 def relative_turn(system: System, state: State, record: np.void) -> tuple[float, float, Array]:
     """Angle [rad] and speed [rad/s] of the body of a load relative to its reaction; the speed per rate.
 
@@ -315,7 +344,7 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
     return None
 
 
-def _grid(rates: Array) -> tuple[float, int, float]:
+def grid_of(rates: Array) -> tuple[float, int, float]:
     """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
 
     No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of

@@ -12,6 +12,7 @@ from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
+from pitchpoint.solvers.load_cycle import LoadCycle
 from pitchpoint.solvers.load_orders import mean_loads
 from pitchpoint.solvers.sweep_speeds import at_one_speed
 from pitchpoint.system.meshes import forget_contacts
@@ -34,6 +35,8 @@ class OperatingPoint:
         Notes for the user.
     at
         Which state of a sweep this is, in words; else empty.
+    cycle
+        Mean torques of pulsating loads that balancing torques balance, if there are any.
     """
 
     system: System
@@ -41,6 +44,7 @@ class OperatingPoint:
     held: tuple[int, ...]
     notes: tuple[str, ...] = ()
     at: str = ""
+    cycle: LoadCycle | None = None
 
 
 def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario | None:
@@ -82,7 +86,8 @@ def operating_point(
     own, chosen, words = at_one_speed(own, scenario or own.scenario or Scenario())
     begin = prepare_start(own, chosen)
     notes = (f"state at {words}",) if words else ()
-    return OperatingPoint(begin.system, begin.mean, held, (*notes, *begin.notes, *held_outputs(own)), words)
+    notes = (*notes, *begin.notes, *held_outputs(own))
+    return OperatingPoint(begin.system, begin.mean, held, notes, words, begin.cycle)
 
 
 def steady_point(

@@ -87,6 +87,15 @@ def test_a_balancing_torque_is_printed_with_what_it_balances(name, tmp_path, cap
     )
 
 
+def test_quiet_prints_the_torques_that_were_asked_for(tmp_path, capsys):
+    file = written(tmp_path, gearbox("100 N m"))
+    assert run_command(["check", file, "--balance", "-q"]) == 0
+    out = capsys.readouterr().out
+    assert out == "torque: balance in run: in 33.333 N m; the loads at the start\n"
+    assert run_command(["check", file, "-q"]) == 0
+    assert capsys.readouterr().out == ""
+
+
 UNSOLVED = {
     "constant": "the loads at the start",
     "wave": "the loads at the start and the mean of out over its period if it repeats over angle or time",

@@ -131,3 +131,19 @@ def test_options_that_do_not_fit(
 ) -> None:
     assert run_command(["frf", written(tmp_path, TORSION), "-r", "mesh_force[stage]", *more]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_a_report_shows_the_responses_of_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Amplitude and phase of a response, and levels by mesh order, without a remark that they are missing."""
+    file = written(tmp_path, TORSION)
+    bode, levels, page = (str(tmp_path / name) for name in ("frf.h5", "orders.h5", "page.html"))
+    ends = ["--to", "5 kHz", "--points", "20"]
+    by_order = ["--mesh-orders", "1", "--speed-of", "driver", "--to-speed", "3000 rpm", "--points", "5"]
+    json_of(["frf", file, *ERROR, *ends, "-o", bode], capsys)
+    json_of(["frf", file, "-r", "mesh_force[stage]", *by_order, "-o", levels], capsys)
+    assert run_command(["report", file, bode, levels, "-o", page]) == 0
+    assert "not shown" not in "".join(capsys.readouterr())
+    text = Path(page).read_text(encoding="utf-8")
+    section = text.partition('<section id="responses"')[2].partition("</section>")[0]
+    assert "mesh force, stage by transmission error, stage" in section and "phase [deg]" in section
+    assert "speed of driver" in section

@@ -8,11 +8,12 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.checks.planetary_stages import possible_angles
 from pitchpoint.model.components.planetary_stage import PlanetBearing
 from pitchpoint.model.components.six import Stiffness6
+from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.write import model_text, plain
 from pitchpoint.report.planets import stages_of_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
@@ -303,6 +304,29 @@ def test_problems_of_the_planet_gear_are_at_its_key_and_told_once():
     )
     assert len(problems) == 1
     assert problems[0].startswith("planetary_stages.set.planet.rim_thickness (line 9)")
+
+
+def test_a_warning_about_all_planets_is_told_once_whatever_their_pin_errors():
+    """Limits differ by the distance of each pin."""
+    model = loads_model(stage_file(ERRORS, mesh=BACKLASH))
+    told = [
+        Message(
+            f"meshes.{mesh}.gears", f"reaches below the root of planet_{k}", "tip of ring", f"{38 + k} mm"
+        )
+        for k, mesh in enumerate(model.planetary_stages["set"].ring_meshes(), start=1)
+    ]
+    (only,) = at_stages(model, told)
+    assert (only.where, only.limit) == ("planetary_stages.set", "39 mm")
+
+
+def test_planets_off_the_shaft_of_their_carrier_are_named_at_the_carrier():
+    """The stage has no keys for the places of pins and bearings."""
+    shaft = "shafts:\n  carrier: {sections: [{length: 80 mm, diameter: 60 mm}], position: [0, 0, 30 mm]}\n"
+    body = "  carrier: {inertia: 0.1 kg m^2, mass: 10 kg, position: [0, 0, 0]}\n"
+    text = stage_file(f"planets: 3\nmotion: planar\nbearing: {{{PIN_BEARING}}}")
+    assert body in text
+    problems = refused(text.replace(body, "") + shaft)
+    assert [p.partition(" (")[0] for p in problems] == ["planetary_stages.set.carrier"], problems
 
 
 def test_pin_and_bearing_in_series():

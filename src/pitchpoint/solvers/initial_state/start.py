@@ -36,6 +36,7 @@ from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of
 from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants, cycle_notes
 from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.solvers.quasistatic.mean_loads import roll_cycle
 from pitchpoint.solvers.speed_drift import UNBALANCED
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
@@ -140,7 +141,8 @@ class Start:
     notes
         Notes for the user.
     cycle
-        Mean torques of pulsating loads that balancing torques balance, if there are any.
+        Mean torques of pulsating loads that balancing torques balance, if there are any; of a slow roll at
+        rest over its angle.
     """
 
     system: System
@@ -246,7 +248,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         cycle = None
         state, notes = _closed(system, scenario, state, driven)
         if balancing_loads(system):
-            system, *_, cycle = _at_rest(system, state, held, driven)
+            system, *_, cycle = _at_rest(system, scenario, state, held, driven)
             if cycle is not None:
                 notes = (*notes, *cycle_notes(system, state, cycle))
                 state.v += cycle.offset
@@ -254,7 +256,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         notes = (*notes, *start_notes(system, state, driven))
         return Start(with_damping(system, state), state, notes, cycle)
     state = _from_given(system, state, driven)
-    system, found, notes, cycle = _at_rest(system, state, held, driven)
+    system, found, notes, cycle = _at_rest(system, scenario, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     more = (*more, *start_notes(system, state, driven))
     if cycle is not None:
@@ -264,7 +266,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
 
 
 def _at_rest(
-    system: System, state: State, held: Sequence[int], driven: Sequence[int]
+    system: System, scenario: Scenario, state: State, held: Sequence[int], driven: Sequence[int]
 ) -> tuple[System, Equilibrium, tuple[str, ...], LoadCycle | None]:
     """The system with its balancing torques, its equilibrium, notes, and the steady motion under its loads.
 
@@ -272,6 +274,8 @@ def _at_rest(
     """
     balancing = balancing_loads(system)
     cycle = load_cycle(system, state, held, driven) if balancing else None
+    if balancing and cycle is None and scenario.quasi_static is not None:
+        cycle = roll_cycle(system, state, scenario.quasi_static.mesh)
     mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state)[:2] if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)
