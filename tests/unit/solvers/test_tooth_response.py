@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.analysis.campbell_ranking import LARGE, ranked_speeds
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.campbell import Campbell, at_speeds, follow_modes
 from pitchpoint.solvers.campbell_dataset import campbell_dataset
 from pitchpoint.solvers.critical_speeds import CriticalSpeed, critical_speeds
@@ -16,7 +17,8 @@ from pitchpoint.solvers.excitation_orders import excitation_orders
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
 from pitchpoint.solvers.modal import find_modes
-from tests.support.machines import compiled
+from pitchpoint.system.compile import compile_model
+from pitchpoint.system.system import System
 
 RPM = math.pi / 30.0
 TOOTH = (
@@ -95,9 +97,14 @@ scenarios: {{run: {{speed: {{sun_shaft: 2900 rpm}}, duration: 20 ms}}}}
 """
 
 
+def built(text: str) -> System:
+    """Machine with what its scenario prescribes."""
+    return compile_model(loads_model(text), "run")
+
+
 def crossings(text: str, body: str, top: float) -> tuple[Campbell, tuple[CriticalSpeed, ...]]:
     """Modes up to a speed [rpm] and their crossings with the mesh order."""
-    system = compiled(text)[1]
+    system = built(text)
     found = follow_modes(system, np.linspace(50.0, top, 15) * RPM, body, "run")
     return found, critical_speeds(found, excitation_orders(system, found.motions, found.rates, ["mesh"]))
 
@@ -144,7 +151,7 @@ def test_amplification_is_the_response_to_the_transmission_error(name: str) -> N
     """
     text, body, top, separated = MACHINES[name]
     found, listed = crossings(text, body, top)
-    modes = find_modes(compiled(text)[1], "run")
+    modes = find_modes(built(text), "run")
     shares = modes.energies.teeth.sum(axis=1)
     vibrates = modes.frequency > 1.0
     checked = 0
@@ -178,7 +185,7 @@ def test_tilted_flanks_take_no_energy_from_the_transmission_error() -> None:
     assert energies.teeth[tilting.mode] == pytest.approx([0.0], abs=1e-12)
     assert energies.strain[1:].sum(axis=1) == pytest.approx(1.0, abs=1e-12)
     assert np.all(energies.teeth[:, 0] <= energies.strain[:, mesh] + 1e-3)  # less the geometric stiffness
-    system = compiled(TILTING)[1]
+    system = built(TILTING)
     at = at_speeds(found.modes.linear, tilting.speed * found.rates)
     ins, outs = find_inputs(at, ["transmission_error[m]"]), find_outputs(at, ["A.rx", "A.ry", "A.ux"])
     moved = np.abs(respond(at, matrices_of(at), at.basis, ins, outs, math.tau * tilting.frequency))[:, 0]
@@ -189,7 +196,7 @@ def test_tilted_flanks_take_no_energy_from_the_transmission_error() -> None:
 
 def test_tilting_of_the_sun_is_named_by_what_moves() -> None:
     """The sun tilts at 930 Hz, x = y = 0; the first translational pair is that at 1418 Hz."""
-    modes = find_modes(compiled(planetary(0.0))[1], "run")
+    modes = find_modes(built(planetary(0.0)), "run")
     named = dict(zip(modes.names, modes.damped_frequency, strict=True))
     for whirl in ("backward", "forward"):
         assert named[f"tilting of sun_shaft ({whirl})"] == pytest.approx(930.0, abs=15.0)
