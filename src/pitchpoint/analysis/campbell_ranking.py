@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 SIDEBAND = "sideband"
 """Kind of the orders that are listed with their mesh order."""
 LEAST = 1e-3
-"""Least participation of a listed critical speed."""
+"""Least participation of a listed critical speed whose response is below `LARGE`."""
+LARGE = 1.0
+"""Response of the machine from which a critical speed is listed: the vibration exceeds its excitation."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,10 @@ class RankedSpeed:
     mode, order, whirl, source
         Name of the mode and of the order, whirl, what drives the mode.
     participation, amplification
-        Share of the energy where the order acts, and amplification at resonance.
+        Share of the energy where the order acts, and amplification at resonance there.
+    response
+        Response of the machine at resonance, by which the lines are ranked; in files without it the
+        amplification.
     separation
         Distance from the operating speed over its nearest end; NaN without operating speed.
     sidebands
@@ -52,6 +57,7 @@ class RankedSpeed:
     source: str
     participation: float
     amplification: float
+    response: float
     separation: float
     sidebands: tuple[float, float]
 
@@ -64,7 +70,8 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
     diagram
         Dataset of `solve_campbell`.
     least
-        Least participation of a listed crossing [-].
+        Least participation of a listed crossing [-]; those with a response of at least `LARGE` are listed in
+        any case.
 
     Raises
     ------
@@ -82,6 +89,8 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
         if "crossing_separation" in diagram
         else np.full(len(speeds), np.nan)
     )
+    ranks = "crossing_response" if "crossing_response" in diagram else "crossing_amplification"
+    response = diagram[ranks].values
     bands_of: dict[tuple[str, int], list[float]] = {}
     whole = {(order, int(mode)) for order, mode in zip(orders, modes, strict=True)}
     listed = []
@@ -89,7 +98,7 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
         base = _mesh_of(order) if kinds.get(order) == SIDEBAND else ""
         if base and (base, int(mode)) in whole:
             bands_of.setdefault((base, int(mode)), []).append(float(speeds[k]))
-        elif float(diagram["crossing_participation"].values[k]) >= least:
+        elif float(diagram["crossing_participation"].values[k]) >= least or response[k] >= LARGE:
             listed.append(k)
     words = {name: _texts(diagram, f"crossing_{name}") for name in ("whirl", "source")}
     found = []
@@ -107,6 +116,7 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
                 source=words["source"][k],
                 participation=float(diagram["crossing_participation"].values[k]),
                 amplification=float(diagram["crossing_amplification"].values[k]),
+                response=float(response[k]),
                 separation=float(apart[k]),
                 sidebands=(min(bands), max(bands)) if bands else (np.nan, np.nan),
             )

@@ -279,13 +279,15 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
             row["source"],
             f"{100.0 * row['participation']:.3g} %",
             _amplification(row),
+            f"{row['response']:.4g}",
             *([_separation(row["separation"])] if apart else []),
             NOTHING if row["sidebands"] is None else "–".join(f"{_number(s)}" for s in row["sidebands"]),
         ]
         for rank, row in enumerate(summary["critical_speeds"][:SHOWN], start=1)
     ]
     heads = ["rank", f"speed of {summary['body']}", "frequency", "damping", "order", "mode", "driven by"]
-    heads += ["participation", "amplification", *(["separation"] if apart else []), "sidebands [rpm]"]
+    heads += ["participation", "amplification", "response"]
+    heads += [*(["separation"] if apart else []), "sidebands [rpm]"]
     if cells:
         table(title, heads, cells)
     else:

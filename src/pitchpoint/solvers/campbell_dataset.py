@@ -88,7 +88,7 @@ def solve_campbell(
 
     Over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
     (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
-    crossing_amplification, and crossing_separation with `operating`.
+    crossing_amplification, crossing_response, and crossing_separation with `operating`.
 
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
@@ -235,7 +235,8 @@ def _of_crossings(critical: Sequence[CriticalSpeed], operating: tuple[float, flo
     rows["crossing_order"] = (one, np.array([c.order.name for c in critical], dtype=object), "", "order")
     for name, text in (
         ("participation", "share of the energy where the order acts"),
-        ("amplification", "amplification at resonance"),
+        ("amplification", "amplification at resonance: response where the order acts"),
+        ("response", "response of the machine at resonance"),
     ):
         rows[f"crossing_{name}"] = (one, np.array([getattr(c, name) for c in critical]), "1", text)
     if operating is not None:

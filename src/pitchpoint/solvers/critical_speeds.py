@@ -1,24 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
 """Critical speeds: crossings of branches and excitation orders, with what drives them, ranked.
 
-Crossings of the computed points are solved again at the speed of the crossing. They are ranked by the
-amplification at resonance, X/((T + V) zeta), with the kinetic energy T, strain energy V and damping ratio
-zeta of the mode, and the energy X where the order acts. It follows from the response of a lightly damped mode
-z to a force f, with the amplitude z (z^H f)/((2 i omega z^H M z + z^H D z)(i Omega - lambda)), whose first
-factor is 4 i (T + V)/omega:
+Crossings of the computed points are solved again at the speed of the crossing. The response follows from that
+of a lightly damped mode z to a force f, with the amplitude z (z^H f)/((2 i omega z^H M z + z^H D z)(i Omega -
+lambda)), whose first factor is 4 i (T + V)/omega with the kinetic energy T and strain energy V of the mode.
+With its damping ratio zeta and the energy X of the mode where the order acts, there is at resonance
 
-* transmission error e of a mesh of stiffness k: f = k e in the mesh; its deflection is u = e V_m/((T + V)
-  zeta) with the strain energy V_m of the mesh;
+* the amplification, the response where the order acts: X/((T + V) zeta);
+* the response of the machine: the root of the energy W of its vibration over that of the source, sqrt(X W)/
+  ((T + V) zeta), with W = V where X is strain energy, else W = T. With the participation p = X/W it is
+  1/sqrt(p) times the amplification: a part with little energy can drive a mode that is large elsewhere.
+
+The sources are
+
+* transmission error e of a mesh with the law of `mesh_law`, of the stiffness k = s^T K s: f = K s e; the
+  amplification is u/e with the mean deflection of the teeth u = s^T K z/k, and X = k |u|^2/4. Flanks that
+  tilt against each other take no energy from e. Here the conjugate of z is replaced by the left vector of the
+  mode (`tooth_response`), which differs with torques that follow a tilting axis. A component with the share q
+  of V, such as a bearing, responds with sqrt(q) times the response of the machine, which is the geometric
+  mean of its deflection over e and of its force over k e;
 * eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
-  unfavourable one, as are the phases of several meshes of one frequency.
+  unfavourable one, as are the phases of several meshes of one frequency, whose energies X add up;
 * torque M on a body of the moment of inertia J: its acceleration is J |phi''| = M T_r/((T + V) zeta) with the
-  kinetic energy T_r of its rotation.
+  kinetic energy T_r of its rotation;
 * ripple of a driven body: that of the elements between it and the machine, as for a transmission error.
 
-Without gyroscopic effects T = V, and the amplification is the share of X over 2 zeta.
+Without gyroscopic effects T = V, and the amplification is p/(2 zeta), the response sqrt(p)/(2 zeta).
 
-The rank assumes a damping ratio of at least that of welded steel stacks [1]_: a mode
+Crossings are ranked by the response with a damping ratio of at least that of welded steel stacks [1]_: a mode
 that the model hardly damps, or that is unstable, ranks by what excites it, not by what damping the model
 lacks. Unstable modes are listed apart (`unstable_modes`).
 
@@ -29,6 +39,7 @@ References
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -38,16 +49,17 @@ from numpy.typing import NDArray
 from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
-from pitchpoint.solvers.machine_groups import Groups
 from pitchpoint.solvers.mode_energies import (
     WAYS,
     Energies,
+    Motions,
     energies_of,
     gyroscopic_terms,
     senses_of,
     whirl_words,
 )
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.tooth_response import tooth_response
 from pitchpoint.solvers.unstable_modes import UNDAMPED
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
@@ -56,14 +68,19 @@ TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
 BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
 ROTATION = WAYS.index("rotation")
+ROUNDING = 1e-12
+"""Share of the energy up to which nothing is excited."""
 ROUNDS, EXACT = 6, 1e-9
 """Maximum number of corrections of a crossing, and its relative accuracy."""
 
 DAMPED = 0.012 / (2.0 * np.pi)
 """Least damping ratio in the ranks, see the module."""
 RANKING = (
-    "ranked by the amplification at resonance: energy of the mode where the order acts, over the kinetic and "
-    f"strain energy of the mode times its damping ratio, for the rank at least {100.0 * DAMPED:.2f} %"
+    "ranked by the response of the machine at resonance: root of the energy of its vibration over that of "
+    f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
+    "where the order acts, such as tooth deflection over transmission error; an unbalance acts on the forward "
+    "whirl of a mode only, and several meshes have their most unfavourable phases (pitchpoint frequencies "
+    "lists the motion that each harmonic excites in planetary sets)"
 )
 """How crossings are ranked, for outputs."""
 
@@ -91,11 +108,11 @@ class CriticalSpeed:
         of the drive, bearing fault, given order.
     participation
         Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, run-out,
-        bearing fault) of the mode where the order acts, 0 to 1.
+        bearing fault) of the mode where the order acts, 0 to 1; of meshes that of the mean tooth deflection.
     amplification
         Amplification at resonance, see the module; infinite without damping or if the mode is unstable.
-    rank
-        Amplification with at least the damping ratio `DAMPED`.
+    response
+        Response of the machine at resonance with at least the damping ratio `DAMPED`: the rank.
     """
 
     speed: float
@@ -107,7 +124,7 @@ class CriticalSpeed:
     source: str
     participation: float
     amplification: float
-    rank: float
+    response: float
 
 
 def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalSpeed, ...]:
@@ -123,16 +140,22 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         return ()
     _, _, speeds, values, shapes = zip(*solved, strict=True)
     z, senses = np.array(shapes), senses_of(found.motions, found.rates)
-    turning = np.array([gyroscopic_terms(z[k : k + 1], found.modes.at(s).D)[0] for k, s in enumerate(speeds)])
+    turning, gains = np.zeros(len(z)), np.zeros(len(z))
+    for k, (order, _, speed, value, shape) in enumerate(solved):
+        at = found.modes.at(speed)
+        turning[k] = gyroscopic_terms(z[k : k + 1], at.D)[0]
+        near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
+        own = [found.motions.laws[name] for name in order.meshes]
+        gains[k] = tooth_response(at, own, value, shape, near)
     energies = energies_of(
         found.motions, z, np.array(values), turning, np.sign(np.array(speeds))[:, None] * senses
     )
     words = whirl_words(energies)
     listed = [
-        _critical(found, order, mode, speed, value, (energies, k, words[k]))
+        _critical(found, order, mode, speed, value, (energies, k, words[k], gains[k]))
         for k, (order, mode, speed, value, _) in enumerate(solved)
     ]
-    return tuple(sorted(listed, key=lambda c: (-c.rank, -c.participation, c.speed)))
+    return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
 
 
 def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: int) -> list[tuple[int, int]]:
@@ -176,17 +199,23 @@ def _solve(
 
 
 def _critical(
-    found: Campbell, order: Order, mode: int, speed: float, value: complex, about: tuple[Energies, int, str]
+    found: Campbell,
+    order: Order,
+    mode: int,
+    speed: float,
+    value: complex,
+    about: tuple[Energies, int, str, float],
 ) -> CriticalSpeed:
-    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl."""
-    energies, k, whirl = about
+    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, `tooth_response`."""
+    energies, k, whirl, of_teeth = about
     ratio = float(ratio_of(np.array([value]))[0])
     ratio = ratio if abs(ratio) > UNDAMPED else 0.0
-    source, share = driven_by(found.motions.groups, energies, k, order)
-    share = float(np.clip(share, 0.0, 1.0))
+    source, share = driven_by(found.motions, energies, k, order)
+    share = min(share, 1.0) if share > ROUNDING else 0.0
     strain = float(energies.strain_ratio[k])  # V/T
-    of_total = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)
-    gain = of_total / ratio if ratio > 0.0 else np.inf if share > 0.0 else 0.0
+    size = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)  # X/(T + V)
+    size = of_teeth if source in (ERROR, RUN_OUT) and share > 0.0 else size
+    gain = size / ratio if ratio > 0.0 else np.inf if size > 0.0 else 0.0
     return CriticalSpeed(
         speed=speed,
         frequency=value.imag / (2.0 * np.pi),
@@ -197,26 +226,24 @@ def _critical(
         source=source,
         participation=share,
         amplification=gain,
-        rank=of_total / max(ratio, DAMPED),
+        response=size / math.sqrt(share) / max(ratio, DAMPED) if share > 0.0 else 0.0,
     )
 
 
-def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple[str, float]:
+def driven_by(motions: Motions, energies: Energies, k: int, order: Order) -> tuple[str, float]:
     """Source through which an order drives mode k, and its share of the energy of the mode.
 
-    * mesh orders and sidebands: transmission error, strain energy of the meshes;
+    * mesh orders and sidebands: transmission error, strain energy of the mean tooth deflection of the meshes;
     * first order of a shaft: unbalance, kinetic energy of its forward whirl; or run-out of its gears, strain
-      energy of their meshes;
+      energy of the mean tooth deflection of their meshes;
     * higher orders of a shaft: misalignment, kinetic energy of its lateral motion; or run-out;
     * torques: kinetic energy of the rotation of the bodies on which they act;
     * ripple of a drive: strain energy of the components on the driven body;
     * other orders: strain energy of the bearing named by the order, such as `BPFO front`; otherwise 1.
     """
+    groups = motions.groups
     strain: Array = energies.strain[k]
-    names = [name.partition(" ")[2] for name in groups.components]
-    teeth = float(
-        sum(strain[e] for e, kind in enumerate(groups.kinds) if kind == MESH and names[e] in order.meshes)
-    )
+    teeth = float(sum(energies.teeth[k, m] for m, name in enumerate(motions.laws) if name in order.meshes))
     if order.kind in (MESH, SIDEBAND):
         return ERROR, teeth
     if order.kind == SHAFT:

@@ -19,7 +19,7 @@ from pitchpoint.core.nearest import hint
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.cycle_means import observe_at, observed_phases
 from pitchpoint.solvers.linear_system import Linearised
-from pitchpoint.solvers.mesh_law import mesh_law
+from pitchpoint.solvers.mesh_law import mesh_law, stiffness_now
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
@@ -204,7 +204,7 @@ def _turning(linear: Linearised, J: Array, b: int, rates: Array) -> tuple[NDArra
 
 def _error_of(linear: Linearised, name: str, k: int) -> Input:
     """Unloaded transmission error of the flanks of a mesh: travel of the gears less the deflection."""
-    law = mesh_law(linear, k)
+    law = mesh_law(linear.system, linear.at_rest, k)
     return Input(name, "m", law.stiffness, law.damping, np.zeros(law.turn.size, complex), law.turn, k)
 
 
@@ -275,12 +275,13 @@ def _follow_the_law(linear: Linearised, k: int, by_travel: Array, slopes: tuple[
     A rotation of the gears acts through the travel alone. Forces are parts of the force along the base
     tangent; displaced gears change in addition their direction.
     """
-    system, law, (place, rate) = linear.system, mesh_law(linear, k), slopes
+    system, (place, rate) = linear.system, slopes
+    law = mesh_law(system, linear.at_rest, k)
     name, turning = mesh_names(system)[k], law.travel != 0.0
     own = [o for o in np.flatnonzero(by_travel).tolist() if _is_of(system.layout.channels[o].name, name)]
     if not law.turn.any():
         return
-    stiffness = float(law.now @ law.turn)
+    stiffness = stiffness_now(system, linear.state, k, law)
     for o in own:
         place[o, turning] = by_travel[o] * law.travel[turning]
         rate[o, turning] = float(rate[o] @ law.turn) * law.travel[turning]

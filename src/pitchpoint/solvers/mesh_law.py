@@ -14,16 +14,20 @@ radius. Since input and output are the same law, F vanishes with the acceleratio
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.element_tangents import Share, tangents
-from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.torque_paths import torque_paths
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record, one_mesh
+
+if TYPE_CHECKING:
+    from pitchpoint.solvers.stiffness_parts import Parts
+    from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
@@ -42,8 +46,6 @@ class MeshLaw:
         K s and D s [N/m, N s/m]; zero without a gear that can rotate.
     force, force_by_rate
         Force along the base tangent by coordinates and rates: rows s^T K and s^T D.
-    now
-        s^T K at the mesh phase of the operating point.
     """
 
     travel: Array
@@ -52,19 +54,33 @@ class MeshLaw:
     damping: Array
     force: Array
     force_by_rate: Array
-    now: Array
+
+    @property
+    def mean(self) -> float:
+        """Stiffness k = s^T K s against the mean deflection of the teeth over the face [N/m]."""
+        return float(self.force @ self.turn)
+
+    def deflection_energy(self, shapes: NDArray[np.complex128]) -> Array:
+        """Twice the strain energy k |u|^2 of the mean deflection u = F/k of the teeth, shape (n,).
+
+        A uniform flank error excites and causes this deflection. Flanks that tilt against each other have
+        strain energy in z^H K z without a mean deflection.
+
+        Parameters
+        ----------
+        shapes
+            Shapes z (n, nd).
+        """
+        k = self.mean
+        return np.asarray(np.abs(shapes @ self.force) ** 2 / k if k > 0.0 else np.zeros(len(shapes)))
 
 
-def mesh_law(linear: Linearised, k: int) -> MeshLaw:
-    """Linear law of mesh number k."""
-    system = linear.system
-    travel, turn = _rotation(linear, k)
+def mesh_law(system: System, parts: Parts, k: int) -> MeshLaw:
+    """Linear law of mesh number k in a linearisation by element."""
+    travel, turn = _rotation(system, k)
     name = f"mesh {mesh_names(system)[k]}"
-    K = linear.at_rest.shares[linear.at_rest.elements.index(name)]
-    D = linear.at_rest.damping[name]
-    stopped = linear.state.copy()
-    stopped.v[:] = 0.0
-    now = evaluate.dense(system, tangents(system, stopped, one_mesh(system, k))[1])
+    K = parts.shares[parts.elements.index(name)]
+    D = parts.damping[name]
     return MeshLaw(
         travel,
         turn,
@@ -72,13 +88,20 @@ def mesh_law(linear: Linearised, k: int) -> MeshLaw:
         _times(D, turn),
         _times(Share(K.places, K.matrix.T), turn),
         _times(Share(D.places, D.matrix.T), turn),
-        np.asarray(turn @ now),
     )
 
 
-def _rotation(linear: Linearised, k: int) -> tuple[Array, Array]:
+def stiffness_now(system: System, state: State, k: int, law: MeshLaw) -> float:
+    """Stiffness s^T K s of a mesh at its phase in a state [N/m]."""
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    now = evaluate.dense(system, tangents(system, stopped, one_mesh(system, k))[1])
+    return float(law.turn @ now @ law.turn)
+
+
+def _rotation(system: System, k: int) -> tuple[Array, Array]:
     """Travel by rotation, and the rotation of one gear that changes the travel by 1 m."""
-    system, record = linear.system, mesh_record(linear.system, k)
+    record = mesh_record(system, k)
     travel, turn = np.zeros(system.sizes["nd"]), np.zeros(system.sizes["nd"])
     for path in torque_paths(system):
         if (path.kind, path.number) == mesh_places(system)[k]:

@@ -11,6 +11,9 @@ with T = V + E for symmetric K: the gyroscopic moments take over the part of the
 springs do not balance. E is positive in forward whirl, negative in backward whirl, and zero at rest. M_b is
 not needed as a matrix: z^H M_b z is the product of the twist of body b and the wrench of its inertia forces.
 
+The strain energy of a mesh is that of the mean deflection of its teeth, which a transmission error excites,
+and that of flanks that tilt against each other.
+
 The lateral motion of a shaft station in its complex amplitude X along the first, Y along the second
 transverse axis is X + i Y = F e^(i omega t) + B e^(-i omega t): circles forwards and backwards with the radii
 |X + i Y|/2 and |X - i Y|/2, seen along the axis in the sense of rotation. Tilt is treated alike.
@@ -23,6 +26,7 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -31,7 +35,9 @@ from numpy.typing import NDArray
 
 from pitchpoint.solvers.body_shapes import body_motions, inertia_wrenches
 from pitchpoint.solvers.machine_groups import Groups, groups_of
+from pitchpoint.solvers.mesh_law import MeshLaw, mesh_law
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.stiffness_parts import Parts
@@ -66,6 +72,8 @@ class Motions:
         Parts and components.
     parts
         Linearisation by element.
+    laws
+        Linear laws of the meshes by name.
     axes, place
         Axes of the bodies (nb, 3, 3), columns in world axes, the third along the spin, and their origins
         (nb, 3) [m].
@@ -78,6 +86,7 @@ class Motions:
     state: State
     groups: Groups
     parts: Parts
+    laws: Mapping[str, MeshLaw]
     axes: Array
     place: Array
     units: Array | None
@@ -98,6 +107,9 @@ class Energies:
     ----------
     strain
         Share of each component in the strain energy, shape (n, components); zero for rigid modes.
+    teeth
+        Share of the mean deflection of the teeth of each mesh in the strain energy, a part of that of the
+        mesh, shape (n, meshes), in the order of `Motions.laws`.
     kinetic
         Share of each part in the kinetic energy by direction, shape (n, parts, 4), see `WAYS`.
     strain_ratio, gyroscopic
@@ -110,6 +122,7 @@ class Energies:
     """
 
     strain: Array
+    teeth: Array
     kinetic: Array
     strain_ratio: Array
     gyroscopic: Array
@@ -125,7 +138,8 @@ def motions_of(system: System, state: State, parts: Parts) -> Motions:
     axes, place = frames["R"].copy(), frames["r"].copy()
     nd = system.sizes["nd"]
     units = np.array(_in_body_axes(system, state, np.eye(nd), axes)) if nd <= TABULATED else None
-    return Motions(system, state, groups_of(system, parts), parts, axes, place, units)
+    laws = {name: mesh_law(system, parts, k) for k, name in enumerate(mesh_names(system))}
+    return Motions(system, state, groups_of(system, parts), parts, laws, axes, place, units)
 
 
 def _in_body_axes(system: System, state: State, shapes: Array, axes: Array) -> tuple[Array, Array]:
@@ -162,9 +176,12 @@ def energies_of(
     strain = np.zeros((len(z), len(groups.components)))
     for e, share in enumerate(parts.shares):
         strain[:, groups.component[e]] += share.energy(z.real) + share.energy(z.imag)
+    teeth = np.zeros((len(z), len(motions.laws)))
+    for m, law in enumerate(motions.laws.values()):
+        teeth[:, m] = law.deflection_energy(z)
     size = np.abs(values)
     still = size == 0.0
-    strain[still] = 0.0
+    strain[still] = teeth[still] = 0.0
     total = strain.sum(axis=1)
     inertia = np.where(still, 1.0, size**2 * whole)
     omega = np.abs(values.imag)
@@ -172,6 +189,7 @@ def energies_of(
     ahead, back = _whirls(groups, twist, wrench, senses)
     return Energies(
         strain=np.divide(strain, total[:, None], out=np.zeros_like(strain), where=total[:, None] != 0.0),
+        teeth=np.divide(teeth, total[:, None], out=np.zeros_like(teeth), where=total[:, None] != 0.0),
         kinetic=kinetic / whole[:, None, None],
         strain_ratio=total / inertia,
         gyroscopic=gyro,

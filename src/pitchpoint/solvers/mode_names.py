@@ -5,8 +5,10 @@ The name is that of the first rule that applies; shares are those of the kinetic
 
 1. rigid modes, without strain: rigid rotation, rigid motion;
 2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body;
-3. half of it in a planetary set, in one of its three types: rotational, translational, planet mode;
-4. half of the strain energy in meshes: mesh mode;
+3. half of it in a planetary set, in one of its three types: rotational, translational, planet mode; but
+   tilting of the central body that has half of the energy is named as such;
+4. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
+   against each other does not count: what moves there is the tilting body;
 5. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other
    relative to the gear ratios. Lateral motion of a shaft is bending if its beams have 30 % of the strain
    energy of beams and supports, otherwise translation or tilting of the shaft on its bearings.
@@ -28,7 +30,7 @@ from pitchpoint.elements.kind import MESH
 from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.solvers.machine_groups import SHAFT
 from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
-from pitchpoint.solvers.planet_modes import PLANET, TRANSLATIONAL, planet_sets, type_of_mode
+from pitchpoint.solvers.planet_modes import PLANET, TRANSLATIONAL, PlanetSet, planet_sets, type_of_mode
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -52,6 +54,8 @@ OBLIQUE = 0.4
 """Component of a direction from which its axis is named."""
 NO_WHIRL = ("", PLANAR)
 """Words for the whirl of a mode that does not."""
+TILTING = "tilting"
+"""First word of the names of tilting modes."""
 FEW = 2
 """Maximum number of parts or meshes listed in a name."""
 
@@ -207,12 +211,15 @@ class _Namer:
         for planets in self.sets:
             kind, share = type_of_mode(planets, twist, wrench, kinetic)
             if kind and share >= MAIN:
+                tilts = self._tilts(planets, kinetic, strain, twist, wrench)
+                if kind == TRANSLATIONAL and tilts is not None:
+                    return tilts
                 words = f"{kind} mode of {planets.name}"
                 plane = self._plane_of(planets.central, twist, wrench) if kind == TRANSLATIONAL else None
                 return _Named(words, True, plane=plane, multiple=kind == PLANET)
-        meshes = [e for e, word in enumerate(self.groups.kinds) if word == MESH]
-        if meshes and strain[meshes].sum() >= MAIN:
-            return _Named(f"mesh mode of {self._meshes(strain, meshes)}")
+        teeth = self.energies.teeth[k]
+        if teeth.sum() >= MAIN:
+            return _Named(f"mesh mode of {self._meshes(teeth)}")
         return self._motion(kinetic, strain, twist, wrench)
 
     def _rigid(self, kinetic: Array) -> str:
@@ -228,11 +235,19 @@ class _Namer:
         names = [self.groups.parts[k] for k in order]
         return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"
 
-    def _meshes(self, strain: Array, meshes: Sequence[int]) -> str:
-        """Names of the meshes with the largest strain energy."""
-        order = sorted(meshes, key=lambda e: -strain[e])
-        chosen = [e for e in order if strain[e] > 0.5 * strain[order[0]]]
-        names = [self.groups.components[e].partition(" ")[2] for e in sorted(chosen)]
+    def _tilts(
+        self, planets: PlanetSet, kinetic: Array, strain: Array, twist: Complex, wrench: Complex
+    ) -> _Named | None:
+        """Tilting of the central body of a set that has most of the energy; None if it does not tilt."""
+        part = max(planets.central, key=lambda p: kinetic[p].sum(), default=-1)
+        if part < 0 or kinetic[part].sum() < MAIN:
+            return None
+        found = self._lateral(part, strain, twist, wrench)
+        return found if found.words.startswith(TILTING) else None
+
+    def _meshes(self, teeth: Array) -> str:
+        """Names of the meshes with the largest energy of tooth deflection."""
+        names = [name for name, own in zip(self.motions.laws, teeth, strict=True) if own > 0.5 * teeth.max()]
         return " and ".join(names) if len(names) <= FEW else f"{names[0]} and {len(names) - 1} more"
 
     def _motion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> _Named:
@@ -285,7 +300,7 @@ class _Namer:
         mark = "".join(letter for letter, size in zip("xyz", np.abs(plane), strict=True) if size > OBLIQUE)
         if beams > 0.0 and beams >= BENDS * (beams + held):
             return _Named(f"bending of {name}", True, plane, mark=mark)
-        word = "translation" if mean >= MAIN * own else "tilting"
+        word = "translation" if mean >= MAIN * own else TILTING
         return _Named(f"{word} of {name}", False, plane, mark=mark)
 
     def _torsion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> str:

@@ -78,7 +78,7 @@ def test_people_get_tables(capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["campbell", str(MODEL), "-s", "fast", *RANGE, "--modes", "torsion"]) == 0
     out = capsys.readouterr().out
     assert "critical speeds" in out
-    assert "ranked by the amplification at resonance" in out
+    assert "ranked by the response of the machine at resonance" in out
     assert "torsion of rotor against drive" in out
     assert "1st bending" not in out
 

@@ -15,6 +15,7 @@ from pitchpoint.core.progress import silent
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.linear_parts import conditions_of, linear_parts
+from tests.support.machines import pair as text_of_pair
 from tests.unit.report.test_variants import text as pair
 
 RPM = np.pi / 30.0
@@ -113,3 +114,28 @@ def test_the_reason_stands_in_place_of_a_diagram(tmp_path: Path) -> None:
     words = linear_parts(still).campbells[""]
     assert isinstance(words, str)
     assert words.startswith("No scenario rotates disc")
+
+
+@pytest.mark.parametrize("beta", ["17 deg", ""])
+def test_an_axial_mode_that_helical_teeth_drive_is_named(beta: str, tmp_path: Path) -> None:
+    """Wheel of 4 kg on an axial stiffness of 2e7 N/m: 356 Hz, 712 rpm of 30 teeth, near 700 rpm.
+
+    The teeth hardly deflect in this mode, the wheel moves by a multiple of the transmission error.
+    """
+    rest = "bearings:\n"
+    for body, axial in (("driver", 2e8), ("driven", 2e7)):
+        stiffness = f"{{radial: 4e8 N/m, axial: {axial} N/m, tilt: 2e6 N m/rad}}"
+        rest += f"  on_{body}: {{body: {body}, stiffness: {stiffness}, damping: {{ratio: 0.002}}}}\n"
+    rest += "scenarios: {run: {speed: {driver: 700 rpm}, duration: 1 ms}}\n"
+    model = loads_model(text_of_pair("{law: constant, value: 3e8 N/m}", beta=beta, motion="free", rest=rest))
+    summary = section(pp.write_report(model, tmp_path / "page.html").read_text(encoding="utf-8"), "summary")
+    if not beta:
+        assert "axial mode" not in summary
+        return
+    found = re.search(
+        r"Nearest critical speed: ([\d.]+) rpm, [\d.]+ % above .*?\(mesh stage, (.*?),", summary
+    )
+    assert found, summary
+    assert found[2] == "axial mode of driven"
+    assert float(found[1]) == pytest.approx(712.0, rel=0.01)
+    assert "No critical speed" not in summary

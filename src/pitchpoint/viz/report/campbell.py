@@ -112,6 +112,7 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
             number(c.amplification, 3)
             if math.isfinite(c.amplification)
             else ("unstable" if c.damping_ratio < 0.0 else "∞"),
+            number(c.response, 3),
         ]
         if apart:
             known = np.isfinite(c.separation)
@@ -124,8 +125,8 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
             )
         body = "".join(f'<td class="{"num" if k not in TEXTS else ""}">{x}</td>' for k, x in enumerate(cells))
         rows.append(f'<tr><th scope="row">{rank}</th>{body}</tr>')
-    heads = ["rank", "speed", "frequency", "damping", "order", "mode", "driven by", "amplification"]
-    heads += ["from operation"] if apart else []
+    heads = ["rank", "speed", "frequency", "damping", "order", "mode", "driven by"]
+    heads += ["amplification", "response", *(["from operation"] if apart else [])]
     return plain_table(heads, rows, words=1, texts=[k + 1 for k in TEXTS])
 
 

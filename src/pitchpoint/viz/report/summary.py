@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.analysis.campbell_ranking import RankedSpeed, ranked_speeds
+from pitchpoint.analysis.campbell_ranking import LARGE, RankedSpeed, ranked_speeds
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
@@ -319,10 +319,10 @@ def _critical(diagrams: Mapping[str, Any]) -> list[str]:
     for name, data in diagrams.items():
         if isinstance(data, str) or "crossing_separation" not in data or not data["frequency"].size:
             continue
-        known = [c for c in ranked_speeds(data) if np.isfinite(c.separation) and c.amplification >= 1.0]
+        known = [c for c in ranked_speeds(data) if np.isfinite(c.separation) and c.response >= LARGE]
         of = f" of {name}" if len(diagrams) > 1 else ""
         if not known:
-            found.append(f"No critical speed{of} with an amplification above 1 in the Campbell diagram.")
+            found.append(f"No critical speed{of} with a response above {LARGE:g} in the Campbell diagram.")
             continue
         inside = [c for c in known if c.separation == 0.0]
         if inside:
@@ -343,7 +343,5 @@ def _critical(diagrams: Mapping[str, Any]) -> list[str]:
 
 
 def _resonance(critical: RankedSpeed) -> str:
-    """Order, mode and amplification of a critical speed."""
-    factor = critical.amplification
-    size = number(factor, 3) if np.isfinite(factor) else "without limit"
-    return f"{critical.order}, {critical.mode}, amplification {size}"
+    """Order, mode and response of a critical speed."""
+    return f"{critical.order}, {critical.mode}, response {number(critical.response, 3)}"
