@@ -78,9 +78,9 @@ DAMPED = 0.012 / (2.0 * np.pi)
 RANKING = (
     "ranked by the response of the machine at resonance: root of the energy of its vibration over that of "
     f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
-    "where the order acts, such as tooth deflection over transmission error; an unbalance acts on the forward "
-    "whirl of a mode only, and several meshes have their most unfavourable phases (pitchpoint frequencies "
-    "lists the motion that each harmonic excites in planetary sets)"
+    "where the order acts, such as tooth deflection over transmission error; an unbalance acts on the "
+    "forward whirl of a mode only, and several meshes have their most unfavourable phases (pitchpoint "
+    "frequencies lists the motion that each harmonic excites in planetary sets)"
 )
 """How crossings are ranked, for outputs."""
 
