@@ -47,8 +47,26 @@ GOLDEN = 0.5 * (5.0**0.5 - 1.0)
 """Added to a number of points per period, so that they have different phases in all periods."""
 MAX_CYCLES = 2048
 """Periods of the fastest argument: the longest common period, and the longest mean without one."""
+SMALL, MAX_WAVES = 1e-3, 64
+"""Amplitude of a harmonic over that of the largest one above which it counts, and the number that count."""
 MAX_TURNS = 12
 """Revolutions within which a user law of the angle must repeat to count as periodic."""
+
+
+@dataclass(frozen=True)
+class Wave:
+    """Harmonic of a load: torques Re(torque e^(i rate t)) since the beginning.
+
+    Parameters
+    ----------
+    rate
+        Circular frequency [rad/s].
+    torque
+        Complex amplitudes on all coordinates, shape (nd,).
+    """
+
+    rate: float
+    torque: NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -76,6 +94,8 @@ class LoadCycle:
     stops
         Bodies that a rigid train would stop within the time of the mean, and when [s], if it started at
         constant speed; computed without steady motion only.
+    waves
+        Harmonics of the loads, as torques on the coordinates.
     """
 
     means: dict[int, float]
@@ -88,6 +108,7 @@ class LoadCycle:
     swing: Array
     steady: bool = True
     stops: dict[str, float] = field(default_factory=dict)
+    waves: tuple[Wave, ...] = ()
 
     def applied(self, system: System) -> System:
         """Copy of the system with the mean torques."""
@@ -114,6 +135,8 @@ class PulsatingLoad:
         Time at the beginning [s].
     angle, speed
         Angle [rad] at the beginning and mean speed [rad/s] of its body, relative to that of the reaction.
+    row
+        Its speed per rate of the coordinates, shape (nd,).
     share
         Share of the free rotations in this angle.
     by_angle
@@ -129,6 +152,7 @@ class PulsatingLoad:
     begin: float
     angle: float
     speed: float
+    row: Array
     share: Array
     by_angle: tuple[float, ...]
     timed: bool
@@ -193,7 +217,27 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
         stops={}
         if found is not None
         else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
+        waves=_waves(loads, values if whole else {}, period) if found is not None else (),
     )
+
+
+def _waves(loads: list[PulsatingLoad], values: dict[int, Array], period: float) -> tuple[Wave, ...]:
+    """Largest harmonics of the loads, from values over the common period, else each at constant speed."""
+    found = []
+    for load in loads:
+        if not load.rates:
+            continue
+        over, time = values.get(load.number), period
+        if over is None:
+            h, points, time = _grid(np.array(sorted({abs(rate) for rate in load.rates})))
+            rest = np.zeros((load.share.size, points))
+            over = load.over(np.linspace(0.0, h * (points - 1), points), rest, rest)[0]
+        if time > 0.0:
+            sizes = 2.0 * np.fft.rfft(over)[1 : (over.size + 1) // 2] / over.size
+            found += [(abs(size), TURNS * k / time, size, load.row) for k, size in enumerate(sizes, 1)]
+    least = SMALL * max((entry[0] for entry in found), default=0.0)
+    found = sorted((entry for entry in found if entry[0] > least), key=lambda entry: -entry[0])
+    return tuple(Wave(rate, size * row) for _, rate, size, row in found[:MAX_WAVES])
 
 
 def _torques(loads: list[PulsatingLoad], h: float, n: int) -> Torques:
@@ -259,6 +303,7 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
                     begin=state.t,
                     angle=angle,
                     speed=speed,
+                    row=row,
                     share=row @ motions,
                     by_angle=tuple(sorted({abs(by_angle) for _, by_angle in phases if by_angle != 0.0})),
                     timed=any(by_time != 0.0 for by_time, _ in phases),

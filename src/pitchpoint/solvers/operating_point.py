@@ -75,4 +75,4 @@ def operating_point(
     if own.model is None or start is not None:
         return OperatingPoint(own, find_equilibrium(own, start, held).state, held)
     begin = prepare_start(own, scenario or own.scenario or Scenario())
-    return OperatingPoint(begin.system, begin.state, held, (*begin.notes, *held_outputs(own)))
+    return OperatingPoint(begin.system, begin.steady, held, (*begin.notes, *held_outputs(own)))

@@ -83,8 +83,7 @@ def _applies(system: System, scenario: Scenario) -> bool:
 
 def _slowest_cycle(start: Start, scenario: Scenario) -> float:
     """Period of the slowest mesh [s]; 0 if nothing rotates, or the short run would be too long."""
-    rates = start.state.v - (start.cycle.offset if start.cycle is not None else 0.0)
-    found = np.array(list(mesh_orders(start.system, rates).values()))
+    found = np.array(list(mesh_orders(start.system, start.steady.v).values()))
     found = found[found > SAME * found.max(initial=0.0)]
     cycle = 2.0 * np.pi / float(found.min()) if found.size else 0.0
     return cycle if (SETTLE + MEASURE) * cycle <= SHARE * (scenario.duration or 0.0) else 0.0
@@ -94,10 +93,9 @@ def _slopes(
     start: Start, scenario: Scenario, run: Callable[..., Any], motions: Array, cycle: float
 ) -> Array | None:
     """Mean rate of the momentum of every free rotation [N m]; None if the short run fails."""
-    system, state = start.system, start.state.copy()
+    system, state = start.system, start.steady
     if start.cycle is not None:
         system = start.cycle.applied(system)
-        state.v -= start.cycle.offset
     spins = {int(s): b for b, s in enumerate(system.program["body"]["spin"]) if s >= 0}
     spins = {s: b for s, b in spins.items() if f"speed[{system.layout.bodies[b]}]" in _names(system)}
     places = list(spins)

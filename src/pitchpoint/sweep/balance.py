@@ -61,7 +61,7 @@ class Balances:
         if start.cycle is None:
             return 0.0
         state = now.copy()
-        state.v[:] = start.state.v - start.cycle.offset
+        state.v[:] = start.steady.v
         own = self.own
         cycle = load_cycle(own, state, held_spins(own), driven_coordinates(own))
         return 0.0 if cycle is None else cycle.offset
