@@ -38,8 +38,8 @@ def drift_notes(
                 off.append(deviation)
     if not off:
         return ()
-    worst = max(off, key=abs)
+    worst = float(f"{100.0 * max(off, key=abs):.2g}")
     return (
-        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed: "
+        f"{body}: the mean speed deviates by up to {worst:+g} % from the prescribed speed: "
         "loads and losses do not balance there; drive or hold a body, or reduce settle_periods",
     )
