@@ -283,7 +283,7 @@ class Machine:
         return (float(last - first) + self.strain[block]) / self.duration
 
     def within(self, block: int) -> list[Place]:
-        """Springs between bodies of one block that are no links: pieces of a shaft; `OUTSIDE`: all others."""
+        """Springs between bodies of one block, not links: pieces of a shaft; `OUTSIDE`: all others."""
         linked = {place for *_, place in self.passing(source=False)}
         found = []
         for kind in self.springs:
