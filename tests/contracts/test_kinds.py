@@ -142,6 +142,7 @@ MADE = {
     "solvers/equilibrium/solve.py": {"torque"},  # balances it
     "solvers/load_cycle.py": {"torque"},  # evaluates its law over the period
     "solvers/quasistatic/loads.py": {"torque"},  # evaluates its law at a speed
+    "solvers/speed_stability.py": {"torque"},  # evaluates the slope of its law
     "solvers/model_damping.py": {"damping"},  # fills it in
     # makes them
     "solvers/reduction/condensed_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},

@@ -12,6 +12,7 @@ import math
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pitchpoint
@@ -65,6 +66,26 @@ def test_planets_fit_in_phase(model):
     straight = model.replace("planetary_stages.set.pin_errors.planet_1.tangential", 0.0)
     planets = stages_of_model(straight)["set"]["planets"].values()
     assert [row["phase_sun"] for row in planets] == pytest.approx([0.0] * 3, abs=1e-9)
+
+
+@pytest.mark.parametrize("error", [0.0, 30e-6, 200e-6])
+def test_phases_are_those_of_the_angles_of_the_pins(model, error):
+    """z_s psi/2 pi and -z_r psi/2 pi, in `check` and `frequencies`; small errors change no type of motion."""
+    from pitchpoint.report.frequencies import frequencies_of, turning_speeds
+    from pitchpoint.report.planets import stages_of_model
+
+    moved = model.replace("planetary_stages.set.pin_errors.planet_1.tangential", error)
+    stage = stages_of_model(moved)["set"]
+    sets = frequencies_of(moved, turning_speeds(moved, moved.scenarios["steady"].speed))["planet_sets"]
+    (central,) = (entry["central"] for entry in sets.values())
+    psi = 2.0 * math.pi * np.arange(3) / 3 - error / stage["center_distance"] * (np.arange(3) > 0)
+    for side, gear, z in (("sun", "sun", 21), ("ring", "ring", -99)):
+        turned = z * psi / (2.0 * math.pi)
+        listed = [row[f"phase_{side}"] for row in stage["planets"].values()]
+        assert listed == list(central[gear]["phases"].values())
+        miss = np.array(listed) - turned
+        assert miss - np.round(miss) == pytest.approx(np.zeros(3), abs=1e-5)
+        assert central[gear]["excites"] == ["rotational"] * 3
 
 
 def test_planets_on_needle_bearings_as_on_the_page():

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.cli.output import show, shown
+from pitchpoint.cli.output import show, show_notes, shown
 from pitchpoint.core.words import listed
 
 if TYPE_CHECKING:
@@ -36,6 +36,7 @@ def show_balance(balance: dict[str, Any]) -> None:
         )
     for name, found in balance.get("scenarios", {}).items():
         show(f"torque: balance in {name}: {_words(found)}")
+        show_notes(found.get("notes", ()))
 
 
 def _words(found: dict[str, Any]) -> str:

@@ -49,7 +49,8 @@ def show_bearing_forces(
         for (values, _), f in zip(cases, forces, strict=True)
     ]
     more = len(loaded) - len(first)
-    notes = [f"{more} more bearings with smaller forces are in the file"] if more else []
+    others = f"{more} more bearing{'s' if more > 1 else ''} with smaller forces"
+    notes = [f"{others} {'are' if more > 1 else 'is'} in the file"] if more else []
     columns = [*head, *(f"maximum {way} {name}" for name, way in keys)]
     table(f"{title}: bearing forces", columns, rows, notes, keys=len(head))
 

@@ -46,7 +46,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
 
     If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
-    from pitchpoint.cli.balance import solved
+    from pitchpoint.cli.balance import show_balance, solved
     from pitchpoint.cli.failure import FAILED, OK, say
     from pitchpoint.cli.reading import read_model
     from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
@@ -63,6 +63,8 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
         _print(model, file, found)
+    elif torques:
+        show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
 
 

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 BEARING = (("ftf", "FTF"), ("bpfo", "BPFO"), ("bpfi", "BPFI"), ("bsf", "BSF"), ("bsf_double", "2 BSF"))
+ROUND_OFF = 1e-9
+"""Deviation from equal spacing that counts as none [rad]."""
 
 
 def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dict[str, float]:
@@ -162,7 +164,15 @@ def _print_planets(sets: Mapping[str, Any]) -> None:
         for name, entry in sets.items()
         for gear, row in entry["central"].items()
     ]
-    table("Mesh phases", ["central gear", "phases [mesh cycles]", "excited by harmonics 1, 2, 3"], rows)
+    notes = [
+        f"planets on {name} are up to {shown(row['spacing_error'], 'angle', 2)} off equal spacing; up to "
+        f"{shown(row['spacing_limit'], 'angle', 2)} the harmonics are those of equal spacing"
+        for name, entry in sets.items()
+        for row in list(entry["central"].values())[:1]
+        if row["spacing_error"] > ROUND_OFF
+    ]
+    heads = ["central gear", "phases [mesh cycles]", "excited by harmonics 1, 2, 3"]
+    table("Mesh phases", heads, rows, notes)
 
 
 def _hertz(frequency: float) -> str:

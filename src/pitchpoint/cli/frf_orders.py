@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -49,6 +50,7 @@ def compute(
         )
     if target is not None:
         header = header_of(model, file, name or "", "mesh_response", "frequency_response")
+        header = replace(header, options={**header.options, "body": found.body})
         write_dataset(target, header, mesh_response_dataset(system, found), notes=found.notes)
     if options["picture"] is not None:
         _draw(options["picture"], found)

@@ -247,29 +247,68 @@ def flange_stiffness(elements: int, diameter: float, rating: float, compliance: 
     return force / (force / (elements * in_series(end, end, LINE))) ** (1.0 / LINE)
 
 
-def roller_slices(length: float, diameter: float, count: int) -> NDArray[np.float64]:
-    """Slices of a roller: position from its middle and profile [m], shape (count, 2).
+def roller_profile(
+    xi: NDArray[np.float64], length: float, diameter: float, *, tapered: bool = False
+) -> NDArray[np.float64]:
+    """Profile P of a roller: by how much its radius is smaller than in the middle [m], shape as xi.
 
     Parameters
     ----------
-    length
-        Effective length L_we [m].
-    diameter
-        Diameter D_we [m].
-    count
-        Number of slices of equal width.
+    xi
+        Positions from the middle of the roller, |xi| < length/2 [m], any shape.
+    length, diameter
+        Effective length L_we and diameter D_we, of tapered rollers in the middle [m].
+    tapered
+        Whether the roller is a cone.
 
     Notes
     -----
-    Profile of roller and raceways together: 0.00035 D_we ln(1/(1 - (2 xi/L_we)^2)), ISO/TS 16281, 2008.
+    Reference profile of ISO/TS 16281:2008, eq. 42 to 44, P = k D_we ln(1/(1 - u^2)). With u = 2 xi/L_we, k is
+    0.00035 for cylindrical and 0.00045 for tapered rollers. Cylindrical rollers longer than 2.5 D_we have k =
+    0.0005, u = (2 |xi| - L_we)/(2.5 D_we) + 1, and P = 0 in the middle, where u < 0.
+
+    Examples
+    --------
+    >>> ends = np.array([4e-3, 24e-3])
+    >>> (1e6 * roller_profile(ends[:1], 10e-3, 10e-3)).round(3).tolist()
+    [3.576]
+    >>> (1e6 * roller_profile(ends, 50e-3, 10e-3)).round(3).tolist()
+    [0.0, 9.367]
+    """
+    reach = 2.5 * diameter
+    if length > reach and not tapered:
+        factor, u = 0.0005, np.maximum((2.0 * np.abs(xi) - length) / reach + 1.0, 0.0)
+    else:
+        factor, u = 0.00045 if tapered else 0.00035, 2.0 * xi / length
+    return -factor * diameter * np.log1p(-(u**2))
+
+
+def roller_slices(
+    length: float, diameter: float, count: int, *, tapered: bool = False
+) -> NDArray[np.float64]:
+    """Slices of a roller: position from its middle and profile of both contacts [m], shape (count, 2).
+
+    Parameters
+    ----------
+    length, diameter
+        Effective length L_we and diameter D_we [m].
+    count
+        Number of slices of equal width.
+    tapered
+        Whether the roller is a cone.
+
+    Notes
+    -----
+    The raceways are straight. The approach of the rings is the sum of both contacts, each of which has the
+    gap P, so that a slice loses 2 P (ISO/TS 16281, eq. 41).
 
     Examples
     --------
     >>> (1e6 * roller_slices(10e-3, 10e-3, 5)[-1]).round(3).tolist()
-    [4000.0, 3.576]
+    [4000.0, 7.152]
     """
     xi = length * ((np.arange(count) + 0.5) / count - 0.5)
-    return np.column_stack([xi, -0.00035 * diameter * np.log1p(-((2.0 * xi / length) ** 2))])
+    return np.column_stack([xi, 2.0 * roller_profile(xi, length, diameter, tapered=tapered)])
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@
 
 The approach of slice s at the position xi from the middle of the roller is
 
-    d_s = d + xi t - P(xi),   t = n_x cos(psi) + n_y sin(psi)
+    d_s = d + xi t - 2 P(xi),   t = n_x cos(psi) + n_y sin(psi)
 
 with the approach d of the middle (`rolling_bearing`), the tilt t of the rings in the radial plane of the
-roller, for any contact angle, and the profile P of roller and raceways. Each slice carries K/n_s d_s^p
-max(0, 1 + chi d_s'). With the gradients g = dd/dU and h = dt/dU the forces are f = -(F_0 g + F_1 h), F_k =
-sum of q xi^k, and the stiffness follows from three sums of slopes. Lamina model of ISO/TS 16281; the slices
-are independent of each other.
+roller, for any contact angle, and the profile P of the roller, which is a gap in the inner and in the outer
+contact. Each slice carries K/n_s d_s^p max(0, 1 + chi d_s'), with K of both contacts in series. With the
+gradients g = dd/dU and h = dt/dU the forces are f = -(F_0 g + F_1 h), F_k = sum of q xi^k, and the stiffness
+follows from three sums of slopes. Lamina model of ISO/TS 16281; the slices are independent of each other.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.multibody.channels import F8
 
 COLUMNS = 2
-"""Values of one slice: position from the middle of the roller, profile [m]."""
+"""Values of one slice: position from the middle of the roller, profile of both contacts 2 P [m]."""
 
 
 @kernel

@@ -201,13 +201,27 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
         pair,
         where,
         called,
-        lambda: _mismatches(pair, where, names),
+        lambda: mismatches(pair, where, names),
         lambda: _contact_problems(pair, where, names),
     )
 
 
-def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """Differences between the gears that prevent meshing at any centre distance."""
+def mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
+    """Differences between the gears that prevent meshing at any centre distance.
+
+    Parameters
+    ----------
+    pair, where, names
+        As in `pair_problems`; profile shifts and centre distance do not count.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> one, two = (CylindricalGear(z=20, m_n=m) for m in (2e-3, 3e-3))
+    >>> [problem.text for problem in mismatches(GearPair(one, two, 0.05), "stage", ("a", "b"))]
+    ['have unequal normal modules']
+    """
     g1, g2 = pair.gear1, pair.gear2
     place = at_key(where, "gears")
     if g1.is_internal and g2.is_internal:

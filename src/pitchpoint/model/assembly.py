@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Derived geometry of a model: profile shifts, centre distances, positions of bodies.
+"""Derived geometry of a model: pairs of gears, positions of bodies.
 
 Works on the parts of a model that could be read; missing or broken parts are skipped, because their problems
 have been reported already.
@@ -14,36 +14,27 @@ from dataclasses import replace
 
 import numpy as np
 
-from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
-from pitchpoint.model.components.gear import Gear
-from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
 from pitchpoint.model.lines_of_centres import by_couplings, line_up
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import orient_pins, place_planets
+from pitchpoint.model.profile_shifts import determine_shifts, usable
 from pitchpoint.model.reading.reader import Reader
 
 
 def resolve(parts: Parts, report: Reader) -> None:
     """Compute the derived fields of all parts in place; problems are added to `report`."""
     _check_hands(parts, report)
-    _profile_shifts(parts, report)
+    determine_shifts(parts, report)
     _pairs(parts, report)
     orient(parts)
     orient_pins(parts)
     settle_twists(parts, report)
     _places(parts, report)
     _widths(parts, report)
-
-
-def usable(parts: Parts, mesh: Mesh, report: Reader) -> bool:
-    """Whether both gears of a mesh could be read without problems."""
-    return len(set(mesh.gears)) == 2 and all(
-        g in parts.gears and ("gears", g) not in report.tainted for g in mesh.gears
-    )
 
 
 def _check_hands(parts: Parts, report: Reader) -> None:
@@ -56,95 +47,11 @@ def _check_hands(parts: Parts, report: Reader) -> None:
             )
 
 
-# --- profile shifts and centre distances --------------------------------------------------------------------
-def _profile_shifts(parts: Parts, report: Reader) -> None:
-    """Determine x of every gear: as given, or from a mesh with known centre distance and mating gear."""
-    for name, gear in parts.gears.items():
-        parts.gears[name] = replace(gear, x=gear.profile_shift_coefficient)
-    meshes = [
-        (name, mesh)
-        for name, mesh in parts.meshes.items()
-        if usable(parts, mesh, report) and ("meshes", name) not in report.tainted
-    ]
-    found = True
-    while found:
-        found = False
-        for name, mesh in meshes:
-            found = _shift_from(parts, name, mesh, report) or found
-    for name, gear in parts.gears.items():
-        if gear.x is None and ("gears", name) not in report.tainted:
-            _undetermined(parts, name, report)
-
-
-def _shift_from(parts: Parts, name: str, mesh: Mesh, report: Reader) -> bool:
-    one, two = (parts.gears[g] for g in mesh.gears)
-    if (one.x is None) == (two.x is None) or mesh.center_distance is None or not _compatible(one, two):
-        return False
-    open_name, fixed = (mesh.gears[0], two) if one.x is None else (mesh.gears[1], one)
-    if ("gears", open_name) in report.tainted or fixed.x is None:
-        return False
-    from pitchpoint.geometry.profile_shift import profile_shift_for_center_distance
-
-    a_w = _sign(one, two) * mesh.center_distance
-    try:
-        x_sum = profile_shift_for_center_distance(
-            z_sum=one.sign * one.number_of_teeth + two.sign * two.number_of_teeth,
-            m_n=one.normal_module,
-            alpha_n=one.normal_pressure_angle,
-            beta=one.beta,
-            a_w=a_w,
-        )
-    except GeometryError as error:
-        report.hand_on(("meshes", name), error.problem)
-        report.tainted.add(("gears", open_name))
-        return False
-    parts.gears[open_name] = replace(parts.gears[open_name], x=x_sum - fixed.x)
-    return True
-
-
-def _undetermined(parts: Parts, name: str, report: Reader) -> None:
-    meshes = [(n, m) for n, m in parts.meshes.items() if name in m.gears]
-    if any(("meshes", n) in report.tainted or not usable(parts, m, report) for n, m in meshes):
-        return
-    where = ("gears", name, "profile_shift_coefficient")
-    if not meshes:
-        report.problem(
-            where, "is missing, and no mesh determines it", remedy="give it; 0 for a gear without shift"
-        )
-    elif all(m.center_distance is None for _, m in meshes):
-        report.problem(
-            where,
-            "is missing, and its mesh has no centre distance to determine it",
-            remedy=f"give it, or meshes.{meshes[0][0]}.center_distance",
-        )
-    else:
-        report.problem(
-            where,
-            "is missing on both gears of a mesh; the centre distance determines only their sum",
-            remedy="give it on one of the two gears",
-        )
-
-
-def _compatible(one: Gear, two: Gear) -> bool:
-    """Whether two gears can mesh: same module and pressure angle, matching hands, not both internal."""
-    hands = one.beta * (1 if one.type == two.type else -1) + two.beta
-    return (
-        not (one.type == two.type == "internal")
-        and math.isclose(one.normal_module, two.normal_module, rel_tol=1e-9)
-        and abs(one.normal_pressure_angle - two.normal_pressure_angle) < 1e-9
-        and abs(hands) < 1e-9
-        and one.sign * one.number_of_teeth + two.sign * two.number_of_teeth != 0
-    )
-
-
-def _sign(one: Gear, two: Gear) -> int:
-    """Sign of the centre distance in ISO 21771: that of z1 + z2."""
-    return 1 if one.sign * one.number_of_teeth + two.sign * two.number_of_teeth > 0 else -1
-
-
+# --- pairs -------------------------------------------------------------------------------------------------
 def _pairs(parts: Parts, report: Reader) -> None:
     for name in parts.gears:
-        if parts.gears[name].x is not None and ("gears", name) not in report.tainted:
+        known = parts.gears[name].x is not None and name not in parts.misshapen
+        if known and ("gears", name) not in report.tainted:
             check_gear(parts, name, report)
     for name, mesh in list(parts.meshes.items()):
         if usable(parts, mesh, report):

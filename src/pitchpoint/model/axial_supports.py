@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -15,6 +15,7 @@ from pitchpoint.model.frames import GROUND, body_frame, split
 from pitchpoint.model.rings import ring_bodies, rings_of
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
     from pitchpoint.model.model import Model
 
 AXIAL = 1e-9
@@ -23,6 +24,7 @@ NOT_HOLDING = (
     *("bearings", "rolling_bearings", "plain_bearings", "couplings", "meshes", "bevel_meshes"),
     *("gears", "bevel_gears", "bodies", "shafts", "planetary_stages", "loads", "unbalances", "sensors"),
     *("blocks", "controllers", "scenarios", "parameters", "torsion_springs", "torsion_maxwells", "clutches"),
+    "joints",
 )
 """Sections that hold no body along its axis, or are considered by themselves."""
 
@@ -48,43 +50,61 @@ class AxialSupport(NamedTuple):
 def without_axial_support(model: Model) -> Iterator[AxialSupport]:
     """Bodies on bearings, with axial loads, that are held along their axis in one direction or not at all.
 
-    Bodies with joints, springs, contacts or axially stiff couplings are assumed to be held by them. Axial
-    loads are those of helical and bevel gears, of spur gears on shafts that bend, of gravity and of forces.
-    Gears of different helix angle that mesh with the same body, such as double helical gears, hold their body
-    themselves.
+    Bodies with springs, contacts, axially stiff couplings or joints are assumed to be held by them; a joint
+    that leaves all six directions to the bearings, as that of planets with `motion: free`, does not hold.
+    Axial loads are those of helical and bevel gears, of spur gears on shafts that bend, of gravity and of
+    forces. Gears of different helix angle that mesh with the same body, such as double helical gears, hold
+    their body themselves.
     """
     if model.others:
         return
-    held = _held_otherwise(model)
-    bearings = _bearings(model)
+    on_pins = {name for name, body in model.bodies.items() if _moves_on_its_bearings(model, body)}
+    held = _held_otherwise(model, on_pins)
+    bearings = _bearings(model, on_pins)
     for name, body in model.bodies.items():
-        if body.moves != "free" or name in held or not bearings.get(name) or not _is_loaded(model, name):
+        free = body.moves == "free" or name in on_pins
+        if not free or name in held or not bearings.get(name) or not _is_loaded(model, name):
             continue
         sides = {side for found in bearings[name].values() for side in found}
         if len(sides) < 2:
             yield AxialSupport(name, tuple(bearings[name]), *(sides or {0}))
 
 
-def _bearings(model: Model) -> dict[str, dict[str, tuple[int, ...]]]:
-    """Bearings of every body, with the directions of the axial forces on it that they support."""
+def _bearings(model: Model, on_pins: Collection[str]) -> dict[str, dict[str, tuple[int, ...]]]:
+    """Bearings of every body, with the directions of the axial forces on it that they support.
+
+    A bearing between a pin and a planet of `on_pins` is that of the planet, which may contain its outer ring.
+    """
     found: dict[str, dict[str, tuple[int, ...]]] = {}
     for name, linear in model.bearings.items():
         stiff = any(value != 0.0 for value in linear.stiffness.matrix6()[2])
         found.setdefault(linear.body, {})[name] = (1, -1) if stiff else ()
     for name, plain in model.plain_bearings.items():
-        found.setdefault(ring_bodies(plain)[0], {})[name] = ()
+        one, two = ring_bodies(plain)
+        found.setdefault(two if two in on_pins else one, {})[name] = ()
     for name, rolling in model.rolling_bearings.items():
         inner, outer = rings_of(model, rolling)
-        along = int(np.sign(outer.axes[:, 2] @ body_frame(model, inner.body)[1][:, 2]))
+        own, sense = (outer.body, -1.0) if outer.body in on_pins else (inner.body, 1.0)
+        along = int(np.sign(sense * outer.axes[:, 2] @ body_frame(model, own)[1][:, 2]))
         absorbs = rolling.geometry.absorbs
         ways = {FLOATING: (), POSITIVE: (along,), NEGATIVE: (-along,)}.get(absorbs, (1, -1))
-        found.setdefault(inner.body, {})[name] = ways
+        found.setdefault(own, {})[name] = ways
     return found
 
 
-def _held_otherwise(model: Model) -> set[str]:
-    """Bodies that other elements than their bearings may hold along their axis, housings included."""
-    found: set[str] = set()
+def _moves_on_its_bearings(model: Model, body: Body) -> bool:
+    """Whether the joint of a body leaves all directions to its bearings."""
+    return body.joint is not None and model.joints[body.joint].type == "shaft"
+
+
+def _held_otherwise(model: Model, on_pins: Collection[str]) -> set[str]:
+    """Bodies that other elements than their bearings may hold along their axis, housings included.
+
+    `on_pins`: bodies that their joints do not hold.
+    """
+    found = {
+        b for j in model.joints.values() for b in (split(end)[0] for end in j.bodies) if b not in on_pins
+    }
     for group in dataclasses.fields(model):
         parts = getattr(model, group.name, None)
         if group.name not in NOT_HOLDING and isinstance(parts, Mapping):
@@ -95,8 +115,9 @@ def _held_otherwise(model: Model) -> set[str]:
             found |= set(coupling.bodies)
     for bearing in model.bearings.values():
         found.add(split(bearing.housing or GROUND)[0])
-    found |= {ring_bodies(rolling)[1] for rolling in model.rolling_bearings.values()}
-    found |= {ring_bodies(plain)[1] for plain in model.plain_bearings.values()}
+    outer = {ring_bodies(rolling)[1] for rolling in model.rolling_bearings.values()}
+    outer |= {ring_bodies(plain)[1] for plain in model.plain_bearings.values()}
+    found |= outer - set(on_pins)
     return found
 
 

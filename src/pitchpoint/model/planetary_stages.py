@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -138,6 +138,10 @@ def places_in_file(name: str, stage: PlanetaryStage) -> dict[Place, Place]:
         if group == "meshes":
             found[group, word, "gears"] = at
             found[group, word, "center_distance"] = (*at, "center_distance")
+        elif group == "bearings":
+            found |= {(group, word, "body"): at, (group, word, "housing"): (*at, "carrier")}
+        elif group == "joints":
+            found[group, word, "position"] = (*at, "carrier")
     for planet, own in stage.single_planets.items():
         place: Place = (*at, "single_planets", planet)
         for key in ("modifications", "deviations", "tooth_thickness_allowance"):
@@ -191,18 +195,26 @@ def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
         while whole and whole not in places:
             whole = whole.rpartition(".")[0]
         found.append(message.changed(where=places[whole] + message.where[len(whole) :]) if whole else message)
-    return told_once(model.planetary_stages, found)
+    # numbers of the planets differ by their pin errors
+    return told_once(model.planetary_stages, found, lambda each: f"{each.where} {each.value} {each.text}")
 
 
-def told_once(stages: Mapping[str, PlanetaryStage], messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages without those that differ from an earlier one only in the number of the planet."""
+def told_once(
+    stages: Mapping[str, PlanetaryStage],
+    messages: Iterable[Message],
+    same: Callable[[Message], str] = str,
+) -> tuple[Message, ...]:
+    """Messages without those that differ from an earlier one only in the number of the planet.
+
+    `same` gives the text that is compared.
+    """
     planets = [re.escape(planet) for stage in stages.values() for planet in stage.names]
     if not planets:
         return tuple(messages)
     numbered = re.compile(rf"\b({'|'.join(planets)})\b")
     found: dict[str, Message] = {}
     for message in messages:
-        found.setdefault(numbered.sub("planet", str(message)), message)
+        found.setdefault(numbered.sub("planet", same(message)), message)
     return tuple(found.values())
 
 

@@ -190,6 +190,11 @@ def _replace_named(
     here = (*at, name)
     key = held if held is not None and held.kind == "components" else None
     grows = key is not None and len(at) > 1
+    one_form = key is not None and not isinstance(key.of, dict)
+    if name not in part and grows and one_form and len(path) > 1 and value is not None:
+        for word in reversed(path[1:]):  # a new one by one of its keys, the others have their defaults
+            value = {word: value}
+        path = (name,)
     if name not in part and (not grows or len(path) > 1 or not _is_whole(key, value)):
         more = f"; a new one is a whole mapping, as in {'.'.join(here)}: {_sample(key)}" if grows else ""
         report.problem(

@@ -63,8 +63,9 @@ def balancing_torques(model: Model, progress: Progress = silent) -> dict[str, di
     Returns
     -------
     dict
-        By scenario: `torques` [N m] by load, and in words what they `balance` over which cycle; or `failure`,
-        why there is none. Losses of vibrating flanks are determined by runs only.
+        By scenario: `torques` [N m] by load, in words what they `balance` over which cycle, and `notes`, for
+        example on an unstable operating point; or `failure`, why there is none. Losses of vibrating flanks
+        are determined by runs only.
     """
     names = [name for name, chosen in model.scenarios.items() if chosen.kind != "sweep"]
     found = {}
@@ -79,6 +80,7 @@ def _of(model: Model, name: str) -> dict[str, Any]:
     from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
     from pitchpoint.solvers.initial_state.start import prepare_start
     from pitchpoint.solvers.mean_balance import balanced_words
+    from pitchpoint.solvers.speed_drift import instability
     from pitchpoint.system.compile import compile_model
 
     scenario = model.scenarios[name]
@@ -88,10 +90,11 @@ def _of(model: Model, name: str) -> dict[str, Any]:
             start = prepare_start(compile_model(model, scenario), scenario)
     except PitchpointError as error:
         return {"failure": str(error)}
-    system = start.system
+    system, unstable = start.system, instability(start)
     return {
         "torques": {
             system.names[LOAD][k]: float(system.records[LOAD]["value"][k]) for k in balancing_loads(system)
         },
         "balance": balanced_words(system, start.state, start.cycle),
+        "notes": [*start.notes, *([unstable.note()] if unstable else [])],
     }

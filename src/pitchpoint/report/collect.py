@@ -42,6 +42,8 @@ SOURCES = (
     "Mesh stiffness: DIN 3990-1:1987 and ISO 6336-1:2006, method B.",
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
+RESPONSES = ("frequency_response", "mesh_response")
+"""Kinds of results in the section of the frequency responses."""
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 
 
@@ -94,6 +96,7 @@ class _Found:
     contacts: dict[str, ContactData] = field(default_factory=dict)
     reliefs: dict[str, xr.Dataset] = field(default_factory=dict)
     campbells: dict[str, xr.Dataset] = field(default_factory=dict)
+    responses: dict[str, xr.Dataset] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     notes: list[tuple[str, list[str]]] = field(default_factory=list)
@@ -153,6 +156,7 @@ def collect(
         cases=found.cases,
         contacts=found.contacts,
         reliefs=found.reliefs,
+        responses=found.responses,
         powers=power_part(model, found.runs),
         scene=scene_part(model, found.runs),
         compared=compared,
@@ -215,6 +219,9 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             data.load()
         data.attrs |= {k: header["options"][k] for k in CAMPBELL if k in header["options"]}
         found.campbells[take(found.campbells)] = data
+    elif header["kind"] in RESPONSES:
+        with open_result(file) as data:
+            found.responses[take(found.responses)] = data.load()
     elif header["kind"] == "relief":
         name = str(header["options"].get("mesh", name))
         with open_result(file) as data:
@@ -325,6 +332,9 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     elif kind == "campbell":
         name = _free("Campbell diagram", str(len(found.campbells) + 1), found.campbells)
         found.campbells[name] = data
+    elif kind in RESPONSES:
+        name = _free(kind.replace("_", " "), str(len(found.responses) + 1), found.responses)
+        found.responses[name] = data
     elif kind == "relief":
         mesh = str(data.attrs.get("mesh", "relief"))
         name = _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
@@ -340,8 +350,9 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         what = f"a dataset over {', '.join(map(str, data.dims))}" if kind else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief, "
-            "sweep_speed or cases_dataset, or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_frequency_response, "
+            "solve_mesh_response, solve_contact, design_relief, sweep_speed or cases_dataset, or the name of "
+            "a result file"
         )
     scenario = str(data.attrs.get("scenario", ""))
     if kind in ("time", "sweep"):

@@ -17,14 +17,17 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.frames import GROUND
+from pitchpoint.report.planets import Array, mesh_phases, planet_angles
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive
 
-EQUAL = 1e-6
-"""Tolerance of the angles of equally spaced planets [rad]."""
+EQUAL = 0.1
+"""Tolerance of equally spaced planets: part of the angle between places where the teeth of a planet fit. That
+is 2 pi over the sum of the teeth of the central gears; errors of pins are far smaller, and unequal spacing is
+a whole multiple."""
 
 
 def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str]]:
@@ -244,35 +247,27 @@ def _planet_sets(
     for carrier, entry in found.items():
         turns = abs(speeds[carrier]) / math.tau
         entry |= {"frequency": turns, "planet_pass": len(entry["planets"]) * turns}
+        places = math.tau / sum(model.gears[gear].number_of_teeth for gear in entry["central"])
         for gear, pairs in entry["central"].items():
-            angles = _angles(model, carrier, [planet for _, planet in pairs])
-            z, n = model.gears[gear].sign * model.gears[gear].number_of_teeth, len(pairs)
-            even = np.abs((angles * n / math.tau + 0.5) % 1.0 - 0.5).max() * math.tau / n < EQUAL
+            angles = planet_angles(model, carrier, [planet for _, planet in pairs])
+            z, n = model.gears[gear].number_of_teeth, len(pairs)
+            error, limit = _spacing_error(angles), EQUAL * places
+            even = error < limit
             apart = len(set((angles * n / math.tau).round().astype(int) % n)) == n
             entry["central"][gear] = {
-                "phases": dict(zip((mesh for mesh, _ in pairs), _phases(z, angles), strict=True)),
-                "excites": list(excited_motion(abs(z), n)) if even and apart and n > 2 else None,
+                "phases": dict(zip((m for m, _ in pairs), mesh_phases(model, gear, angles), strict=True)),
+                "excites": list(excited_motion(z, n)) if even and apart and n > 2 else None,
+                "spacing_error": error,
+                "spacing_limit": limit,
             }
     return found
 
 
-def _phases(z: int, angles: np.ndarray) -> list[float]:
-    """Mesh phases of planets; rounded positions move a phase of zero to either side."""
-    from pitchpoint.analysis.planet_frequencies import planet_phases
-
-    return (np.round(planet_phases(z, angles), 6) % 1.0).tolist()
-
-
-def _angles(model: Model, carrier: str, planets: list[str]) -> np.ndarray:
-    """Angles of planets about the axis of their carrier, relative to the first [rad]."""
-    from pitchpoint.model.frames import body_frame
-
-    origin, axes = body_frame(model, carrier)
-    places = [body_frame(model, planet)[0] for planet in planets]
-    start = np.zeros(3) if origin is None else origin
-    way = np.array([axes.T @ ((start if p is None else p) - start) for p in places])
-    angles = np.arctan2(way[:, 1], way[:, 0])
-    return np.asarray(angles - angles[0])
+def _spacing_error(angles: Array) -> float:
+    """Largest deviation of angles [rad] from equal spacing, whose position is their mean."""
+    part = math.tau / len(angles)
+    off = (angles + 0.5 * part) % part - 0.5 * part
+    return float(np.abs(off - off.mean()).max())
 
 
 def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any]]:

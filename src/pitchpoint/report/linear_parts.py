@@ -180,6 +180,7 @@ def _add_modes(
         total=modes.total,
         components=modes.groups.components,
         strain_share=modes.energies.strain,
+        at=linear.at,
     )
     return system, linear
 

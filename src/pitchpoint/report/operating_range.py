@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -90,6 +89,8 @@ def prescribed(system: System, scenario: Scenario) -> dict[str, tuple[Array, flo
 
     Motions that only a run can evaluate are omitted.
     """
+    from pitchpoint.solvers.sweep_speeds import sweep_range
+
     moments = _moments(scenario)
     found: dict[str, tuple[Array, float]] = {}
     for name, drive in scenario.drive.items():
@@ -98,8 +99,7 @@ def prescribed(system: System, scenario: Scenario) -> dict[str, tuple[Array, flo
             found[name] = (speeds, fluctuation(drive))
     sweep = scenario.sweep
     if sweep is not None:
-        own = scenario.drive.get(sweep.body)
-        ends = np.array(_sweep_ends(system, scenario))
+        own, ends = scenario.drive.get(sweep.body), np.array(sweep_range(system, scenario))
         found[sweep.body] = (ends, 0.0 if own is None else fluctuation(own))
         found |= {n: (s[:1], ripple) for n, (s, ripple) in found.items() if n != sweep.body}
     return found
@@ -119,20 +119,6 @@ def fluctuation(drive: Drive) -> float:
     0.01
     """
     return float(sum(wave.order * wave.amplitude for wave in drive.ripple.values()))
-
-
-def _sweep_ends(system: System, scenario: Scenario) -> tuple[float, float]:
-    """Lowest and highest speed of the body of a sweep [rad/s]."""
-    from pitchpoint.solvers.gear_trains import mesh_orders
-    from pitchpoint.solvers.initial_state.start import body_rates
-
-    sweep = scenario.sweep
-    if sweep is None or sweep.mesh_frequency is None:
-        return (0.0, 0.0) if sweep is None or sweep.speed is None else sweep.speed
-    orders = mesh_orders(system, body_rates(system, sweep.body, scenario))
-    order = orders[model_of(system).sweep_mesh(scenario)]
-    low, high = sweep.mesh_frequency
-    return (math.tau * low / order, math.tau * high / order) if order > 0.0 else (0.0, 0.0)
 
 
 def _moments(scenario: Scenario) -> Array:

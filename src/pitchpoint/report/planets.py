@@ -3,7 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.model.checks.planetary_stages import planet_gaps
 from pitchpoint.model.components.planetary_stage import PinError
@@ -15,8 +19,10 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
-ROUNDING = 1e-9
-"""Base pitches by which a phase may miss a whole period."""
+Array = NDArray[np.float64]
+
+ROUNDING = 6
+"""Decimals of phases."""
 
 
 def load_sharing(model: Model, data: xr.Dataset, settle_time: float = 0.0) -> dict[str, dict[str, Any]]:
@@ -50,7 +56,9 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
     found = {}
     for name, stage in model.planetary_stages.items():
         gaps = planet_gaps(model, stage)
-        phases = {side: _phases(model, meshes) for side, meshes in _sides(model, name).items()}
+        angles = planet_angles(model, stage.carrier, stage.names)
+        central = {"sun": stage.sun, "ring": stage.ring}
+        phases = {side: mesh_phases(model, gear, angles) for side, gear in central.items() if gear}
         planets = {}
         for k, planet in enumerate(stage.names):
             error = stage.pin_errors.get(planet, PinError())
@@ -71,14 +79,25 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
     return found
 
 
-def _sides(model: Model, name: str) -> dict[str, tuple[str, ...]]:
-    stage = model.planetary_stages[name]
-    sides = {"sun": stage.sun_meshes(), "ring": stage.ring_meshes()}
-    return {side: meshes for side, meshes in sides.items() if meshes}
+def planet_angles(model: Model, carrier: str, planets: Sequence[str]) -> Array:
+    """Angles of planets about the axis of their carrier, relative to the first, with pin errors [rad]."""
+    from pitchpoint.model.frames import body_frame
+
+    origin, axes = body_frame(model, carrier)
+    places = [body_frame(model, planet)[0] for planet in planets]
+    start = np.zeros(3) if origin is None else origin
+    way = np.array([axes.T @ ((start if p is None else p) - start) for p in places])
+    angles = np.arctan2(way[:, 1], way[:, 0])
+    return np.asarray(angles - angles[0])
 
 
-def _phases(model: Model, meshes: tuple[str, ...]) -> list[float]:
-    """Phases of parallel meshes after the first one [base pitches]."""
-    travel = [model.phasing.travel[mesh] for mesh in meshes]
-    p_bt = abs(model.pairs[meshes[0]].p_et)
-    return [round((t - travel[0]) / p_bt / ROUNDING) * ROUNDING % 1.0 for t in travel]
+def mesh_phases(model: Model, gear: str, angles: Array) -> list[float]:
+    """Phases of the meshes of planets with a central gear after the first one, in [0, 1).
+
+    Rounded: rounding errors of positions move a phase of zero to either side.
+    """
+    from pitchpoint.analysis.planet_frequencies import planet_phases
+
+    central = model.gears[gear]
+    phases = planet_phases(central.sign * central.number_of_teeth, angles)
+    return (np.round(phases, ROUNDING) % 1.0).tolist()

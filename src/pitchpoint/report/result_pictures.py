@@ -32,33 +32,14 @@ def analysis_figures(data: xr.Dataset) -> Figures:
 
 def frequency_response_figures(data: xr.Dataset) -> Figures:
     """Amplitude and phase over frequency."""
-    from pitchpoint.viz.frequency_response_plot import curve_units, plot_frequency_response
+    from pitchpoint.viz.report.responses import response_section
 
-    whole = data["response"] if "response" in data else data["response_real"] + 1j * data["response_imag"]
-    outputs, inputs = ([str(x) for x in data[name].values] for name in ("output", "input"))
-    units = [[str(x) for x in data[f"{name}_unit"].values] for name in ("output", "input")]
-    response = whole.transpose("frequency", "output", "input").values
-    figure = plot_frequency_response(data["frequency"].values, response, outputs, inputs, curve_units(*units))
-    return {"response": figure}
+    return response_section({"": data}).figures
 
 
 def mesh_response_figures(data: xr.Dataset) -> Figures:
     """Order cuts and maps of the response to transmission errors."""
-    from pitchpoint.viz.mesh_response_plot import order_names, plot_mesh_response
-
-    names = order_names(data["mesh"].values, data["harmonic"].values)
-    whole = data["response"] if "response" in data else data["response_real"] + 1j * data["response_imag"]
-    figure = plot_mesh_response(
-        data["speed"].values,
-        data["frequency"].transpose("speed", "order").values,
-        abs(whole).transpose("speed", "order", "output").values,
-        names,
-        [str(x) for x in data["output"].values],
-        [str(x) for x in data["unit" if "unit" in data else "output_unit"].values],
-        modes=data["mode_frequency"].values,
-        shaft=str(_options(data).get("body", "")),
-    )
-    return {"response": figure}
+    return frequency_response_figures(data)
 
 
 def campbell_figures(data: xr.Dataset) -> Figures:

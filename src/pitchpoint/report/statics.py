@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Slow rolls that a report computes from the model, and the scenario of their loads.
 
-The loads are those of the first scenario at t = 0. Results that cannot be computed (for example loads that no
-tooth carries) are omitted with a remark.
+The loads are constant, those of the operating point of the first scenario at t = 0. Results that cannot be
+computed (for example loads that no tooth carries) are omitted with a remark.
 """
 
 from __future__ import annotations
@@ -39,6 +39,8 @@ def with_rolls(
         points_per_period,
         points_to_roll,
     )
+    from pitchpoint.solvers.operating_point import operating_point
+    from pitchpoint.solvers.quasistatic.loads import loads_at_state
     from pitchpoint.solvers.quasistatic.roll import roll_through
     from pitchpoint.system.compile import compile_model
 
@@ -46,12 +48,15 @@ def with_rolls(
     scenario = loaded_scenario(model)
     found = dict(plain)
     notes: list[str] = []
+    rolled, left = rolled_meshes(model, cycles)
     try:
-        steady = at_start(model, scenario) if model.bodies else model
+        if not rolled:
+            return found, notes
+        given = compile_model(model, scenario)
+        system = loads_at_state(given, operating_point(given, scenario).state)
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
     fewer: list[str] = []
-    rolled, left = rolled_meshes(model, cycles)
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
@@ -60,7 +65,6 @@ def with_rolls(
     for k, name in enumerate(rolled):
         data, unit = cycles[name]
         try:
-            system = compile_model(steady, scenario)
             still = replace(scenario, quasi_static=None) if scenario is not None else None
             most = points_to_roll(system.sizes["nd"])
             periods = periods_to_roll(model, name, most)
@@ -73,7 +77,7 @@ def with_rolls(
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
-            notes += [f"{note}." for note in roll.notes]
+            notes += [said for note in roll.notes if (said := f"{note}.") not in notes]
             if len(roll.position) > 2:
                 found[name] = from_roll(model, name, data, unit, system, roll, points)
         except PitchpointError as error:
@@ -120,23 +124,3 @@ def loaded_scenario(model: Model) -> Scenario | None:
             if scenario.kind == kind:
                 return scenario
     return None
-
-
-def at_start(model: Model, scenario: Scenario | None) -> Model:
-    """Model with loads constant at their initial values: angle-dependent loads would vary during the roll."""
-    from pitchpoint.model.components.law import Balance, Constant
-    from pitchpoint.solvers.operating_point import operating_point
-    from pitchpoint.system import evaluate
-    from pitchpoint.system.compile import compile_model
-
-    changing = [
-        name
-        for name, load in model.loads.items()
-        if load.torque is not None and not isinstance(load.torque, Constant | Balance)
-    ]
-    if not changing:
-        return model
-    point = operating_point(compile_model(model, scenario), scenario)
-    row = evaluate.observe(point.system, point.state)
-    found = {n: float(row[point.system.layout.channel(f"torque[{n}]")]) for n in changing}
-    return model.replace_all({f"loads.{name}.torque": value for name, value in found.items()})

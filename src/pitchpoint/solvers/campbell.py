@@ -181,7 +181,7 @@ def follow_modes(
         motions=motions,
         modes=modes,
         total=total,
-        notes=linear.notes,
+        notes=(*linear.notes, *modes.modes.notes),
     )
 
 

@@ -25,6 +25,10 @@ SHORTENED = ("runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf", "kinema
 """Methods that reduce a failed step automatically, or whose steps are independent of each other."""
 
 
+FAILURES = (NOT_FINITE, DIVERGED, SLOW, BAD_CENTRE, UNBOUNDED)
+"""Ends of a run that diverged."""
+
+
 def fastest(system: System) -> tuple[str, float, bool]:
     """Coordinate in the workspace with the largest rate, that rate, and whether it has diverged.
 
@@ -78,7 +82,7 @@ def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
     h
         Step of the run [s].
     """
-    if status not in (NOT_FINITE, DIVERGED, SLOW, BAD_CENTRE, UNBOUNDED) or scenario.method in SHORTENED:
+    if status not in FAILURES or scenario.method in SHORTENED:
         return ""
     own = choose_step(start, replace(scenario, step=None, sample_rate=None))[0]
     if h <= 1.01 * own:

@@ -25,7 +25,7 @@ from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
 from pitchpoint.solvers.harmonic_response import harmonic_response
 from pitchpoint.solvers.initial_state.start import body_rates
-from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
+from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.system import evaluate
@@ -97,9 +97,12 @@ def find_response(
 
     Raises
     ------
+    ModelError
+        If a name is unknown.
     SolverError
-        If a name is unknown, there is no equilibrium, or the system is singular at a frequency.
+        If there is no equilibrium, or the system is singular at a frequency.
     """
+    check_names(system, inputs, outputs, () if synchronous is None else (synchronous,))
     linear = linearise(system, scenario, phase=phase, start=start, turning=synchronous)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))

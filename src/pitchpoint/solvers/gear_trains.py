@@ -241,6 +241,12 @@ def rigid_rotations(system: System) -> Array:
     return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
+def free_motions(system: System) -> Array:
+    """Rigid rotations that no drive prescribes, one per column, shape (nd, n)."""
+    held, driven = held_spins(system), set(driven_coordinates(system))
+    return rotations(system, held)[:, [k for k, spin in enumerate(held) if spin not in driven]]
+
+
 def driven_rotations(system: System) -> dict[int, Array]:
     """Rates of all coordinates (nd,) with one driven spin at 1 rad/s and the others at rest, by driven spin.
 

@@ -14,16 +14,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
-from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.cycle_means import observe_at, observed_phases
 from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.mesh_law import mesh_law
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_record
-from pitchpoint.system.system import State
+from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
@@ -97,9 +96,8 @@ class Outputs:
     feed: Array
 
 
-def coordinate_units(linear: Linearised) -> dict[str, str]:
+def coordinate_units(system: System) -> dict[str, str]:
     """Unit of every coordinate."""
-    system = linear.system
     names = system.layout.bodies[1:]
     return {
         f"{name}.{word}": unit
@@ -108,28 +106,59 @@ def coordinate_units(linear: Linearised) -> dict[str, str]:
     }
 
 
-def _unknown(name: str, known: Sequence[str], what: str) -> SolverError:
-    return SolverError(f"no {what} is called {name!r}; {hint(name, known)}", INCONSISTENT)
+def input_names(system: System) -> list[str]:
+    """Names of all inputs of a system."""
+    bodies = system.layout.bodies[1:]
+    loads = [f"{b}.{w}" for b in bodies for w in LOADS]
+    errors = [f"transmission_error[{m}]" for m in mesh_names(system)]
+    return [*coordinate_units(system), *loads, *errors, *(f"unbalance[{b}]" for b in bodies)]
 
 
-def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
-    """Excitations by name.
+def output_names(system: System) -> list[str]:
+    """Names of all outputs of a system."""
+    motions = [f"{b}.{w}" for b in system.layout.bodies[1:] for w in MOTIONS]
+    return [*coordinate_units(system), *(c.name for c in system.layout.channels), *motions]
+
+
+def check_names(
+    system: System, inputs: Sequence[str], outputs: Sequence[str], bodies: Sequence[str] = ()
+) -> None:
+    """Refuse unknown names before the computation.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    inputs, outputs, bodies
+        Names as given.
 
     Raises
     ------
-    SolverError
-        If there is no such coordinate, body or mesh.
+    ModelError
+        With all unknown names and their nearest ones.
     """
+    kinds = (
+        ("input", inputs, input_names(system)),
+        ("output", outputs, output_names(system)),
+        ("body", bodies, list(system.layout.bodies[1:])),
+    )
+    problems = [
+        Message("", f"no {kind} is called {name!r}", remedy=hint(name, known, 3))
+        for kind, given, known in kinds
+        for name in given
+        if name not in known
+    ]
+    if problems:
+        raise ModelError(problems)
+
+
+def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
+    """Excitations by name; the names exist, see `check_names`."""
     system = linear.system
-    units, nd = coordinate_units(linear), system.sizes["nd"]
-    meshes, bodies = mesh_names(system), system.layout.bodies[1:]
-    known = [*units, *(f"{b}.{w}" for b in bodies for w in LOADS)]
-    known += [f"transmission_error[{m}]" for m in meshes] + [f"unbalance[{b}]" for b in bodies]
+    units, nd, meshes = coordinate_units(system), system.sizes["nd"], mesh_names(system)
     zero = np.zeros(nd)
     found, J = [], None
     for name in names:
-        if name not in known:
-            raise _unknown(name, known, "input")
         if name in units:
             force = np.zeros(nd)
             force[system.layout.coordinate(name)] = 1.0
@@ -180,26 +209,18 @@ def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def
 def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
     """Output rows by name; channels are differentiated at the operating point.
 
-    Mesh forces follow the law of the mesh in use, such as the mean over the cycle.
-
-    Raises
-    ------
-    SolverError
-        If there is no such coordinate, body or channel.
+    Mesh forces follow the law of the mesh in use, such as the mean over the cycle. The names exist, see
+    `check_names`.
     """
     system = linear.system
     nd, nc = system.sizes["nd"], system.sizes["nc"]
-    units = coordinate_units(linear)
+    units = coordinate_units(system)
     channels = {c.name: c for c in system.layout.channels}
-    bodies = system.layout.bodies[1:]
-    known = [*units, *channels, *(f"{b}.{w}" for b in bodies for w in MOTIONS)]
     meshes = len(mesh_names(system))
     place, rate = np.zeros((len(names), nd)), np.zeros((len(names), nd))
     react, feed = np.zeros((len(names), nc)), np.zeros((len(names), meshes))
     found, J, slopes = [], None, None
     for row, name in enumerate(names):
-        if name not in known:
-            raise _unknown(name, known, "output")
         if name in units:
             place[row, system.layout.coordinate(name)] = 1.0
             found.append(units[name])

@@ -26,9 +26,8 @@ from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, unda
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, without_friction
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
-from pitchpoint.solvers.initial_state.start import body_rates
-from pitchpoint.solvers.load_orders import mean_loads, of_one_angle
-from pitchpoint.solvers.operating_point import OperatingPoint, operating_point, scenario_named
+from pitchpoint.solvers.load_orders import of_one_angle
+from pitchpoint.solvers.operating_point import OperatingPoint, steady_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
@@ -75,6 +74,8 @@ class Linearised:
         Flanks assumed in contact by unloaded mesh: 1 front, -1 back.
     notes
         Notes for the user.
+    at
+        Which state of a sweep this is, in words; else empty.
     """
 
     system: System
@@ -88,6 +89,7 @@ class Linearised:
     held: tuple[int, ...]
     flanks: Mapping[str, int]
     notes: tuple[str, ...]
+    at: str = ""
 
 
 def _frictionless_point(
@@ -100,13 +102,9 @@ def _frictionless_point(
     of rotating bodies enter with their mean.
     """
     smooth = without_friction(system)
-    point, notes = operating_point(smooth, scenario, start), []
-    rates = point.state.v
-    if turning is not None and not rates.any():
-        rates = body_rates(point.system, turning, scenario_named(system, scenario))
-    steady, pulsating = mean_loads(smooth, point.state, rates)
+    point, pulsating = steady_point(smooth, scenario, start, turning)
+    notes = []
     if pulsating:
-        point = operating_point(steady, scenario, start)
         notes.append(
             f"{listed(list(pulsating))}: the mean torque over the angle is used; its slope has the mean zero"
         )
@@ -167,7 +165,9 @@ def linearise(
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
-    return Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes))
+    return Linearised(
+        own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at
+    )
 
 
 def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
@@ -295,15 +295,18 @@ def _rounding(linear: Linearised, listed: Array, omega: Array, shapes: Array) ->
     """
     highest = float(omega.max(initial=0.0))
     limit = highest * math.sqrt(0.5 * np.finfo(float).eps / ACCURATE)
-    if not np.any((listed != 0.0) & (np.abs(listed) < limit)):
+    slow = np.abs(listed)[(listed != 0.0) & (np.abs(listed) < limit)]
+    if not slow.size:
         return ()
+    worst = 0.5 * np.finfo(float).eps * (highest / float(slow.min())) ** 2
+    most = f"up to {100.0 * worst:.2g} %" if worst < 1.0 else "the lowest have no correct digit"
     shape = shapes[int(np.argmax(omega))]
     energy = np.abs(shape * (linear.at_rest.M @ shape))
     at = linear.system.layout.coordinates[int(np.argmax(energy))]
     below, above = (format_quantity(x / math.tau, "frequency", 3) for x in (limit, highest))
     return (
         f"natural frequencies below {below} have rounding errors of more than {100.0 * ACCURATE:g} %, "
-        f"because {at} vibrates at {above}; give it more mass or density",
+        f"{most}, because {at} vibrates at {above}; give it more mass or density",
     )
 
 

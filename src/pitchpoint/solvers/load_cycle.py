@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +24,7 @@ from pitchpoint.elements.torsion import sense_of, turn_between
 from pitchpoint.model.components.law import FormulaLaw
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.load_waves import SAME, TURNS, Wave, grid_of, waves_of
 from pitchpoint.solvers.steady_motion import Motion, Torques, path_from, steady_motion, window
 from pitchpoint.solvers.torque_paths import turning
 from pitchpoint.system import evaluate
@@ -34,39 +34,10 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 LOAD = KIND.name
-TURNS = 2.0 * math.pi
-SAME = 1e-9
-"""Relative difference up to which rates, torques or speeds count as equal."""
 ROUND_OFF = 1e-14
 """Mean of a torque relative to its largest value that counts as zero."""
-POINTS = 64
-"""Points per period of the fastest argument: the mean is exact for harmonics of lower order."""
-LEAST = 4096
-"""Least number of points in a common period, for tables and formulas with kinks."""
-GOLDEN = 0.5 * (5.0**0.5 - 1.0)
-"""Added to a number of points per period, so that they have different phases in all periods."""
-MAX_CYCLES = 2048
-"""Periods of the fastest argument: the longest common period, and the longest mean without one."""
-SMALL, MAX_WAVES = 1e-3, 64
-"""Amplitude of a harmonic over that of the largest one above which it counts, and the number that count."""
 MAX_TURNS = 12
 """Revolutions within which a user law of the angle must repeat to count as periodic."""
-
-
-@dataclass(frozen=True)
-class Wave:
-    """Harmonic of a load: torques Re(torque e^(i rate t)) since the beginning.
-
-    Parameters
-    ----------
-    rate
-        Circular frequency [rad/s].
-    torque
-        Complex amplitudes on all coordinates, shape (nd,).
-    """
-
-    rate: float
-    torque: NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -96,6 +67,8 @@ class LoadCycle:
         constant speed; computed without steady motion only.
     waves
         Harmonics of the loads, as torques on the coordinates.
+    body
+        Of a slow roll the body whose angle [rad] takes the place of the time; else empty.
     """
 
     means: dict[int, float]
@@ -109,6 +82,7 @@ class LoadCycle:
     steady: bool = True
     stops: dict[str, float] = field(default_factory=dict)
     waves: tuple[Wave, ...] = ()
+    body: str = ""
 
     def applied(self, system: System) -> System:
         """Copy of the system with the mean torques."""
@@ -190,7 +164,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     rates = np.array(sorted({abs(rate) for load in loads for rate in load.rates}))
     if not rates.size:
         return None
-    h, points, period = _grid(rates)
+    h, points, period = grid_of(rates)
     mass = motions.T @ rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0)) @ motions
     torques = _torques(loads, h, len(free))
     found = steady_motion(torques, mass, h, points, period > 0.0)
@@ -217,27 +191,8 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
         stops={}
         if found is not None
         else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
-        waves=_waves(loads, values if whole else {}, period) if found is not None else (),
+        waves=waves_of(loads, values if whole else {}, period) if found is not None else (),
     )
-
-
-def _waves(loads: list[PulsatingLoad], values: dict[int, Array], period: float) -> tuple[Wave, ...]:
-    """Largest harmonics of the loads, from values over the common period, else each at constant speed."""
-    found = []
-    for load in loads:
-        if not load.rates:
-            continue
-        over, time = values.get(load.number), period
-        if over is None:
-            h, points, time = _grid(np.array(sorted({abs(rate) for rate in load.rates})))
-            rest = np.zeros((load.share.size, points))
-            over = load.over(np.linspace(0.0, h * (points - 1), points), rest, rest)[0]
-        if time > 0.0:
-            sizes = 2.0 * np.fft.rfft(over)[1 : (over.size + 1) // 2] / over.size
-            found += [(abs(size), TURNS * k / time, size, load.row) for k, size in enumerate(sizes, 1)]
-    least = SMALL * max((entry[0] for entry in found), default=0.0)
-    found = sorted((entry for entry in found if entry[0] > least), key=lambda entry: -entry[0])
-    return tuple(Wave(rate, size * row) for _, rate, size, row in found[:MAX_WAVES])
 
 
 def _torques(loads: list[PulsatingLoad], h: float, n: int) -> Torques:
@@ -313,6 +268,32 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
     return found
 
 
+def pulsation(system: System, state: State, held: Sequence[int], cycle: LoadCycle | None) -> Array:
+    """Pulsating torques at a state less their means, reduced to the held spins [N m], shape (len(held),).
+
+    Parameters
+    ----------
+    system, state
+        The system of a roll, and a position of it.
+    held
+        Held spins.
+    cycle
+        Mean torques that the balancing torques balance, if any.
+    """
+    total = np.zeros(len(held))
+    if cycle is None:
+        return total
+    evaluate.residual(system, state)
+    motions = rotations(system, held)
+    for k, mean in cycle.means.items():
+        record = system.records[LOAD][k]
+        if int(record["form"]) == CONSTANT:
+            continue
+        angle, _, row = relative_turn(system, state, record)
+        total += (float(values_of(record, state.t, np.array([angle]), 0.0)[0]) - mean) * (row @ motions)
+    return total
+
+
 def relative_turn(system: System, state: State, record: np.void) -> tuple[float, float, Array]:
     """Angle [rad] and speed [rad/s] of the body of a load relative to its reaction; the speed per rate.
 
@@ -358,40 +339,6 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
         if np.abs(values_of(record, 0.0, over + TURNS * turn, speed) - first).max() <= SAME * size:
             return [(0.0, 1.0 / turn)]
     return None
-
-
-def _grid(rates: Array) -> tuple[float, int, float]:
-    """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
-
-    No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of
-    a single period on all points.
-    """
-    base = common_rate(rates)
-    if base > 0.0 and rates[-1] / base <= MAX_CYCLES:
-        cycles = [round(float(rate / base)) for rate in rates]
-        n = math.ceil(max(LEAST, POINTS * rates[-1] / base))
-        while any(math.gcd(n, count) > 1 for count in cycles):
-            n += 1
-        period = TURNS / base
-        return period / n, n, period
-    return TURNS / float(rates[-1]) / (POINTS // 2 + GOLDEN), POINTS // 2 * MAX_CYCLES, 0.0
-
-
-def common_rate(rates: Array) -> float:
-    """Rate of the common period of positive rates in increasing order; 0 if their ratios are not rational.
-
-    Examples
-    --------
-    >>> round(common_rate(np.array([2.0, 5.0])), 12), common_rate(np.array([1.0, 2.0**0.5]))
-    (1.0, 0.0)
-    """
-    multiples = []
-    for rate in rates / rates[0]:
-        near = Fraction(float(rate)).limit_denominator(MAX_CYCLES)
-        if abs(float(near) - rate) > SAME * rate:
-            return 0.0
-        multiples.append(near.denominator)
-    return float(rates[0]) / math.lcm(*multiples)
 
 
 def _without_round_off(mean: float, values: Array) -> float:

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.elements.signal import OVER_SPEED, Pool, set_constant, set_table
 from pitchpoint.solvers.gear_trains import driven_coordinates
-from pitchpoint.solvers.load_cycle import LOAD, PulsatingLoad, common_rate, pulsating_loads
+from pitchpoint.solvers.load_cycle import LOAD, PulsatingLoad, pulsating_loads
+from pitchpoint.solvers.load_waves import common_rate
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -32,8 +33,9 @@ ROUND_OFF = 1e-9
 WEAK = 0.05
 """Amplitude over that of the strongest harmonic of a load up to which one is omitted: a table with kinks has
 hundreds."""
-SPEEDS, REACH = 513, 4.0
-"""Points of a mean torque over the speed, and the largest speed over the mean speed."""
+SPEEDS, REACH = 1025, 20.0
+"""Points of a mean torque over the speed, denser about zero, and the largest speed over the mean speed: a
+diagram over the speed has its state at the lowest speed."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,7 @@ def of_one_angle(system: System, state: State) -> tuple[str, ...]:
     return tuple(system.names[LOAD][load.number] for load in found if load.speed == 0.0)
 
 
-def _angles(load: PulsatingLoad) -> tuple[Array, float]:
+def angles_of(load: PulsatingLoad) -> tuple[Array, float]:
     """Equally spaced angles over the period of a load [rad], and the orders of its first harmonic."""
     base = common_rate(np.array(load.by_angle)) or min(load.by_angle)
     n = int(min(max(LEAST, POINTS * math.ceil(load.by_angle[-1] / base)), MOST_POINTS))
@@ -111,9 +113,10 @@ def mean_loads(system: System, state: State, rates: Array) -> tuple[System, tupl
     pool = Pool()
     pool.add(kept)
     for load in found:
-        over, _ = _angles(load)
+        over, _ = angles_of(load)
         top = REACH * abs(load.speed)
-        speeds = np.linspace(-top, top, SPEEDS)
+        spread = np.linspace(-1.0, 1.0, SPEEDS)
+        speeds = top * spread * np.abs(spread)
         few = over[:: max(1, over.size // 512)]
         means = np.array([float(load.at_angles(few, speed).mean()) for speed in speeds])
         own = float(load.at_angles(over, load.speed).mean())
@@ -123,8 +126,13 @@ def mean_loads(system: System, state: State, rates: Array) -> tuple[System, tupl
         else:
             set_table(records[load.number], pool, speeds, means, OVER_SPEED)
     names = tuple(system.names[LOAD][load.number] for load in found)
+    return with_pool(system, records, pool), names
+
+
+def with_pool(system: System, records: np.ndarray, pool: Pool) -> System:
+    """Copy of the system with other torques and the pool of their tables."""
     changed = system.with_params({LOAD: records})
-    return replace(changed, pools={**changed.pools, LOAD: pool.array()}), names
+    return replace(changed, pools={**changed.pools, LOAD: pool.array()})
 
 
 def load_orders(system: System, state: State, rates: Array) -> tuple[LoadOrder, ...]:
@@ -137,7 +145,7 @@ def load_orders(system: System, state: State, rates: Array) -> tuple[LoadOrder, 
     for load in _by_angle(system, state, rates):
         if load.timed or load.speed == 0.0:
             continue
-        over, base = _angles(load)
+        over, base = angles_of(load)
         values = load.at_angles(over, load.speed)
         size = 2.0 * np.abs(np.fft.rfft(values)) / over.size
         size[[0, -1]] = 0.0

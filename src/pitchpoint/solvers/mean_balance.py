@@ -121,14 +121,15 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle, rates: Array) ->
 
 
 def _mean_of(system: System, cycle: LoadCycle) -> str:
-    """Loads of a cycle and the time of their mean."""
+    """Loads of a cycle and the time or angle of their mean."""
     names = system.names[LOAD]
     loads = listed([names[k] for k in cycle.means])
-    time = format_quantity(cycle.averaged, "time", 4)
+    unit, of = ("angle", f" of {cycle.body}") if cycle.body else ("time", "")
+    time = format_quantity(cycle.averaged, unit, 4) + of
     if cycle.averaged == cycle.period:
         over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
     else:
-        period = format_quantity(cycle.period, "time", 4)
+        period = format_quantity(cycle.period, unit, 4) + of
         part = f"a part of their period of {period}" if cycle.period > 0.0 else "no common period"
         over = f"{time} ({part}; estimated error {format_quantity(cycle.error, 'torque', 2)})"
     return f"the mean torque of {loads} over {over}"

@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import SolverError, join_notes
-from pitchpoint.core.nearest import hint
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.model.scenario import Scenario
@@ -25,7 +24,7 @@ from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.initial_state.start import body_rates
-from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
+from pitchpoint.solvers.inputs_outputs import check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import linearise
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.operating_point import scenario_named
@@ -136,8 +135,10 @@ def find_mesh_response(
 
     Raises
     ------
+    ModelError
+        If a name is unknown.
     SolverError
-        If a name is unknown, a speed is zero, there is no equilibrium, or no mesh turns with the body.
+        If a speed is zero, there is no equilibrium, or no mesh turns with the body.
 
     Notes
     -----
@@ -149,9 +150,8 @@ def find_mesh_response(
     deflection; near parametric resonances and after contact loss run a time response. Errors of different
     meshes have the phases of the initial position.
     """
-    known = system.layout.bodies[1:]
-    if body not in known:
-        raise SolverError(f"no body is called {body!r}; {hint(body, known)}", INCONSISTENT)
+    displacements, powers = zip(*(motion_of(name) for name in outputs), strict=True)
+    check_names(system, (), displacements, (body,))
     turning = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     if not np.all(np.abs(turning) > 0.0):
         raise SolverError("a speed is zero, at which no mesh excites; use speeds above zero", INCONSISTENT)
@@ -162,7 +162,6 @@ def find_mesh_response(
     orders = {m: o for m, o in mesh_orders(linear.system, rates).items() if o > 0.0}
     if not orders:
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
-    displacements, powers = zip(*(motion_of(name) for name in outputs), strict=True)
     outs = find_outputs(linear, displacements)
     errors, notes = [], list(linear.notes)
     for mesh in orders:

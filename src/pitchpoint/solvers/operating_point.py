@@ -11,7 +11,10 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
-from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
+from pitchpoint.solvers.load_cycle import LoadCycle
+from pitchpoint.solvers.load_orders import mean_loads
+from pitchpoint.solvers.sweep_speeds import at_one_speed
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.system import State, System
 
@@ -25,17 +28,23 @@ class OperatingPoint:
     system
         Copy of the system with balancing torques and damping.
     state
-        Position at equilibrium, speeds of the scenario.
+        Position at equilibrium, mean speeds of the scenario.
     held
         Held spins: the driven ones, and one of every group that can rotate freely.
     notes
         Notes for the user.
+    at
+        Which state of a sweep this is, in words; else empty.
+    cycle
+        Mean torques of pulsating loads that balancing torques balance, if there are any.
     """
 
     system: System
     state: State
     held: tuple[int, ...]
     notes: tuple[str, ...] = ()
+    at: str = ""
+    cycle: LoadCycle | None = None
 
 
 def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario | None:
@@ -51,7 +60,7 @@ def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario 
 def operating_point(
     system: System, scenario: Scenario | str | None = None, start: State | None = None
 ) -> OperatingPoint:
-    """Find the state that a scenario starts from, or the system at rest under its loads.
+    """Find the state that a scenario starts from, a sweep at its lowest speed; or the system at rest.
 
     Parameters
     ----------
@@ -74,5 +83,36 @@ def operating_point(
     held = held_spins(own)
     if own.model is None or start is not None:
         return OperatingPoint(own, find_equilibrium(own, start, held).state, held)
-    begin = prepare_start(own, scenario or own.scenario or Scenario())
-    return OperatingPoint(begin.system, begin.steady, held, (*begin.notes, *held_outputs(own)))
+    own, chosen, words = at_one_speed(own, scenario or own.scenario or Scenario())
+    begin = prepare_start(own, chosen)
+    notes = (f"state at {words}",) if words else ()
+    notes = (*notes, *begin.notes, *held_outputs(own))
+    return OperatingPoint(begin.system, begin.mean, held, notes, words, begin.cycle)
+
+
+def steady_point(
+    system: System,
+    scenario: Scenario | str | None = None,
+    start: State | None = None,
+    turning: str | None = None,
+) -> tuple[OperatingPoint, tuple[str, ...]]:
+    """Operating point in which torques that pulsate with the angle of a rotating body have their mean.
+
+    Parameters
+    ----------
+    system, scenario, start
+        As for `operating_point`.
+    turning
+        Body that rotates, if the scenario is at rest.
+
+    Returns
+    -------
+    tuple
+        The operating point, and the names of the pulsating loads.
+    """
+    point = operating_point(system, scenario, start)
+    rates = point.state.v
+    if turning is not None and not rates.any():
+        rates = body_rates(point.system, turning, scenario_named(system, scenario))
+    steady, pulsating = mean_loads(system, point.state, rates)
+    return operating_point(steady, scenario, start) if pulsating else point, pulsating

@@ -17,7 +17,8 @@ from pitchpoint.elements.kind import CLUTCH, MESH
 from pitchpoint.model.components.law import FormulaLaw, Law, PythonLaw, TableLaw
 from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
-from pitchpoint.solvers.gear_trains import driven_coordinates, held_spins, rotations, spins_of_train
+from pitchpoint.solvers.gear_trains import free_motions, spins_of_train
+from pitchpoint.solvers.speed_stability import REMEDY, UnstableSpeed, unstable_speed
 from pitchpoint.system.residual import NEWTON
 
 if TYPE_CHECKING:
@@ -71,19 +72,13 @@ def watched(start: Start, scenario: Scenario) -> dict[str, list[str]]:
         return {}
     if model.actuators or system.kinds(CLUTCH) or any(str(n).startswith(UNBALANCED) for n in start.notes):
         return {}
-    motions, found = _free_motions(system), {}
+    motions, found = free_motions(system), {}
     for body, given in scenario.speed.items():
         spin = system.spin(body)
         loads = _loads_of(system, spin) if given != 0.0 and motions[spin].any() else []
         if loads and not any(_switched(model.loads[name].torque) for name in loads):
             found[body] = loads
     return found
-
-
-def _free_motions(system: System) -> Array:
-    """Rigid rotations that no drive prescribes, one per column."""
-    held, driven = held_spins(system), set(driven_coordinates(system))
-    return rotations(system, held)[:, [k for k, spin in enumerate(held) if spin not in driven]]
 
 
 def _loads_of(system: System, spin: int) -> list[str]:
@@ -113,7 +108,7 @@ def _allowance(start: Start, spin: int, window: float) -> float:
 
 def _net_torque(start: Start, spin: int, acceleration: float) -> float:
     """Torque on a body that accelerates its train [N m]."""
-    motions = _free_motions(start.system)
+    motions = free_motions(start.system)
     row = motions[spin]
     mass = motions.T @ rest_matrix(start.system, start.state, NEWTON, (1.0, 0.0, 0.0)) @ motions
     return acceleration / float(row @ np.linalg.solve(mass, row))
@@ -127,16 +122,42 @@ def _remark(
     text = f"the mean speed of {body} is {mean}, not the {given} of the scenario, and {last} at the end"
     own = [name for name in loads if model is not None and _grows(model.loads[name].torque)]
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
+    remedy = "drive or hold the body, add a controller, or correct a torque"
     net = f"net torque on {body} {format_quantity(left, 'torque', 3)} on average"
     if start.cycle is not None and not start.cycle.steady:
         cause = f"{net}: no steady motion under the loads was found"
+    elif unstable := instability(start):
+        cause, remedy = str(unstable), REMEDY
     elif own:
         cause = f"{own[0]} does not repeat with the angle and was balanced at its value at the start"
     elif rough:
         cause = f"{net}: losses of the flanks differ from those at the start"
     else:
         cause = f"{net}: a constant torque does not control the speed"
-    return note(f"{text} ({cause})", remedy="drive or hold the body, add a controller, or correct a torque")
+    return note(f"{text} ({cause})", remedy=remedy)
+
+
+def instability(start: Start) -> UnstableSpeed | None:
+    """Fastest growth of a deviation from the mean speeds of a start, if they are unstable."""
+    return unstable_speed(start.system, start.mean)
+
+
+def runaway(start: Start, scenario: Scenario, end: State) -> str:
+    """Sentence on the unstable operating point of a run that failed after its speed had left it; else ''.
+
+    Parameters
+    ----------
+    start, scenario
+        Start and scenario of the run.
+    end
+        State at its end.
+    """
+    for body in watched(start, scenario):
+        given, last = scenario.speed[body], float(end.v[start.system.spin(body)])
+        left = not abs(last - given) <= DRIFT * abs(given)  # also if it is not a number
+        if left and (found := instability(start)):
+            return f": the speed of {body} ran away; {found}; {REMEDY}"
+    return ""
 
 
 def _grows(law: Law | None) -> bool:

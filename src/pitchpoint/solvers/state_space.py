@@ -21,7 +21,14 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.inputs_outputs import Input, Outputs, coordinate_units, find_inputs, find_outputs
+from pitchpoint.solvers.inputs_outputs import (
+    Input,
+    Outputs,
+    check_names,
+    coordinate_units,
+    find_inputs,
+    find_outputs,
+)
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -121,10 +128,13 @@ def state_space(
 
     Raises
     ------
+    ModelError
+        If a name is unknown.
     SolverError
-        If a name is unknown, there is no equilibrium, an input rotates (`unbalance[BODY]`), or an output
+        If there is no equilibrium, an input rotates (`unbalance[BODY]`), or an output
         contains the rate of an input: the force of a mesh with a damper for its transmission error.
     """
+    check_names(system, inputs, outputs)
     linear = linearise(system, scenario, phase=phase, start=start, progress=progress)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     for port in ins:
@@ -156,7 +166,7 @@ def _coordinates(linear: Linearised) -> tuple[list[str], list[str], Array]:
     from scipy.linalg import qr
 
     basis = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()
-    every, known = linear.system.layout.coordinates, coordinate_units(linear)
+    every, known = linear.system.layout.coordinates, coordinate_units(linear.system)
     n = basis.shape[1]
     # a pivoted factorisation chooses the rows that determine all others best
     order = qr(basis.T * linear.system.weight, mode="r", pivoting=True)[1] if n else np.zeros(0, int)

@@ -19,12 +19,12 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UN
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
-from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
+from pitchpoint.solvers.divergence import FAILURES, fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.speed_drift import drift_notes
+from pitchpoint.solvers.speed_drift import drift_notes, runaway
 from pitchpoint.solvers.step_choice import (
     choose_step,
     largest_step,
@@ -299,9 +299,10 @@ class _Loop:
         return (note(f"{n} of {self.steps} steps were divided where Newton's method failed"),) * (n > 0)
 
     def _sentence(self, status: int) -> str:
-        """Sentence on how the run ended: what diverged and when, and whether a smaller step may help."""
-        found = f": {self.diverged}" if self.diverged else ""
-        return f"{explain(self.system, status)}{found}{remedy(self.start, self.scenario, status, self.h)}"
+        """Sentence on how the run ended: what diverged and when, why, or whether a smaller step may help."""
+        said = explain(self.system, status) + (f": {self.diverged}" if self.diverged else "")
+        ran = runaway(self.start, self.scenario, self.run_.state()) if status in FAILURES else ""
+        return said + (ran or remedy(self.start, self.scenario, status, self.h))
 
     def _picked(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Columns of the requested channels."""

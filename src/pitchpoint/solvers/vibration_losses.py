@@ -83,7 +83,7 @@ def _applies(system: System, scenario: Scenario) -> bool:
 
 def _slowest_cycle(start: Start, scenario: Scenario) -> float:
     """Period of the slowest mesh [s]; 0 if nothing rotates, or the short run would be too long."""
-    found = np.array(list(mesh_orders(start.system, start.steady.v).values()))
+    found = np.array(list(mesh_orders(start.system, start.mean.v).values()))
     found = found[found > SAME * found.max(initial=0.0)]
     cycle = 2.0 * np.pi / float(found.min()) if found.size else 0.0
     return cycle if (SETTLE + MEASURE) * cycle <= SHARE * (scenario.duration or 0.0) else 0.0
@@ -93,7 +93,7 @@ def _slopes(
     start: Start, scenario: Scenario, run: Callable[..., Any], motions: Array, cycle: float
 ) -> Array | None:
     """Mean rate of the momentum of every free rotation [N m]; None if the short run fails."""
-    system, state = start.system, start.steady
+    system, state = start.system, start.mean
     if start.cycle is not None:
         system = start.cycle.applied(system)
     spins = {int(s): b for b, s in enumerate(system.program["body"]["spin"]) if s >= 0}

@@ -158,10 +158,11 @@ class WhirlModes:
         assert V is not None
         n, omega = V.shape[1], self.modes.omega
         m, d, k = self._projected(speed)
-        unit = max(float(np.sqrt(np.abs(k).max())), 1e-300)
+        stiffness, damping = np.linalg.solve(m, k), np.linalg.solve(m, d)
+        unit = max(float(np.sqrt(np.abs(stiffness).max())), 1e-300)  # about the highest frequency
         A = np.zeros((2 * n, 2 * n))
         A[:n, n:] = np.eye(n)
-        A[n:, :n], A[n:, n:] = -np.linalg.solve(m, k) / unit**2, -np.linalg.solve(m, d) / unit
+        A[n:, :n], A[n:, n:] = -stiffness / unit**2, -damping / unit
         values, vectors = np.linalg.eig(A)
         upper = values.imag > LEFT_OVER
         count = int(np.sum(omega != 0.0))

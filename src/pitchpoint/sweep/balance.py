@@ -15,6 +15,8 @@ from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
 from pitchpoint.solvers.gear_trains import driven_coordinates, held_spins
 from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.load_cycle import load_cycle
+from pitchpoint.solvers.speed_drift import instability
+from pitchpoint.solvers.speed_stability import UnstableSpeed
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -61,7 +63,7 @@ class Balances:
         if start.cycle is None:
             return 0.0
         state = now.copy()
-        state.v[:] = start.steady.v
+        state.v[:] = start.mean.v
         own = self.own
         cycle = load_cycle(own, state, held_spins(own), driven_coordinates(own))
         return 0.0 if cycle is None else cycle.offset
@@ -70,6 +72,11 @@ class Balances:
         """Deviation of a mean rate [rad/s] over a window [s] that cuts the ripple of the loads."""
         start = self.starts.get(speed)
         return 0.0 if start is None or start.cycle is None else start.cycle.allowance(spin, window)
+
+    def unstable(self, speed: float) -> UnstableSpeed | None:
+        """Growth of a deviation from a speed, if it is unstable."""
+        start = self.starts.get(speed)
+        return None if start is None else instability(start)
 
     def notes(self) -> tuple[str, ...]:
         """Note on speeds after the first one at which the ripple is unknown."""

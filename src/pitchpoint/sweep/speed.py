@@ -20,18 +20,20 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import new_counts, read_counts
 from pitchpoint.solvers.controls import refuse_sampled
-from pitchpoint.solvers.gear_trains import mesh_orders
+from pitchpoint.solvers.divergence import FAILURES
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import Start, body_rates, prepare_start
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
+from pitchpoint.solvers.speed_drift import runaway
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
+from pitchpoint.solvers.sweep_speeds import at_speed, sweep_orders, sweep_range
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.balance import Balances
 from pitchpoint.sweep.drift import drift_notes
@@ -131,25 +133,12 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     model, sweep = system.model, scenario.sweep
     if model is None or sweep is None:
         raise SolverError("the scenario is not a sweep", NOT_FINITE)
-    mesh = model.sweep_mesh(scenario)
-    orders = mesh_orders(system, body_rates(system, sweep.body, replace(scenario, speed={})))
+    mesh, orders = sweep_orders(system, scenario)
     order = orders[mesh]
-    if not order > 0.0:
-        raise SolverError(
-            f"mesh {mesh} is at rest while {sweep.body} rotates, so it has no mesh frequency; sweep a body "
-            "that rotates relative to the line of centres of the mesh",
-            INCONSISTENT,
-        )
-    if sweep.mesh_frequency is not None:
-        low, high = (2.0 * math.pi * f / order for f in sweep.mesh_frequency)
-    elif sweep.speed is not None:
-        low, high = sweep.speed
-    else:
-        raise SolverError("the sweep has neither mesh_frequency nor speed", NOT_FINITE)
     return SweepPlan(
         mesh=mesh,
         order=order,
-        speeds=np.linspace(low, high, sweep.points),
+        speeds=np.linspace(*sweep_range(system, scenario), sweep.points),
         directions=("up", "down") if sweep.direction == "both" else (sweep.direction,),
         ratio=model.start_speeds(replace(scenario, speed={sweep.body: 1.0})),
         settle=sweep.settle_periods,
@@ -163,7 +152,7 @@ class _SweepRun:
     """Sweep in progress: integrator run, present speed and step counts."""
 
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
-        self.plan = plan
+        self.plan, self.scenario = plan, scenario
         first = next(plan.points())[1]
         self.body = scenario.sweep.body  # type: ignore[union-attr]
         start = self._start(system, scenario, first)
@@ -180,10 +169,7 @@ class _SweepRun:
 
     def _start(self, system: System, scenario: Scenario, speed: float) -> Start:
         """Start at a speed."""
-        own = system.copy()
-        for record in own.rows(DRIVE):
-            record["speed"] = speed * self.plan.ratio[own.layout.bodies[int(record["i"])]]
-        return prepare_start(own, replace(scenario, speed={self.body: speed}, duration=1.0))
+        return prepare_start(*at_speed(system, scenario, speed))
 
     def _frequency(self, speed: float) -> float:
         return abs(speed) * self.plan.order / (2.0 * math.pi)
@@ -219,6 +205,14 @@ class _SweepRun:
             for wave in waves
         )
         return angle / window + self.balances.allowance(self.system.spin(self.body), speed, window)
+
+    def runaway(self) -> str:
+        """Sentence on the unstable operating point that the speed left before the sweep failed; else ''."""
+        start, at = (
+            self.balances.starts.get(self.speed),
+            replace(self.scenario, speed={self.body: self.speed}),
+        )
+        return "" if start is None else runaway(start, at, self.run.state())
 
     def advance(self, periods: int, sums: Accumulators | None) -> int:
         """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""
@@ -321,7 +315,7 @@ def run_sweep(
         status = INTERRUPTED
     return SweepSummary(
         status=status,
-        sentence=explain(walk.system, status),
+        sentence=explain(walk.system, status) + (walk.runaway() if status in FAILURES else ""),
         points=points,
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,
@@ -330,7 +324,7 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
-            *drift_notes(points, walk.body, plan.measure, walk.cut_ripple),
+            *drift_notes(points, walk.body, plan.measure, walk.cut_ripple, walk.balances.unstable),
         ),
     )
 

@@ -141,10 +141,15 @@ def _modes(
 ) -> list[tuple[float, str, str]]:
     """Curves of the modes; returns position, text and colour of their names at the right edge."""
     listed: list[tuple[float, str, str]] = []
-    shown: set[str] = set()
+    low, high = place.frequency
+    inside = (omega >= place.speed[0])[:, None] & (omega <= place.speed[1])[:, None]
+    seen = np.any(inside & (curves >= low) & (curves <= high), axis=0).tolist()
+    ways = {_way(name) for k, name in enumerate(names) if seen[k]}
+    shown = set(WAYS) - ways
     for k, name in enumerate(names):
         way = _way(name)
         colour, legend = WAYS[way]
+        legend = "modes" if way == "" and ways == {""} else legend
         figure.add_scatter(
             x=omega * place.revolutions.factor,
             y=curves[:, k] * place.pitch.factor,

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from html import escape
 
 import numpy as np
@@ -28,8 +28,10 @@ LETTERS, ROW = 12, 16.0
 """Letters of a name that fit into a block, and distance of its lines [pixels]."""
 SIDE, BACK = 10.0, 90.0
 """Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
-NEGLIGIBLE = 1e-6
+NEGLIGIBLE = 1e-3
 """Share of the largest power below which a band is not drawn."""
+ROUND_OFF = 1e-6
+"""Share of the largest power below which a power counts as zero."""
 
 
 @dataclass
@@ -56,8 +58,9 @@ _Joined = tuple[PowerLink, _Box, _Box, float]
 
 def power_flow_svg(flow: PowerFlow) -> str:
     """HTML drawing of the flow from left to right; bands back to an earlier block are arcs."""
-    most = max((link.given for link in flow.links), default=0.0)
-    links = [link for link in flow.links if link.given > NEGLIGIBLE * most]
+    flow = _drawn(flow)
+    links = flow.links
+    most = max((link.given for link in links), default=0.0)
     if not links:
         return ""
     unit = scale("W", [most])
@@ -113,6 +116,30 @@ def power_flow_svg(flow: PowerFlow) -> str:
     drawing = document(width, height, [f"<style>{STYLE}</style>", drawn], title)
     size = f"min-width:{0.75 * width:.0f}px;max-width:{width:.0f}px"
     return f'<div class="scroll"><div style="{size}">{drawing}</div></div>'
+
+
+def undrawn(flow: PowerFlow) -> list[str]:
+    """Names of the links that are too small for a band, without those that are zero up to round-off."""
+    most = max((link.given for link in flow.links), default=0.0)
+    return [
+        link.name
+        for link in flow.links
+        if link.given <= NEGLIGIBLE * most and max(link.given, link.taken) > ROUND_OFF * most
+    ]
+
+
+def _drawn(flow: PowerFlow) -> PowerFlow:
+    """Flow without negligible links, and without blocks that only these touch."""
+    most = max((link.given for link in flow.links), default=0.0)
+    links = [link for link in flow.links if link.given > NEGLIGIBLE * most]
+    touched = {block for link in links for block in (link.start, link.end)}
+    kept = [k for k in range(len(flow.blocks)) if k in touched]
+    number = {k: new for new, k in enumerate(kept)} | {OUTSIDE: OUTSIDE}
+    return replace(
+        flow,
+        blocks=[flow.blocks[k] for k in kept],
+        links=[replace(link, start=number[link.start], end=number[link.end]) for link in links],
+    )
 
 
 STYLE = (

@@ -25,6 +25,7 @@ def test_says_what_will_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixtu
     defaults = {entry["key"]: entry["value"] for entry in found["defaults"]}
     assert defaults["scenarios.steady.settle_time"] == "20 % of duration"
     assert defaults["gears.*.material"] == "steel"
+    assert "half the root diameter" in defaults["gears.*.bore_diameter"]
     assert "gears.*.profile_shift_coefficient" not in defaults
 
 
@@ -84,6 +85,15 @@ def test_a_balancing_torque_is_printed_with_what_it_balances(name, tmp_path, cap
     assert f"torque: balance in run: in {found['torques']['in']:.5g} N m; {words}" in " ".join(
         capsys.readouterr().out.split()
     )
+
+
+def test_quiet_prints_the_torques_that_were_asked_for(tmp_path, capsys):
+    file = written(tmp_path, gearbox("100 N m"))
+    assert run_command(["check", file, "--balance", "-q"]) == 0
+    out = capsys.readouterr().out
+    assert out == "torque: balance in run: in 33.333 N m; the loads at the start\n"
+    assert run_command(["check", file, "-q"]) == 0
+    assert capsys.readouterr().out == ""
 
 
 UNSOLVED = {

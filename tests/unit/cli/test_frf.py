@@ -41,9 +41,41 @@ def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "mesh_force[stage] by transmission_error[stage]" in capsys.readouterr().out
 
 
-def test_an_unknown_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run_command(["frf", written(tmp_path, TORSION), "-i", "x", "-r", "driver.spin", "--to", "9"]) != 0
-    assert "no input is called 'x'" in capsys.readouterr().err
+@pytest.mark.parametrize(
+    ("options", "answers"),
+    [
+        (
+            ["-i", "driver.spn", "-r", "mesh_forces[stage]", "--synchronous", "drivr", "--to", "9 Hz"],
+            [
+                "3 problems",
+                "no input is called 'driver.spn'; did you mean driver.spin",
+                "no output is called 'mesh_forces[stage]'; did you mean mesh_force[stage]",
+                "no body is called 'drivr'; did you mean driver",
+            ],
+        ),
+        (
+            [
+                "-r",
+                "velocity[driver.spn]",
+                "--mesh-orders",
+                "2",
+                "--speed-of",
+                "drive",
+                "--to-speed",
+                "9 rpm",
+            ],
+            ["2 problems", "no output is called 'driver.spn'", "no body is called 'drive'"],
+        ),
+    ],
+)
+def test_unknown_names_are_bad_input(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], answers: list[str]
+) -> None:
+    """All of them are refused before the computation, with the nearest names; not a failed computation."""
+    assert run_command(["frf", written(tmp_path, TORSION), *options]) == 2
+    told = capsys.readouterr().err
+    assert [answer for answer in answers if answer not in told] == []
+    assert "status" not in told
 
 
 @pytest.mark.parametrize("suffix", ["json", "npz"])
@@ -99,3 +131,19 @@ def test_options_that_do_not_fit(
 ) -> None:
     assert run_command(["frf", written(tmp_path, TORSION), "-r", "mesh_force[stage]", *more]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_a_report_shows_the_responses_of_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Amplitude and phase of a response, and levels by mesh order, without a remark that they are missing."""
+    file = written(tmp_path, TORSION)
+    bode, levels, page = (str(tmp_path / name) for name in ("frf.h5", "orders.h5", "page.html"))
+    ends = ["--to", "5 kHz", "--points", "20"]
+    by_order = ["--mesh-orders", "1", "--speed-of", "driver", "--to-speed", "3000 rpm", "--points", "5"]
+    json_of(["frf", file, *ERROR, *ends, "-o", bode], capsys)
+    json_of(["frf", file, "-r", "mesh_force[stage]", *by_order, "-o", levels], capsys)
+    assert run_command(["report", file, bode, levels, "-o", page]) == 0
+    assert "not shown" not in "".join(capsys.readouterr())
+    text = Path(page).read_text(encoding="utf-8")
+    section = text.partition('<section id="responses"')[2].partition("</section>")[0]
+    assert "mesh force, stage by transmission error, stage" in section and "phase [deg]" in section
+    assert "speed of driver" in section

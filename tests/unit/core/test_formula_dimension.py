@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from pitchpoint.core.formula.dimension import of_number, of_variable, readable, unit_text
@@ -209,3 +211,17 @@ def test_the_unit_of_a_constant_reads_back() -> None:
         again = constant(f"{amount.value!r} {amount.unit}")[0]
         assert again == amount
         assert readable(again.unit) == readable(amount.unit)
+
+
+def test_an_angle_is_not_divided_by_an_angle():
+    """180/60 deg is 180/(60 deg) = 171.9 1/rad: no angle, and hardly meant."""
+    for dimension in ("", "angle"):
+        with pytest.raises(FormulaError, match="a unit belongs to the number before it") as caught:
+            constant("180/60 deg", dimension)
+        assert caught.value.remedy.startswith("write 180/60 * 1 deg, or")
+    assert constant("180/60 * 1 deg", "angle")[0].value == pytest.approx(math.radians(3.0), rel=1e-15)
+    assert constant("180/(60 deg)")[0].unit == "rad^-1"
+    with pytest.raises(FormulaError, match="its units give 1/rad, not rad"):
+        constant("180/(60 deg)", "angle")
+    assert constant("360 deg/3", "angle")[0].unit == constant("2*(3 deg)")[0].unit == "rad"
+    assert constant("5 N m/2 deg")[0].unit == "kg m^2 s^-2 rad^-1"

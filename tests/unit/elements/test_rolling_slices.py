@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from pitchpoint.contact.rolling import LINE, Raceways, in_series, roller_slices, roller_stiffness
+from pitchpoint.contact.rolling import LINE, Raceways, in_series, roller_stiffness
 from pitchpoint.elements import rolling_bearing
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
@@ -247,10 +247,3 @@ def test_axial_displacement_for_a_preload():
     assert simple.shift_for(25.0) == pytest.approx(
         brentq(lambda x: 9 * K * math.sin(0.5) * (x * math.sin(0.5)) ** 1.5 - 25.0, 0.0, 1.0), rel=1e-9
     )
-
-
-def test_profile_of_iso_16281():
-    """0.00035 D_we ln(1/(1 - (2 x/L_we)^2)): nothing in the middle, some micrometres near the ends."""
-    table = roller_slices(10e-3, 10e-3, 31)
-    assert table[15].tolist() == [0.0, 0.0]
-    assert table[-1, 1] == pytest.approx(3.5e-6 * math.log(1.0 / (1.0 - (30.0 / 31.0) ** 2)), rel=1e-12)

@@ -154,12 +154,17 @@ def test_pressure_angle_against_a_gearbox_file() -> None:
 def test_clearance_grows_with_class_and_bore() -> None:
     """Classes follow each other and never become smaller with the bore; self-aligning balls end at 140 mm."""
     for kind in CLASSED:
-        bores = [0.01, 0.02, 0.05, 0.1, 0.13] + ([] if kind == "self_aligning_ball" else [0.2, 0.28])
+        bores = [0.01, 0.02, 0.05, 0.1, 0.13] + (
+            [] if kind == "self_aligning_ball" else [0.2, 0.28, 0.35, 0.4, 0.45, 0.5]
+        )
         table = np.array([[clearance_of(kind, bore, group) for group in CLASSES] for bore in bores])
         assert np.all(np.diff(table, axis=0) >= 0.0)
         assert np.all(np.diff(table, axis=1) > 0.0)
         assert np.all(table[:, :, 1] > table[:, :, 0])
     assert clearance_of("cylindrical_roller", 0.04) == pytest.approx((25e-6, 50e-6))
+    # SKF General Catalogue, single row cylindrical roller bearings, table of radial internal clearances
+    assert clearance_of("cylindrical_roller", 0.34, "C2") == pytest.approx((65e-6, 145e-6))
+    assert clearance_of("cylindrical_roller", 0.5, "C4") == pytest.approx((440e-6, 550e-6))
     assert clearance_of("spherical_roller", 0.1, "C3") == pytest.approx((100e-6, 135e-6))
     with pytest.raises(GeometryError, match=r"2000 mm is beyond the table .* give clearance"):
         clearance_of("deep_groove_ball", 2.0)
@@ -194,6 +199,12 @@ def test_clearance_grows_with_class_and_bore() -> None:
         ("608-2Z/C3", "608", "C3"),
         ("625ZZ1", "625", None),
         ("3208-B-TVH", "3208", None),
+        ("NU 1014 ML/C3", "NU1014", "C3"),
+        ("NU 210 ECML", "NU210E", None),
+        ("24052 CC/W33", "24052", None),
+        ("61800-2Z", "6800", None),
+        ("63/22", "63/22", None),
+        ("62/28-2RS/C3", "62/28", "C3"),
     ],
 )
 def test_suffixes(text: str, name: str, group: str | None) -> None:
@@ -222,13 +233,42 @@ def test_suffixes(text: str, name: str, group: str | None) -> None:
         ("22210 EK", "tapered bore"),
         ("6308 C5", "clearance class C5"),
         ("7208 BDB", "a pair of bearings"),
+        (
+            "6205-2RSLTN9/HC5C3WT",
+            "suffix HC5C3WT: elements of ceramic.* write 6205, and .* material: {youngs",
+        ),
         ("6208 XYZ", "has the suffix XYZ, which is not known; write 6208"),
-        ("table", "is not in the table of bearings; other bearings: give type, inner_diameter"),
+        ("table", r"is not in the table of bearings; other bearings: give type, inner_diameter \(d\)"),
     ],
 )
 def test_designations_that_are_not_understood(text: str, message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         by_designation(text)
+
+
+def test_rows_of_the_catalogue() -> None:
+    """NSK CAT. No. E1102, pages B8, B12 and B190: d, D, B [mm], C, C_0 [N]; 24052 with e = 0.32."""
+    printed = {
+        "61800": (10, 19, 5, 1720, 840),
+        "63/22": (22, 56, 16, 18400, 9250),
+        "60/32": (32, 58, 13, 15100, 9150),
+        "24052": (260, 400, 140, 1810e3, 3500e3),
+        "23288": (440, 790, 280, 6900e3, 12800e3),
+    }
+    for name, expected in printed.items():
+        row = by_designation(name)
+        found = (1e3 * row.bore, 1e3 * row.outside, 1e3 * row.width, row.dynamic, row.static)
+        assert found == pytest.approx(expected, rel=1e-12), name
+    assert 1.5 * math.tan(by_designation("24052").angle) == pytest.approx(0.32, rel=1e-3)
+
+
+def test_material_of_hybrid_bearings() -> None:
+    """Silicon nitride 310 GPa, 0.26 on steel: the remedy for the suffix HC has the same compliance."""
+    with pytest.raises(GeometryError) as caught:
+        by_designation("6205 HC5")
+    modulus = float(str(caught.value.problem.remedy).partition("youngs_modulus: ")[2].split()[0]) * 1e9
+    balls, rings = (1.0 - 0.26**2) / 310e9, (1.0 - 0.3**2) / 206e9
+    assert 2.0 * (1.0 - 0.3**2) / modulus == pytest.approx(balls + rings, rel=1e-3)
 
 
 def test_data_that_contradict_each_other() -> None:

@@ -176,6 +176,12 @@ def test_cycles_are_reported_with_their_path_and_nothing_else():
         ("n: 1500 rpm", "n: 1500 1/min", "does not state what is counted; write rpm"),
         ("gap: 40 um", "gap: sqrt(1 mm)", "has a unit with a fractional power"),
         ("gap: 40 um", "gap: 40 um + 3 N", "'+' joins m and N"),
+        (
+            "gap: 40 um",
+            "gap: pi/60 rad",
+            "division by an angle at character 3, near 'pi/60 rad'; write pi/60 * 1 rad",
+        ),
+        ("gap: 40 um", "gap: 180/60 deg", "write 180/60 * 1 deg, or 180/(60 deg) for a value per angle"),
     ],
 )
 def test_wrong_parameters_are_refused(old, new, words):

@@ -8,11 +8,12 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.checks.planetary_stages import possible_angles
 from pitchpoint.model.components.planetary_stage import PlanetBearing
 from pitchpoint.model.components.six import Stiffness6
+from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.write import model_text, plain
 from pitchpoint.report.planets import stages_of_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
@@ -113,6 +114,22 @@ def test_values_are_replaced_in_the_stage():
     ):
         model.replace("gears.planet_1.face_width", "20 mm")
     assert model.replace("gears.sun.face_width", "30 mm").gears["planet_1"].face_width == 0.04
+
+
+def test_errors_and_single_planets_that_the_file_does_not_have():
+    """A new component by one of its keys; the others have their defaults."""
+    model = loads_model(stage_file("planets: 3", sun="planar"))
+    at = "planetary_stages.set.pin_errors"
+    both = {f"{at}.planet_1.tangential": "20 um", f"{at}.planet_3.radial": "-10 um"}
+    assert model.replace_all(both) == loads_model(stage_file(ERRORS, sun="planar"))
+    single = model.replace("planetary_stages.set.single_planets.planet_2.sun_mesh.damper.ratio", 0.1)
+    assert single.meshes["sun-planet_2"].damper.ratio == 0.1
+    for path, words in (
+        (f"{at}.planet_9.radial", "is not a planet of the stage"),
+        (f"{at}.planet_1.radius", "pin_errors.planet_1.radius: is an unknown key; did you mean radial"),
+    ):
+        with pytest.raises(ModelError, match=words):
+            model.replace(path, "10 um")
 
 
 def test_a_fault_of_one_planet():
@@ -287,6 +304,29 @@ def test_problems_of_the_planet_gear_are_at_its_key_and_told_once():
     )
     assert len(problems) == 1
     assert problems[0].startswith("planetary_stages.set.planet.rim_thickness (line 9)")
+
+
+def test_a_warning_about_all_planets_is_told_once_whatever_their_pin_errors():
+    """Limits differ by the distance of each pin."""
+    model = loads_model(stage_file(ERRORS, mesh=BACKLASH))
+    told = [
+        Message(
+            f"meshes.{mesh}.gears", f"reaches below the root of planet_{k}", "tip of ring", f"{38 + k} mm"
+        )
+        for k, mesh in enumerate(model.planetary_stages["set"].ring_meshes(), start=1)
+    ]
+    (only,) = at_stages(model, told)
+    assert (only.where, only.limit) == ("planetary_stages.set", "39 mm")
+
+
+def test_planets_off_the_shaft_of_their_carrier_are_named_at_the_carrier():
+    """The stage has no keys for the places of pins and bearings."""
+    shaft = "shafts:\n  carrier: {sections: [{length: 80 mm, diameter: 60 mm}], position: [0, 0, 30 mm]}\n"
+    body = "  carrier: {inertia: 0.1 kg m^2, mass: 10 kg, position: [0, 0, 0]}\n"
+    text = stage_file(f"planets: 3\nmotion: planar\nbearing: {{{PIN_BEARING}}}")
+    assert body in text
+    problems = refused(text.replace(body, "") + shaft)
+    assert [p.partition(" (")[0] for p in problems] == ["planetary_stages.set.carrier"], problems
 
 
 def test_pin_and_bearing_in_series():

@@ -13,6 +13,7 @@ from pitchpoint.model.remarks.collect import (
     gaps_in_contact,
     ignored_flanks,
     negative_backlash,
+    no_backlash,
     odd_shapes,
 )
 from pitchpoint.system import evaluate
@@ -144,3 +145,36 @@ def test_a_bushing_on_ground_has_no_force_as_drawn_and_the_directions_of_its_end
     state.q[1] = 1e-3
     found = evaluate.residual(system, state)
     assert np.abs(found[:3]) == pytest.approx([0.0, 1000.0, 0.0], abs=1e-6)
+
+
+ELASTIC = """
+gears:
+  a: {{number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm{shift}{thinner}}}
+  b: {{number_of_teeth: 60, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+bodies:
+  one: {{gears: [a], motion: {motion}}}
+  two: {{gears: [b]}}
+meshes:
+  s: {{gears: [a, b], center_distance: 120.5 mm{backlash}}}
+"""
+BEARING = "bearings:\n  k: {body: one, stiffness: {radial: 1e8 N/m}}\n"
+
+
+def test_no_backlash_on_elastic_supports_has_a_remark():
+    """A shift from the centre distance leaves no gap; a larger distance only increases the shift."""
+    plain = {"shift": "", "thinner": "", "motion": "planar", "backlash": ""}
+    ((where, text),) = [
+        (each.where, str(each)) for each in no_backlash(loads_model(ELASTIC.format(**plain) + BEARING))
+    ]
+    assert where == "meshes.s"
+    assert "the backlash is 0 mm" in text and "tooth_thickness_allowance < 0" in text
+    assert "profile_shift_coefficient of both gears" in text
+    changes = (
+        {"thinner": ", tooth_thickness_allowance: -40 um"},
+        {"shift": ", profile_shift_coefficient: 0"},  # 0.5 mm above the distance without backlash
+        {"backlash": ", backlash: {normal: 0 mm}"},  # as given
+    )
+    for change in changes:
+        assert no_backlash(loads_model(ELASTIC.format(**plain | change) + BEARING)) == ()
+    rigid = ELASTIC.format(**plain | {"motion": "torsion"})
+    assert no_backlash(loads_model(rigid)) == ()

@@ -303,3 +303,34 @@ def test_bearings_of_gears_without_a_shaft_hide_no_teeth(bore):
         assert away.max() < spindle + 0.5 * (root - spindle)
         assert away.min() == pytest.approx(spindle, rel=0.01) or "outer" in name
         assert np.abs(points[:, 2]).min() > 20e-3
+
+
+@pytest.mark.parametrize("bore", ["", ", bore_diameter: 60 mm"], ids=["solid", "bored"])
+@pytest.mark.parametrize("axis", ["[0, 0, 1]", "[1, 0, 0]"])
+def test_pins_have_the_bore_of_the_bearings_on_them(bore, axis):
+    """NA4906, 30 x 47 x 17 mm: a pin of the carrier in the planet, which has room for the outer ring."""
+    gear = "number_of_teeth: {}, normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0"
+    model = loads_model(
+        f"gears: {{sun: {{{gear.format(21)}}}}}\n"
+        f"bodies:\n  sun: {{gears: [sun], motion: planar, axes: {{z: {axis}}}}}\n"
+        f"  carrier: {{mass: 12 kg, inertia: 0.12, axes: {{z: {axis}}}}}\n"
+        "bearings: {spline: {body: sun, stiffness: {radial: 1e6 N/m}}}\n"
+        "planetary_stages:\n"
+        "  set: {sun: sun, carrier: carrier, planets: 3, motion: planar, center_distance: 90 mm,\n"
+        f"    planet: {{{gear.format(39)}{bore}}}}}\n"
+        "rolling_bearings:\n"
+        + "".join(f"  pin_{k}: {{ends: [carrier, planet_{k}], designation: NA4906}}\n" for k in (1, 2, 3))
+    )
+    seen = Seen(*scene_texts(scene_of(model)))
+    names = [solid["name"] for solid in seen.header["solids"]]
+    assert not [name for name in names if name.startswith("planet") and name.endswith("(spindle)")]
+    for k in (1, 2, 3):
+        pin, inner = seen.placed(f"planet_{k} (pin)", 0), seen.placed(f"pin_{k}, inner ring", 0)
+        assert seen.solid(f"planet_{k} (pin)")["body"] == seen.solid("pin_1, inner ring")["body"]
+        along = np.array([float(word) for word in axis.strip("[]").split(",")])
+        middle = inner.mean(axis=0)
+        across = [part - middle - np.outer((part - middle) @ along, along) for part in (pin, inner)]
+        radii = [np.linalg.norm(part, axis=1) for part in across]
+        assert radii[0].max() == pytest.approx(15e-3, rel=0.01)
+        assert radii[1].min() == pytest.approx(15e-3, rel=0.01)
+        assert np.ptp(pin @ along) > 40e-3

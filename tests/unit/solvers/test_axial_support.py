@@ -165,3 +165,78 @@ def test_directions_of_bearings_with_their_own_axes():
     )
     text = text.replace("a1: {body: s1, position: [0, 0, 20 mm]", "a1: {ends: [s1.low, ground]")
     assert not [*without_axial_support(loads_model(text))]
+
+
+PLANETS = """\
+gears:
+  sun: {number_of_teeth: 21, normal_module: 3 mm, helix_angle: 15 deg, hand: left, face_width: 40 mm,
+    profile_shift_coefficient: 0}
+  ring: {type: internal, number_of_teeth: 99, normal_module: 3 mm, helix_angle: 15 deg, hand: right,
+    face_width: 40 mm, profile_shift_coefficient: 0, bore_diameter: 360 mm, tip_diameter: 302 mm}
+bodies:
+  sun: {gears: [sun], motion: planar}
+  ring: {gears: [ring], motion: fixed}
+  carrier: {mass: 12 kg, inertia: 0.12}
+planetary_stages:
+  set:
+    {sun: sun, ring: ring, carrier: carrier, planets: 3, motion: free,
+    planet: {number_of_teeth: 39, normal_module: 3 mm, helix_angle: 15 deg, hand: right, face_width: 40 mm,
+      profile_shift_coefficient: 0}}
+bearings: {spline: {body: sun, stiffness: {radial: 1e6 N/m}}}
+rolling_bearings:
+"""
+LOADS = "loads: {motor: {body: sun, torque: 600 N m}, output: {body: carrier, torque: balance}}\n"
+
+
+def planets(designation: str, text: str = PLANETS) -> str:
+    pins = (
+        f"  {end}_{k}: {{body: planet_{k}, housing: carrier, position: [0, 0, {place} mm], {designation}}}\n"
+        for k in (1, 2, 3)
+        for end, place in (("low", -10), ("high", 10))
+    )
+    return text + "".join(pins) + LOADS
+
+
+def test_planets_on_floating_bearings():
+    """The forces of sun and ring on a helical planet cancel; nothing resists a screw motion along it."""
+    model = loads_model(planets("designation: NU 208"))
+    names = [f"planet_{k}" for k in (1, 2, 3)]
+    assert [(each.body, each.side) for each in without_axial_support(model)] == [(n, 0) for n in names]
+    found = [str(each) for each in remarks_of_file(model) if "along its axis" in each.text]
+    assert len(found) == 3
+    assert "nothing holds it along its axis: low_1 and high_1 support no axial force" in found[0]
+    with pytest.raises(
+        SolverError, match=r"nothing holds planet_1 along its axis: low_1 and high_1 support no"
+    ):
+        solve_equilibrium(compile_model(model))
+
+
+@pytest.mark.parametrize(
+    ("bearing", "sides"),
+    [
+        ("designation: NA4906", [0, 0, 0]),
+        ("designation: 32206, axial_force_absorption: positive", [-1, -1, -1]),
+        ("designation: 6206", []),
+    ],
+)
+def test_outer_rings_in_the_planets(bearing, sides):
+    """The bearing supports the planet with its outer ring: against the force on the pin."""
+    pins = (f"  pin_{k}: {{ends: [carrier, planet_{k}], {bearing}}}\n" for k in (1, 2, 3))
+    model = loads_model(PLANETS + "".join(pins) + LOADS)
+    assert [each.side for each in without_axial_support(model)] == sides
+
+
+def test_planets_on_fixed_bearings_and_spur_planets():
+    fixed = loads_model(planets("designation: 6208"))
+    assert not [*without_axial_support(fixed)]
+    found = solve_equilibrium(compile_model(fixed))
+    axial = [found[f"bearing_force[{name}.axial]"].item() for name in ("low_1", "high_1")]
+    # the torques of sun and ring on a planet cancel, and so do the axial forces; its tilt is 2.9 mrad
+    assert sum(axial) == pytest.approx(0.0, abs=1e-3 * found["axial_force[sun-planet_1]"].item())
+    spur = re.sub(r"helix_angle: 15 deg, hand: \w+,", "", planets("designation: NU 208"))
+    spur = spur.replace(
+        "bore_diameter: 360 mm, tip_diameter: 302", "bore_diameter: 340 mm, tip_diameter: 292.5"
+    )
+    assert not [*without_axial_support(loads_model(spur))]
+    upright = loads_model("gravity: [0, 0, -9.81 m/s^2]\n" + spur)
+    assert [each.body for each in without_axial_support(upright)] == ["planet_1", "planet_2", "planet_3"]

@@ -106,3 +106,24 @@ def test_whirl_and_critical_speeds_of_a_rotor_on_a_beam():
     critical = [math.sqrt(k / mass)] * 2 + [math.sqrt(k_t / (i_t + s * i_p)) for s in (1.0, -1.0)]
     # straight lines between speeds 25 rad/s apart
     assert sorted(c.speed for c in crossings) == pytest.approx(sorted(critical), rel=2e-4)
+
+
+CANTILEVER = """\
+shafts:
+  r: {sections: [{length: 400 mm, diameter: 30 mm}], markers: {e: {position: [0, 0, 400 mm]}},
+    position: [0, 0, 0], material: {density: 0.1 kg/m^3, youngs_modulus: 206 GPa, poisson_ratio: 0.3}}
+bodies: {disc: {mass: 10 kg, inertia: 0.2 kg m^2, transverse_inertia: 0.1 kg m^2}}
+joints: {j: {type: fixed, bodies: [r.e, disc]}}
+bearings: {a: {body: r, position: [0, 0, 0], stiffness: {radial: CLAMP, axial: 1e10, tilt: CLAMP}}}
+"""
+
+
+@pytest.mark.parametrize(("clamp", "most"), [("1e12", "the lowest have no correct digit"), ("1e9", "up to")])
+def test_rounding_errors_are_noted(clamp, most):
+    """A disc of 10 kg on a shaft of 28 mg: 29.089 and 153.471 Hz at rest, twice each but for rounding."""
+    system = pp.compile_model(pp.load_model(text=CANTILEVER.replace("CLAMP", clamp)))
+    found = pp.solve_campbell(system, [0.0, 300.0], "r")
+    assert "rounding errors of more than 0.01 %, " + most in found.attrs["notes"]
+    if most == "up to":
+        bending = np.sort(found["frequency"].values[0])[1:5]
+        assert np.abs(bending / [29.089, 29.089, 153.471, 153.471] - 1.0).max() < 0.067

@@ -213,10 +213,15 @@ def test_orders_of_a_geared_rotor(geared):
 
 
 def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
-    """The reduced basis and the inverse iteration against the eigenvalues of all coordinates."""
+    """The reduced basis and the inverse iteration against the eigenvalues of all coordinates.
+
+    Matrices that are quadratic in the speed: the modes at the lowest, middle and highest speed span those at
+    all others. A fourth one would mean that the double zero of the rigid rotation, which rounding splits, had
+    been taken for an oscillation.
+    """
     found = follow_modes(geared, np.linspace(300.0, 7200.0, 31) * RPM, "rotor")
     assert found.modes.basis is not None
-    assert len(found.modes.exact) <= 31 // 3
+    assert list(found.modes.exact) == pytest.approx([300.0 * RPM, 3750.0 * RPM, 7200.0 * RPM])
     for s in (3, 12, 22):
         linear = at_speeds(found.modes.linear, found.speed[s] * found.rates)
         exact = damped_modes(linear, found.modes.modes)[0]

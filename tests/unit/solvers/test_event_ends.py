@@ -72,7 +72,7 @@ def vibration(method: str, tolerance: float, events: str = "[]"):
     text = text.replace("torque: balance", "torque: 300 N m")
     model, system = compiled(text, "on")
     start = prepare_start(system, model.scenarios["on"])
-    done = run_time(system, start=replace(start, state=start.steady))
+    done = run_time(system, start=replace(start, state=start.mean))
     assert done.status == OK, done.sentence
     return system, done
 
@@ -115,7 +115,7 @@ def test_an_explicit_run_finds_the_events_that_it_finds_where_all_end_steps(aske
     """Places differ by what the runs differ, 1e-7 of the speed of the mesh phase at most."""
     system, done = vibration("runge_kutta", 1e-7, asked)
     begun = prepare_start(system, system.scenario)
-    run = runge_kutta.start_adaptive(begun.system, begun.steady, atol=1e-11, atol_rate=1e-7)
+    run = runge_kutta.start_adaptive(begun.system, begun.mean, atol=1e-11, atol_rate=1e-7)
     chunk = run.advance_to(0.02, events=1000, restart=True)
     assert chunk.status == OK
     expected = EventWatch(system, system.scenario).pick(chunk.events)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gravity, maxwell, spring_damper
 from pitchpoint.io.yaml_model import load_model
@@ -226,7 +226,7 @@ def test_dataset_and_names():
     w = 2.0 * math.pi * HERTZ
     expected = 1j * w / (800.0 - 2.0 * w**2 + 4.0j * w)
     assert data["response"].values[:, 0, 0] == pytest.approx(expected, rel=1e-6, abs=1e-12)
-    with pytest.raises(SolverError, match=r"no input is called 'disk.spin'; did you mean disc.spin"):
+    with pytest.raises(ModelError, match=r"no input is called 'disk.spin'; did you mean disc.spin"):
         find_response(system, ["disk.spin"], ["disc.spin"], HERTZ)
-    with pytest.raises(SolverError, match="no output is called"):
+    with pytest.raises(ModelError, match="no output is called"):
         find_response(system, ["disc.spin"], ["nothing"], HERTZ)

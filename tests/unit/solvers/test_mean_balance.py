@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.mean_balance import CYCLES, IN_CYCLE, balanced_words, cycle_instants
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
@@ -44,7 +45,7 @@ def balance(text):
 def mean_and_ripple(start):
     """Speed of the driver in the rigid train, without the vibration of the teeth."""
     spin = start.system.spin("driver")
-    return start.steady.v[spin] + start.cycle.offset[spin]
+    return start.mean.v[spin] + start.cycle.offset[spin]
 
 
 TABLE = "{table: [[0 deg, 150 N m], [90 deg, 50 N m], [360 deg, 150 N m]], over: angle}"
@@ -82,7 +83,7 @@ def swinging(work):
 def test_a_train_starts_where_its_mean_speed_is_that_of_the_scenario():
     """The driven gear turns backwards from its deflection: it is half way up the work of the cosine."""
     start = begun(gearbox('"100*(1 + 0.5*cos(angle))"'))
-    deflected = start.steady.q[start.system.spin("driven")]
+    deflected = start.mean.q[start.system.spin("driven")]
     speeds, _ = swinging(lambda angle: 50.0 * np.sin(angle - deflected))
     assert mean_and_ripple(start) == pytest.approx(speeds[0], rel=1e-6)
     assert start.state.v[start.system.spin("driven")] == pytest.approx(-speeds[0] / 3.0, rel=1e-6)
@@ -236,6 +237,33 @@ def test_the_number_of_cycles_does_not_depend_on_the_number_of_instants(monkeypa
         assert (cycles, times.size * times[1]) == (CYCLES, pytest.approx(CYCLES * slowest))
         words = balanced_words(start.system, start.state, start.cycle)
         assert words.endswith("flank friction over 3 cycles of the slowest mesh (14.4 ms)")
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_slow_roll_balances_the_mean_over_the_angle(name):
+    """At rest, as at speed: a third of the mean torque. The driven body turns by a period of its load."""
+    law, mean = LAWS[name]
+    text = gearbox(law, more="").replace(
+        "speed: {driver: 1500 rpm}, duration: 0.24 s, step: 20 us", "quasi_static: {points: 4}"
+    )
+    start = begun(text)
+    assert float(start.system.records["torque"]["value"][0]) == pytest.approx(mean / 3.0, rel=1e-6)
+    words = balanced_words(start.system, start.state, start.cycle)
+    assert words.startswith("the mean torque of out over its period of ") and words.endswith(" of driver")
+
+
+@pytest.mark.parametrize("speed", ["", "speed: {driver: 1500 rpm}, duration: 0.1 s"])
+def test_pulsating_loads_that_are_balanced_are_no_remark_of_a_roll(speed):
+    """The holding torques take the alternating part only; a load without balance remains a remark."""
+    for driver, loads in (("balance", 0), ("30 N m", 1)):
+        text = gearbox('"100*(1 + 0.2*sin(3*angle + 1))"', driver=driver)
+        model = loads_model(
+            text.replace(
+                "speed: {driver: 1500 rpm}, duration: 0.24 s, step: 20 us", speed or "quasi_static: {}"
+            )
+        )
+        notes = roll_through(compile_model(model, "run"), "run", 4, mesh="stage").notes
+        assert sum("do not balance" in str(note) for note in notes) == loads, notes
 
 
 def test_an_assembled_start_balances_too():

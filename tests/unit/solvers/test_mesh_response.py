@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import ModelError, SolverError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.mesh_response import find_mesh_response, solve_mesh_response
 from pitchpoint.solvers.quasistatic.roll import roll_through
@@ -141,5 +141,5 @@ def test_orders_of_two_stages():
     ],
 )
 def test_refused(box, outputs, body, speeds, harmonics, message):
-    with pytest.raises(SolverError, match=message.replace("[", r"\[")):
+    with pytest.raises((ModelError, SolverError), match=message.replace("[", r"\[")):
         find_mesh_response(box, outputs, body, speeds, "steady", harmonics=harmonics)

@@ -57,7 +57,7 @@ def test_the_start_is_the_steady_vibration(order, argument, wave):
     at = [system.spin("motor"), system.spin("load")]
     amplitude = twist(order) * (1.0 if wave == "cos" else -1j)
     if of_angle:  # the mean torque twists the motor by 0.01 rad, 27 degrees of the wave
-        amplitude *= np.exp(1j * order * start.steady.q[at[0]])
+        amplitude *= np.exp(1j * order * start.mean.q[at[0]])
     ripple = start.cycle.offset[at]
     twisted, sheared = state.q[at] @ [1.0, -1.0], (state.v[at] - ripple) @ [1.0, -1.0]
     assert twisted == pytest.approx(MEAN / K + amplitude.real, abs=2e-4 * abs(amplitude))
@@ -146,9 +146,9 @@ def test_gears_on_bearings_start_in_the_steady_vibration(order):
 def test_gears_that_separate_start_from_the_mean_deflection():
     """A wave of four times the mean torque has no linear vibration."""
     start = started(gears("4*cos(8*angle)"))
-    assert np.array_equal(start.state.q, start.steady.q)
+    assert np.array_equal(start.state.q, start.mean.q)
     free = started(gears("0.3*cos(8*angle)"))
-    assert not np.array_equal(free.state.q, free.steady.q)
+    assert not np.array_equal(free.state.q, free.mean.q)
 
 
 def test_a_resonance_without_damping_starts_from_the_mean_deflection():

@@ -337,7 +337,7 @@ def test_an_o_arrangement_is_stiffer_in_tilting_than_an_x_arrangement(slices):
     """Closed form Z (k (e cos(a) +- d_m/2 sin(a))^2 + c) of both bearings, with k and c of one roller.
 
     k is the sum of the slopes P K/n_s d_s^(P-1) of its slices and c that of slope x xi^2, the tilting of the
-    roller about its middle, 0 for one slice. d_s is the approach less the profile of ISO/TS 16281, and the
+    roller about its middle, 0 for one slice. d_s is the approach less both profiles (ISO/TS 16281), and the
     preload is the sum of K/n_s d_s^P. The profile is even, so that there is no mixed term. The load of each
     roller has no line of its own to turn with, so that there is no further term.
     """
@@ -355,7 +355,7 @@ def test_an_o_arrangement_is_stiffer_in_tilting_than_an_x_arrangement(slices):
         geometry = system.model.rolling_bearings["low"].geometry
         angle, P = abs(geometry.contact_angle), 10.0 / 9.0
         half = ((np.arange(slices) + 0.5) / slices - 0.5) * 2.0  # 2 xi/L_we
-        profile = 0.00035 * geometry.element_diameter * np.log(1.0 / (1.0 - half**2))
+        profile = 2.0 * 0.00045 * geometry.element_diameter * np.log(1.0 / (1.0 - half**2))
         one = float(record["stiffness"]) / slices
 
         def excess(depth, one=one, profile=profile, angle=angle, P=P, n=int(record["n"])):

@@ -157,7 +157,7 @@ def test_an_axial_load_on_a_preloaded_pair():
     )
     geometry = model.rolling_bearings["a"].geometry
     record = compile_model(model).records["rolling_bearing"][1]
-    slices = roller_slices(geometry.effective_length, geometry.element_diameter, 21)
+    slices = roller_slices(geometry.effective_length, geometry.element_diameter, 21, tapered=True)
     row = Raceways(
         geometry.elements, float(record["stiffness"]), LINE, abs(geometry.contact_angle), 0.0, 0.0, slices
     )
@@ -182,7 +182,7 @@ def test_preload_of_an_elastic_shaft(first):
     system = compile_model(model)
     found, record = solve_equilibrium(system), system.records["rolling_bearing"][0]
     geometry = model.rolling_bearings["a"].geometry
-    slices = roller_slices(geometry.effective_length, geometry.element_diameter, 21)
+    slices = roller_slices(geometry.effective_length, geometry.element_diameter, 21, tapered=True)
     row = Raceways(
         geometry.elements, float(record["stiffness"]), LINE, abs(geometry.contact_angle), 0.0, 0.0, slices
     )

@@ -129,3 +129,23 @@ def test_campbell_marks_critical_speeds_by_rank_and_the_operating_speed() -> Non
     assert figure.data[0].legendgroup != "forward whirl"
     assert any(t.legendgroup == "forward whirl" for t in figure.data)
     assert figure.layout.shapes[0].x1 == pytest.approx(250.0 * 30.0 / np.pi)
+
+
+def test_the_legend_names_only_modes_in_the_plot() -> None:
+    """A torsional mode above the range, and a diagram without whirl."""
+    whirl = {"bending 1 of shaft (forward)": 110.0, "bending 1 of shaft (backward)": 90.0}
+    orders = {"1× shaft": (1.0, "shaft")}
+
+    def legend(modes: dict[str, float], highest: float) -> set[str]:
+        lines = plot_campbell(campbell(modes, orders), frequency=(0.0, highest)).data
+        return {
+            x.name for x in lines if x.showlegend is not False and ("mode" in x.name or "whirl" in x.name)
+        }
+
+    assert legend({**whirl, "torsion of shaft": 900.0}, 1000.0) == {
+        "forward whirl",
+        "backward whirl",
+        "other modes",
+    }
+    assert legend({**whirl, "torsion of shaft": 900.0}, 200.0) == {"forward whirl", "backward whirl"}
+    assert legend({"torsion of shaft": 900.0}, 1000.0) == {"modes"}

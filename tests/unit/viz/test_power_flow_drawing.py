@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.power_flow_drawing import power_flow_svg
+from pitchpoint.viz.report.power import power_section
 from tests.support.report_data import power
 
 
@@ -108,7 +109,7 @@ def test_names_of_four_planets_are_on_no_band() -> None:
     for k, (name, given) in enumerate(PLANETS.items(), start=1):
         links.append(link(f"sun-planet_{k}", 0, k, given))
         links.append(PowerLink(name=name, kind="carrier", start=k, end=5, given=given, taken=given))
-    links += [link(f"planet_{k}-ring", k, OUTSIDE, 0.66) for k in (1, 3)]
+    links += [link(f"planet_{k}-ring", k, OUTSIDE, 210.0) for k in (1, 3)]
     svg = power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=links))
     texts = re.findall(
         r'<text class="pp-(?:halo|small)" x="([-\d.]+)" y="([-\d.]+)" text-anchor="(start|end)">([^<]+)', svg
@@ -134,3 +135,19 @@ def test_names_of_four_planets_are_on_no_band() -> None:
             assert not np.any((over < float(y) + 1.0) & (over + high > float(y) - 9.0)), words
             own += bool(np.nanmin(np.abs(np.r_[over, over + high, 1e9] - float(y) + 4.0)) < 60.0)
         assert own >= 1, f"{words} is near a band"
+
+
+def test_negligible_powers_are_named_but_not_drawn() -> None:
+    """A planet without load: neither its bands nor its block."""
+    blocks = [PowerBlock(name=n, speed=1.0) for n in ("sun", "planet_1", "planet_2", "ring")]
+    links = [
+        PowerLink(
+            name=f"{blocks[a].name}-{blocks[b].name}", kind="mesh", start=a, end=b, given=given, taken=given
+        )
+        for a, b, given in ((0, 1, 1000.0), (1, 3, 1000.0), (0, 2, 0.9), (2, 3, 0.9))
+    ]
+    flow = PowerFlow(span=(0.0, 1.0), blocks=blocks, links=links)
+    svg = power_flow_svg(flow)
+    assert svg.count('class="pp-band"') == 2 and "planet_1" in svg and "planet_2" not in svg
+    text = "".join(power_section({"run": flow}).parts)
+    assert "Powers up to 0.1 % of the largest power are not drawn: sun-planet_2, planet_2-ring." in text

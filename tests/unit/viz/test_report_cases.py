@@ -11,6 +11,7 @@ import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.viz.report.build import CaseTable
+from pitchpoint.viz.report.case_results import case_quantities
 from pitchpoint.viz.report.cases import case_section
 
 NATURAL = 7.35
@@ -140,3 +141,25 @@ def test_contacts_that_are_never_lost_have_no_column_and_no_picture() -> None:
     section = case_section({"release": CaseTable(cases=cases, units=UNITS)})
     assert set(section.figures) == {"deflection"}
     assert "contact" not in "".join(section.parts).partition("<script")[0]
+
+
+def test_a_failed_case_has_no_numbers() -> None:
+    """A failed case has nan statistics: a dash in every table, no zero."""
+    rows = []
+    for size in (2.0, 3.0, math.nan):
+        channel = {"unit": "m", "mean": size, "rms": size, "min": -size, "max": size}
+        found = case(5.0, 0.15)
+        found["channels"] = {
+            f"{name}[stage]": channel
+            for name in ("transmission_error", "unloaded_transmission_error", "deflection")
+        }
+        rows.append(found)
+    for rolled in (True, False):
+        cases = (
+            rows
+            if rolled
+            else [r | {"channels": {"deflection[stage]": r["channels"]["deflection[stage]"]}} for r in rows]
+        )
+        (quantity,) = case_quantities(cases)
+        assert quantity.values[:2, 0] == pytest.approx([4.0, 6.0] if rolled else [2.0, 3.0])
+        assert math.isnan(quantity.values[2, 0])

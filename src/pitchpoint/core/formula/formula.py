@@ -9,6 +9,7 @@ variables.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -132,6 +133,10 @@ class Formula:
         return bool(np.any(self.ops[1:] == code))
 
 
+_LAST_ANGLE = re.compile(r"/\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d]+|°)\s*$")
+"""Division by a number with a unit, without brackets, at the end of a formula."""
+
+
 def parsed(
     text: str, variables: tuple[str, ...], dimension: str = "", names: Mapping[str, Amount] | None = None
 ) -> Parser:
@@ -182,4 +187,21 @@ def constant(
     's^-1'
     """
     parser = parsed(text, (), dimension, names)
-    return Amount(parser.consts[0], si_unit(parser.kind)), frozenset(parser.used)
+    amount = Amount(parser.consts[0], si_unit(parser.kind))
+    if amount.unit == "rad^-1":
+        _check_per_angle(text, dimension)
+    return amount, frozenset(parser.used)
+
+
+def _check_per_angle(text: str, dimension: str) -> None:
+    """Refuse a division by an angle where an angle is required, or meant: pi/60 rad is pi/(60 rad)."""
+    if last := _LAST_ANGLE.search(text):
+        before, number, unit = text[: last.start()].strip(), last[1], last[2]
+        raise FormulaError(
+            "a unit belongs to the number before it, so this is a division by an angle",
+            text,
+            last.start(),
+            f"write {before}/{number} * 1 {unit}, or {before}/({number} {unit}) for a value per angle",
+        )
+    if dimension == "angle":
+        raise FormulaError("its units give 1/rad, not rad (an angle such as 20 deg)", text)

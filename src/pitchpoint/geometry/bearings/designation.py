@@ -24,7 +24,7 @@ MAKERS = "SKF|FAG|INA|NSK|NTN|SNR|KOYO|JTEKT|NACHI|TIMKEN|URB|ZVL|ZKL|NKE|HR"
 # suffixes without effect on stiffness or clearance
 _SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?1?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
 _CAGES = (
-    r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABS\d]?|P|PH|J\d?|XJ?|A|"
+    r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABLPS\d]?|P|PH|J\d?|XJ?|A|"
     r"BE[PJYM]?|CA?M?"
 )
 _OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|V[AL]\d+|MT33|HT|LHT|GJN|WT|G\d+"
@@ -55,7 +55,14 @@ _OTHER_TYPES = (
 """Beginning of designations that the table lacks, their type, and what to do."""
 _SMALL = re.compile(r"6\d\d(?!\d)|MR-?\d")
 """Ball bearings with a bore of less than 10 mm."""
-_NUMBER = re.compile(r"(?:(NUP|NU|NJ|N)-?(\d{3,4})|(R?NA)-?(4[89]\d\d|4[89]-\d\d)|(\d{3,5}))-?")
+_CERAMIC = re.compile(r"HC\d?")
+"""Beginning of the suffix of hybrid bearings: elements of silicon nitride."""
+_CERAMIC_PAIR = "{youngs_modulus: 245 GPa, poisson_ratio: 0.3, density: 3200 kg/m^3}"
+"""Material with the mean (1 - nu^2)/E of silicon nitride and steel; silicon nitride: 310 GPa (SKF, *General
+Catalogue*, table of materials) and nu 0.26."""
+_NUMBER = re.compile(
+    r"(?:(NUP|NU|NJ|N)-?(\d{3,4})|(R?NA)-?(4[89]\d\d|4[89]-\d\d)|(6[023]-(?:22|28|32)|\d{3,5}))-?"
+)
 _ANGLES = (("ACD", "A5"), ("AC", "A5"), ("A5", "A5"), ("A", "A"), ("B", "B"), ("C", "C"))
 """Beginning of the suffix of angular contact bearings, and the suffix of the table: 25, 25, 25, 30, 40, 15
 deg."""
@@ -153,8 +160,8 @@ def by_designation(text: str) -> Catalogued:
     >>> found = by_designation("SKF NJ 208 ECP/C3")
     >>> found.designation, found.group
     ('NU208E', 'C3')
-    >>> by_designation("6308-2RS").bore
-    0.04
+    >>> by_designation("6308-2RS").bore, by_designation("63/22").bore
+    (0.04, 0.022)
     >>> [round(math.degrees(by_designation(name).angle)) for name in ("3208", "3208 A", "3208-B-TVH")]
     [25, 30, 25]
     """
@@ -194,6 +201,8 @@ def _cylindrical(design: str, digits: str, rest: str) -> tuple[str, str]:
 
 def _numbered(text: str, digits: str, rest: str) -> tuple[str, str]:
     """Name in the table of a bearing without prefix, and the remaining suffixes."""
+    if "-" in digits:  # bores between two sizes, such as 63/22
+        return digits.replace("-", "/"), rest
     if re.fullmatch(r"61[89]\d\d", digits):  # the same bearing in two systems of numbers
         digits = "6" + digits[2:]
     elif re.fullmatch(r"5[23]\d\d", digits):
@@ -239,6 +248,13 @@ def _group(text: str, rest: str, found: Catalogued) -> str | None:
                 value=str(text),
                 remedy=f"use {found.designation}, and give clearance or the data that differ",
             )
+        if _CERAMIC.match(word):
+            raise GeometryError(
+                f"has the suffix {word}: elements of ceramic, and material is that of elements and rings",
+                value=str(text),
+                remedy=f"write {found.designation}, and for elements of silicon nitride in rings of steel "
+                f"material: {_CERAMIC_PAIR}",
+            )
         if word in ("C2", "CN", "C0", "C3", "C4"):
             group = "CN" if word == "C0" else word
             if found.kind not in CLASSED:
@@ -271,6 +287,6 @@ def _unknown(text: str, plain: str) -> GeometryError:
     return GeometryError(
         "is not in the table of bearings",
         value=str(text),
-        remedy=f"{meant}other bearings: give type, inner_diameter, outer_diameter, width, "
-        "radial_dynamic_load_rating and radial_static_load_rating of the catalogue",
+        remedy=f"{meant}other bearings: give type, inner_diameter (d), outer_diameter (D), width (B), "
+        "radial_dynamic_load_rating (C) and radial_static_load_rating (C0) of the catalogue",
     )

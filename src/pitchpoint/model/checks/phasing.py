@@ -54,7 +54,7 @@ def check_phasing(parts: Parts, report: Reader) -> None:
             else "give more backlash, or let a gear of the loop of meshes move sideways, such as a sun with "
             "motion: planar"
             if found.loops_close
-            else "change the directions or teeth of the loop of meshes",
+            else "change the directions or teeth of the loop of meshes, or reduce position errors",
         )
 
 

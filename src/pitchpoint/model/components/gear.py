@@ -121,6 +121,7 @@ class Gear(Component):
         "only the part outside the sections of the shaft has mass",
         0.0,
         minimum=0.0,
+        display="none; elastic wheel bodies are clamped at half the root diameter, rings behind the rim",
     )
     material: Material | str = key("material", "name in the material library, or the properties", "steel")
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")

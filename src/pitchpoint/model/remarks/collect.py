@@ -102,6 +102,35 @@ def negative_backlash(model: Model) -> tuple[Message, ...]:
     return tuple(found)
 
 
+def no_backlash(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh on elastic supports with zero backlash, unless the file gives it.
+
+    Gears that only rotate about fixed axes keep their distance.
+    """
+    found = []
+    for name, mesh in model.every_mesh.items():
+        if mesh.backlash is not None or abs(model.backlash(name)) > INTERFERENCE:
+            continue
+        bodies = [body for gear in mesh.gears if (body := model.body_of(gear))]
+        if all(len(model.mechanism.seats[body].coordinates) <= 1 for body in bodies):
+            continue
+        gears = [model.toothed[gear] for gear in mesh.gears]
+        follows = any(getattr(gear, "profile_shift_coefficient", 0.0) is None for gear in gears)
+        distance = "a backlash > 0"
+        if name in model.meshes:
+            wider = "smaller" if model.pairs[name].is_internal else "larger"
+            both = "a profile_shift_coefficient of both gears and " if follows else ""
+            distance = f"{both}a {wider} center_distance"
+        found.append(
+            remark(
+                f"{model.section_of(name)}.{name}",
+                "the backlash is 0 mm: deflections of shafts and bearings bring both flanks into contact",
+                f"if this is not intended, give tooth_thickness_allowance < 0, or {distance}",
+            )
+        )
+    return tuple(found)
+
+
 def _more_room(model: Model, name: str) -> str:
     """Remedy for the negative backlash of a mesh."""
     if model.every_mesh[name].backlash is not None:
@@ -227,6 +256,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *bores_off_their_shafts(model),
         *gears_thinner_than_their_shafts(model),
         *axially_free(model),
+        *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
     return (*numbers_without_unit(model), *unused_parameters(model), *named)

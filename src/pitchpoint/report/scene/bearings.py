@@ -43,6 +43,8 @@ CORNERS = {"ball": (10, 16, 32), "roller": (12, 20, 40)}
 """Corners of a rolling element in each level of detail."""
 NARROWEST = 0.02
 """Minimum half angle of a drawn spall [rad]."""
+OFF_AXIS = 1e-3
+"""Distance from the axis of a body up to which a bearing in it is on its pin, relative to the machine."""
 MOST = 100
 """With more linear bearings, these are drawn without rolling elements."""
 
@@ -94,6 +96,52 @@ def bearing_seats(model: Model, at: Places, body: str) -> list[BearingSeat]:
         if inner.body == body and inner.place is not None:
             found.append(_seat(float((inner.place - origin) @ axes[:, 2]), rolling_size(model, at, name)))
     return found
+
+
+class Pin(NamedTuple):
+    """Pin on which a body turns, by the rolling bearings in the body.
+
+    Attributes
+    ----------
+    body
+        Body of the pin, or ground.
+    radius
+        Radius of the pin [m].
+    outside
+        Largest outside diameter of its bearings [m].
+    """
+
+    body: str
+    radius: float
+    outside: float
+
+
+def pin_of(model: Model, at: Places, body: str) -> Pin | None:
+    """Pin on which a body turns: it contains the outer rings of bearings on its axis, and no inner ring.
+
+    Parameters
+    ----------
+    model, at
+        As for `bearing_solids`.
+    body
+        Name of the body.
+    """
+    if body in model.shafts:
+        return None
+    origin, axes = at.world(body)
+    rings = {name: rings_of(model, part) for name, part in model.rolling_bearings.items()}
+    inside = {
+        name: inner.body
+        for name, (inner, outer) in rings.items()
+        if outer.body == body
+        and outer.place is not None
+        and np.hypot(*((outer.place - origin) @ axes[:, :2])) < OFF_AXIS * at.size
+    }
+    if not inside or any(inner.body == body for inner, _ in rings.values()):
+        return None
+    sizes = [rolling_size(model, at, name) for name in inside]
+    radius = 0.5 * min(size.bore for size in sizes)
+    return Pin(next(iter(inside.values())), radius, max(size.outside for size in sizes))
 
 
 def _seat(z: float, size: BearingSize) -> BearingSeat:

@@ -52,7 +52,7 @@ MAX_POINTS = 400
 
 
 def gear_part(
-    model: Model, name: str, seat: tuple[int, Array, Array], thinner: float
+    model: Model, name: str, seat: tuple[int, Array, Array], thinner: float, room: float = 0.0
 ) -> tuple[SceneSolid, list[str]]:
     """Gear, and remarks on its invisible faults.
 
@@ -66,6 +66,8 @@ def gear_part(
         Index of its body in the scene, its middle [m] and the axes of its body in that frame.
     thinner
         Reduction of the normal tooth thickness for the backlash of its meshes [m].
+    room
+        Outside diameter of a bearing in the gear, which is its bore if none is given [m].
 
     Raises
     ------
@@ -73,6 +75,8 @@ def gear_part(
         If teeth or blank are impossible.
     """
     gear = model.gears[name]
+    if gear.type == "external" and gear.bore_diameter == 0.0 and room < gear.geometry.d_f:
+        gear = replace(gear, bore_diameter=room)
     teeth = _Teeth.of(gear, thinner)
     shift, lean = _seat(gear)
     number, place, frame = seat

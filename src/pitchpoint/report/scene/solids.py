@@ -2,8 +2,8 @@
 """Solids of a model for its scene: gears with their teeth, shafts, bearings, bodies from files.
 
 Every solid is in the frame of its body at spin 0, as in the system. Components that cannot be drawn are
-omitted with a remark. Only components of the model are drawn, except for spindles, which connect the gears of
-a body.
+omitted with a remark. Only components of the model are drawn, except for spindles and pins, which
+connect the gears of a body or carry them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import middle_of, section_at, station_names
-from pitchpoint.report.scene.bearings import bearing_seats, bearing_solids
+from pitchpoint.report.scene.bearings import bearing_seats, bearing_solids, pin_of
 from pitchpoint.report.scene.bevel_gears import bevel_part
 from pitchpoint.report.scene.cad_files import surface_of
 from pitchpoint.report.scene.connections import joining_parts
@@ -61,7 +61,9 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
             continue
         seat = at.own(body, (0.0, 0.0, model.bodies[body].gears[name]))
         try:
-            solid, unseen = gear_part(model, name, seat, thinner.get(name, 0.0))
+            pin = pin_of(model, at, body)
+            room = 0.0 if pin is None else pin.outside
+            solid, unseen = gear_part(model, name, seat, thinner.get(name, 0.0), room)
         except GeometryError as error:
             notes.append(f"gear {name} is not drawn: {error}")
             continue
@@ -185,19 +187,27 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
 
 
 def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
-    """Spindle that connects the gears of a body without sections."""
-    part = model.bodies[name]
+    """Spindle that connects the gears of a body without sections, or the pin on which they turn."""
+    part, pin = model.bodies[name], pin_of(model, at, name)
     radius = spindle_radius(model, name)
-    if radius is None:
+    if radius is None or (pin is not None and _has_spindle(model, pin.body)):
         return []
+    radius = radius if pin is None else pin.radius
     ends = [z for gear in seated(model, name).values() for z in (gear.low, gear.high)]
     ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
     ends += [z for seat in bearing_seats(model, at, name) for z in (seat.low, seat.high)]
     low, high = min(ends), max(ends)
     over = 0.15 * (high - low)
     corners = shaft_solid([(high - low + 2.0 * over, 2.0 * radius, 0.0)], ROUND)
-    number, place, axes = at.own(name, (0.0, 0.0, low - over))
-    return [_solid(f"{name} (spindle)", "shaft", number, corners @ axes.T + place, schematic=True)]
+    start = at.world(name, (0.0, 0.0, low - over))
+    number, place, axes = at.at_world(name if pin is None else pin.body, *start)
+    word = "spindle" if pin is None else "pin"
+    return [_solid(f"{name} ({word})", "shaft", number, corners @ axes.T + place, schematic=True)]
+
+
+def _has_spindle(model: Model, name: str) -> bool:
+    """Whether a shaft or spindle is drawn for a body."""
+    return name in model.shafts or (name in model.bodies and spindle_radius(model, name) is not None)
 
 
 def _on_axis(place: Iterable[float]) -> bool:

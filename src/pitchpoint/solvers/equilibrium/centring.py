@@ -32,6 +32,9 @@ SOFTEST, STIFFEST = 1e5, 1e13
 """Stiffness of teeth that act as springs [N/m]."""
 PULL = 1e8
 """Stiffness of the springs between teeth with another law [N/m]."""
+HOLD = 1e-3
+"""Stiffness, over that of the teeth, that holds every body at its place of the last pass: a planet that
+floats in its bearing has no other stiffness in one direction."""
 PASSES = 3
 """Linear solutions; lines of action turn by a displacement over the centre distance."""
 
@@ -61,16 +64,16 @@ def centred(system: System, state: State, held: Iterable[int] = (), *, loaded: b
         record["c_prime"] = 0.0
     try:
         mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
-        supports = rest_matrix(system, state, NEWTON, (0.0, 0.0, 1.0))[free][:, free]
-        if not isinstance(supports, np.ndarray):
-            mass, supports = mass.toarray(), supports.toarray()
-        root, new = np.sqrt(np.diagonal(mass)), state.copy()
+        root, new = np.sqrt(mass.diagonal()), state.copy()
+        hold = np.diag(HOLD * pull.max() * system.weight[free] ** 2)
         aim, flank = np.zeros(len(records)), np.zeros(len(records))
         for count in range(2 * PASSES if loaded else PASSES):
+            supports = rest_matrix(system, new, NEWTON, (0.0, 0.0, 1.0))[free][:, free]
+            supports = supports if isinstance(supports, np.ndarray) else supports.toarray()
             residual = evaluate.residual(system, new)[free] if loaded else np.zeros(free.size)
             moved = np.zeros(free.size) if loaded else supports @ (new.q[free] - state.q[free])
             stretch, slopes = _travel(system, new) - aim, _slopes(system, new, free)
-            inverse = inverse_of(supports + slopes.T @ (pull[:, None] * slopes), root)
+            inverse = inverse_of(supports + hold + slopes.T @ (pull[:, None] * slopes), root)
             step = -inverse(residual + moved + slopes.T @ (pull * stretch))
             new.q[free] += step
             if loaded and count == PASSES - 1:

@@ -20,7 +20,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -196,7 +196,8 @@ def _pseudo_time(
     mass, root, damping = None, np.zeros(0), np.zeros(R.size)
     if state.v.any():
         damping = abs(rest_matrix(system, state, NEWTON, (0.0, 1.0, 0.0))) @ np.abs(state.v)
-    unloaded = evaluate.residual(system, system.initial_state())
+    begin = replace(system.initial_state(), v=state.v.copy())  # constant power is infinite at rest
+    unloaded = evaluate.residual(system, begin)
     loads = float(np.abs(unloaded * weight).max(initial=0.0))
     wanted = max(tolerance * float(np.abs(R * weight).max(initial=0.0)), NEGLIGIBLE * loads)
     tangent, started = Tangent(system, state), time.monotonic()

@@ -37,6 +37,7 @@ from pitchpoint.solvers.initial_state.vibration import with_vibration
 from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants, cycle_notes
 from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.solvers.quasistatic.mean_loads import roll_cycle
 from pitchpoint.solvers.speed_drift import UNBALANCED
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
@@ -141,8 +142,8 @@ class Start:
     notes
         Notes for the user.
     cycle
-        Mean torques of pulsating loads, if there are any.
-    mean
+        Mean torques of pulsating loads, if there are any; of a slow roll at rest over its angle.
+    rest
         State without the ripple of these loads: deflected by the mean torques, with the mean rates. Default:
         `state`.
     """
@@ -151,12 +152,12 @@ class Start:
     state: State
     notes: tuple[str, ...] = ()
     cycle: LoadCycle | None = None
-    mean: State | None = None
+    rest: State | None = None
 
     @property
-    def steady(self) -> State:
-        """State without ripple."""
-        return self.state if self.mean is None else self.mean
+    def mean(self) -> State:
+        """State with the mean rates and deflections, without the ripple of pulsating loads."""
+        return self.state if self.rest is None else self.rest
 
 
 def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
@@ -249,12 +250,12 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         state, notes = _closed(system, scenario, state, driven)
         mean, cycle = state, None
         if balancing_loads(system):
-            system, *_, cycle = _at_rest(system, state, held, driven)
+            system, *_, cycle = _at_rest(system, scenario, state, held, driven)
         state = states_of_inputs(system, state if cycle is None else _rippled(state, cycle))
         notes = (*notes, *start_notes(system, state, driven), *_cycle_notes(system, state, cycle, mean))
         return Start(with_damping(system, state), state, notes, cycle, mean)
     state = _from_given(system, state, driven)
-    system, found, notes, cycle = _at_rest(system, state, held, driven)
+    system, found, notes, cycle = _at_rest(system, scenario, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     notes = (*notes, *more, *start_notes(system, state, driven))
     mean, system = state, with_damping(system, state)
@@ -276,7 +277,7 @@ def _cycle_notes(system: System, state: State, cycle: LoadCycle | None, mean: St
 
 
 def _at_rest(
-    system: System, state: State, held: Sequence[int], driven: Sequence[int]
+    system: System, scenario: Scenario, state: State, held: Sequence[int], driven: Sequence[int]
 ) -> tuple[System, Equilibrium, tuple[str, ...], LoadCycle | None]:
     """The system with its balancing torques, its equilibrium, notes, and the steady motion under its loads.
 
@@ -285,6 +286,8 @@ def _at_rest(
     """
     balancing = balancing_loads(system)
     cycle = load_cycle(system, state, held, driven)
+    if balancing and cycle is None and scenario.quasi_static is not None:
+        cycle = roll_cycle(system, state, scenario.quasi_static.mesh)
     mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state)[:2] if balancing else NOW
     mean, balanced, fixed = balance_torques(mean, state, held, driven, instants)
@@ -298,7 +301,7 @@ def _at_rest(
     records = system.records[LOAD].copy()
     records["value"][balancing] = mean.records[LOAD]["value"][balancing]
     system = system.with_params({LOAD: records})
-    deflected = load_cycle(system, found.state, held, driven) or cycle
+    deflected = load_cycle(system, found.state, held, driven) or cycle  # of a slow roll at rest: the same
     return system, found, notes, deflected if balancing else replace(deflected, offset=0.0 * deflected.offset)
 
 

@@ -24,7 +24,8 @@ from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix, signal_states
 from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.solvers.harmonic_response import harmonic_response
-from pitchpoint.solvers.load_cycle import GOLDEN, TURNS, LoadCycle
+from pitchpoint.solvers.load_cycle import LoadCycle
+from pitchpoint.solvers.load_waves import GOLDEN, TURNS
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System

@@ -34,7 +34,8 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     held
         Held spins; the first one is that of the rotated body.
     reaction
-        Holding torques [N m], shape (n, len(held)).
+        Mean holding torques [N m], shape (1, len(held)): pulsating torques that are balanced in the mean
+        leave the alternating part to the holding torques.
     rows
         All channels, shape (n, no).
     """

@@ -25,13 +25,14 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.core.words import listed
 from pitchpoint.model.components.law import Balance
-from pitchpoint.model.scenario import Scenario
+from pitchpoint.model.scenario import QuasiStatic, Scenario
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.load_cycle import pulsation
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.quasistatic.loads import loads_at_speed
 from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
@@ -160,7 +161,8 @@ def roll_through(
         raise SolverError("a slow roll needs a system compiled from a model (gear ratios)", INCONSISTENT)
     refuse_rates(system, "a slow roll")
     # balance the torques without friction, which a slow roll neglects
-    point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
+    scenario = _begun(system, replace(scenario, quasi_static=QuasiStatic(mesh=mesh)))
+    point = operating_point(without_friction(system, joints=True), scenario)
     own = loads_at_speed(point.system, point.state)
     k = mesh_names(own).index(mesh)
     state = point.state.copy()
@@ -177,6 +179,7 @@ def roll_through(
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
+    ripple = pulsation(own, state, held, point.cycle)
     done, status, text = 0, OK, sentence(OK)
     try:
         for s in range(n):
@@ -206,7 +209,8 @@ def roll_through(
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
     notes = (
-        *load_notes(own, held, reaction[:done], rows),
+        *([f"the slow roll has the loads at {point.at}"] if point.at else []),
+        *load_notes(own, held, reaction[:1] + ripple, rows),
         *friction_notes(system),
         *deep_contacts(own.model, [spans]),
     )

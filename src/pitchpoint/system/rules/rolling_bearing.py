@@ -49,9 +49,9 @@ def rolling_bearing_bank(places: Places) -> Bank:
         row["gap"] += 0.5 * play(part.faults.values())
         row["exponent"] = POINT if found.is_ball else LINE
         row["stiffness"], row["chi"] = _stiffness(name, part), part.damping
-        if found.effective_length is not None:
-            slices = roller_slices(found.effective_length, found.element_diameter, part.slices)
-            row["n_slices"], row["slices"] = part.slices, pool.add(slices)
+        slices = _slices(part)
+        if slices is not None:
+            row["n_slices"], row["slices"] = len(slices), pool.add(slices)
         row["one_sided"] = found.one_shoulder
         row["offset"] = 0.5 * found.row_distance
         if found.axial_clearance is not None:
@@ -64,13 +64,21 @@ def rolling_bearing_bank(places: Places) -> Bank:
     return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings), pool=pool.array())
 
 
+def _slices(part: RollingBearing) -> Array | None:
+    """Slices of a roller, as of `roller_slices`; None for balls and rollers of a given stiffness."""
+    found = part.geometry
+    if found.effective_length is None:
+        return None
+    cones = found.contact_angle != 0.0 and not found.aligns  # otherwise cylinders or barrels
+    return roller_slices(found.effective_length, found.element_diameter, part.slices, tapered=cones)
+
+
 def _shift(part: RollingBearing, stiffness: float) -> float:
     """Axial displacement of the inner ring to the outer one that preloads a bearing as assembled [m]."""
     found = part.geometry
     side = -1.0 if found.absorbs == NEGATIVE else 1.0
     if part.preload is None:
         return side * (part.preload_distance or 0.0)
-    length = found.effective_length
     row = Raceways(
         elements=found.elements,
         stiffness=stiffness,
@@ -78,7 +86,7 @@ def _shift(part: RollingBearing, stiffness: float) -> float:
         angle=abs(found.contact_angle),
         gap=0.5 * found.clearance,
         grooves=found.groove_distance,
-        slices=None if length is None else roller_slices(length, found.element_diameter, part.slices),
+        slices=_slices(part),
     )
     return side * row.shift_for(part.preload)
 

@@ -26,6 +26,7 @@ from pitchpoint.viz.report.overview import provenance_section, scene_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
+from pitchpoint.viz.report.responses import response_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.summary import summary_section
 from pitchpoint.viz.report.tables import mode_section, parameter_section, signal_section
@@ -202,7 +203,7 @@ class ModeData:
     `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
     bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
     if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
-    (number of modes, number of components).
+    (number of modes, number of components). `at` is the state of a sweep, in words.
     """
 
     names: Sequence[str]
@@ -214,6 +215,7 @@ class ModeData:
     total: int = 0
     components: Sequence[str] = ()
     strain_share: ArrayLike = ()
+    at: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -294,6 +296,8 @@ class ReportResults:
         Contact analyses by the name of the mesh.
     reliefs
         Relief designs by the name of the mesh: datasets of `design_relief`.
+    responses
+        By name: datasets of `solve_frequency_response` and `solve_mesh_response`.
     powers
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
@@ -313,6 +317,7 @@ class ReportResults:
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
     contacts: Mapping[str, ContactData] = field(default_factory=dict)
     reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)
+    responses: Mapping[str, xr.Dataset] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
     compared: Sequence[tuple[str, Mapping[str, str]]] = ()
@@ -337,6 +342,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
         campbell_section(results.campbells),
         mode_section(results.modes),
+        response_section(results.responses),
         contact_section(results.contacts),
         relief_section(results.reliefs),
         roll_section(results.rolls),

@@ -109,14 +109,14 @@ def _magnitude(row: Row) -> float:
 
 
 def _range(row: Row) -> float:
-    """Peak to peak value; round-off of a constant is zero."""
+    """Peak to peak value; round-off of a constant is zero, nan (a failed case) remains."""
     size = float(row["max"]) - float(row["min"])
-    return size if size > ROUND_OFF * _magnitude(row) else 0.0
+    return 0.0 if size <= ROUND_OFF * _magnitude(row) else size
 
 
 def _alternating(row: Row) -> float:
-    """Rms of the alternating part; round-off of a constant is zero."""
-    return float(row["rms"]) if row["rms"] > ROUND_OFF * _magnitude(row) else 0.0
+    """Rms of the alternating part; round-off of a constant is zero, nan (a failed case) remains."""
+    return 0.0 if row["rms"] <= ROUND_OFF * _magnitude(row) else float(row["rms"])
 
 
 def _rows(case: Case, quantity: str) -> Iterator[tuple[str, Row]]:

@@ -9,7 +9,8 @@ from html import escape
 import numpy as np
 
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
-from pitchpoint.viz.power_flow_drawing import power_flow_svg
+from pitchpoint.viz.power_flow_drawing import NEGLIGIBLE as SMALLEST
+from pitchpoint.viz.power_flow_drawing import power_flow_svg, undrawn
 from pitchpoint.viz.quantities import Scale, amount, number, scale, span
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table
@@ -39,9 +40,9 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
         drawing = power_flow_svg(flow)
         whose = f" of {first}" if len(group) > 1 else ""
         words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power."
-        words = f"{words} {_friction(flow)}"
+        words = f"{words} {_small(flow)} {_friction(flow)}"
         section.add(
-            f"<figure>{drawing}<figcaption>{escape(words.strip())}</figcaption></figure>"
+            f"<figure>{drawing}<figcaption>{escape(' '.join(words.split()))}</figcaption></figure>"
             if drawing
             else "<p>No power is transmitted in this run.</p>"
         )
@@ -141,6 +142,13 @@ def _blocks(flow: PowerFlow, most: float) -> str:
     if abs(left) <= NEGLIGIBLE * most:
         return f" Every block balances within {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
     return f" Largest remainder of a block: {amount(left, 'W')}, {flow.blocks[worst].name}."
+
+
+def _small(flow: PowerFlow) -> str:
+    """Sentence about powers without a band."""
+    names = undrawn(flow)
+    share = f"{number(100.0 * SMALLEST, 2)} % of the largest power"
+    return f"Powers up to {share} are not drawn: {', '.join(names)}." if names else ""
 
 
 def _friction(flow: PowerFlow) -> str:

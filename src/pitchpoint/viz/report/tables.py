@@ -60,6 +60,7 @@ def _add_modes(section: Section, modes: Any) -> None:
 def _conditions(modes: Any) -> str:
     """Scenario and prescribed motions of modes, in words."""
     of = f" of scenario {modes.scenarios[0]}" if modes.scenarios else ""
+    of += f" at {modes.at}," if modes.at else ""
     words = f"Linearised about the loaded state{of} with mean mesh stiffness"
     if modes.held:
         words += f"; prescribed motion: {', '.join(modes.held)}"
