@@ -109,12 +109,15 @@ class Power:
         from body i to body j.
     where
         Whether a record transmits power; default: all do.
+    energy
+        Energy that a record stores at a torque on body i [J], for kinds whose state is this torque.
     """
 
     torque: str = ""
     loss: str = "damping"
     source: str = ""
     where: Callable[[np.void], bool] | None = None
+    energy: Callable[[np.void, Any], Any] | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

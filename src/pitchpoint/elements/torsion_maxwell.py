@@ -83,5 +83,5 @@ KIND = Kind(
     pairs=WITH_STATE,
     spins=FREE,
     sections={"torsion_maxwells": "coil"},
-    power=Power("torque[{}]"),
+    power=Power("torque[{}]", energy=lambda record, torque: 0.5 * torque**2 / float(record["stiffness"])),
 )

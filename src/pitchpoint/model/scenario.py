@@ -175,8 +175,8 @@ class Scenario(Component):
     )
     start: str = choice(
         ("equilibrium", "assembled"),
-        "initial state; equilibrium: static equilibrium under the loads at t = 0; assembled: all coordinates "
-        "zero, teeth centred in the backlash",
+        "initial state; equilibrium: static equilibrium under the loads at t = 0, with the mean of pulsating "
+        "torques and their steady vibration; assembled: all coordinates zero, teeth centred in the backlash",
         "equilibrium",
     )
     hold: tuple[str, ...] = key("names", "bodies whose speed is kept constant at its initial value", ())

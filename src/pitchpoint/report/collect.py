@@ -19,7 +19,7 @@ from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.report.study_data import case_table, sweep_of
-from pitchpoint.report.variants import variant_words
+from pitchpoint.report.variants import change_words, variant_words
 from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
     CaseTable,
@@ -165,6 +165,14 @@ def collect(
     return shown, [*notes, *linear.remarks, *found.remarks, *own_notes(found.notes)]
 
 
+def _what_differs(model: Model, scenario: str, text: str, file: str) -> str:
+    """Sentence on a result of another model than that of the report, with the values that differ, if few."""
+    from pitchpoint.model.write import model_text
+
+    words = change_words(model_text(model), text, scenario, file) if text else ""
+    return f"{Path(file).name} was computed with {words or 'a different version of the model'}."
+
+
 def _add_file(found: _Found, file: str, model: Model) -> None:
     """Add the contents of one result file to the data of the report."""
     from pitchpoint.analysis.jumps import sweep_jumps
@@ -186,7 +194,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if kind is found.runs or kind is found.sweeps or kind is found.cases:
             found.scenarios.append(scenario)
         if str(header.get("model_hash", "")) not in ("", content_hash(model)):
-            found.others[key] = f"{own} was computed with a different version of the model."
+            found.others[key] = _what_differs(model, scenario, str(header.get("model_text", "")), file)
         found.sources.append(source_of(key, header, content_hash(model), own))
         found.notes.append((key, split_notes(str(header.get("notes", "")))))
         return key

@@ -8,7 +8,7 @@ remainder, which is reported for the whole machine and for every block.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -20,6 +20,7 @@ from pitchpoint.elements import registry
 from pitchpoint.elements.kind import MESH, RATIO, Kind, Power
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene.motion import Motion, motion
+from pitchpoint.report.stored_energy import Deflections, elastic_kinds
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import stored_statistics
@@ -36,6 +37,14 @@ Array = NDArray[np.float64]
 LOSSES = {"friction": "friction_power", "damping": "damping_power"}
 ROUND_OFF = 1e-12
 """Relative loss of a link below which it counts as lossless."""
+
+
+SMALL = 1e-8
+"""The same for the difference of two powers, each with the error of the trapezoidal rule."""
+UNKNOWN = "springs, whose deflections the result does not determine"
+
+Place = tuple[str, int]
+"""Kind and number of an element."""
 
 
 class NoPowerFlowError(PitchpointError):
@@ -85,27 +94,35 @@ class Machine:
         inside = after_settling(time, settle_time) if time.size else np.zeros(0, bool)
         self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
         self.time = time[self.inside]
+        self.springs = elastic_kinds(system)
         # a record of all steps is integrated directly: the mean over steps has no half weights at the ends
         self.decimated = int(result.attrs.get("steps", time.size)) >= time.size
         self.booked = False
         if self.time.size < 2:
             raise NoPowerFlowError("the run has fewer than two samples")
+        self.duration = float(self.time[-1] - self.time[0])
         self.names = system.layout.bodies
         self.parent = [0, *(int(one.parent) for one in system.bodies)]
         rest: Motion = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
         self.place, self.axes, self.axis = rest.place[0], rest.axes[0], rest.axes[0][:, :, 2]
         self.pitch_points, self.directions = rest.pitch_points[0], rest.directions[0]
+        self.deflections = Deflections(system, self.ends)
         self.spin: dict[int, Array] = {}
         for b, one in enumerate(system.bodies, start=1):
             if not one.state and any(name == "spin" for name, _ in one.coordinates):
                 self.spin[b] = self.channel(f"speed[{self.names[b]}]")
         self.blocks, self.block_of = self._blocks(model)
+        self.strain = [self.elastic(self.within(block)) for block in range(len(self.blocks))]
 
     def channel(self, name: str) -> Array:
         """Channel over the evaluated span."""
         if name not in self.result:
             raise NoPowerFlowError(f"the result does not contain {name}")
         return np.asarray(self.result[name].values, dtype=np.float64)[self.inside]
+
+    def ends(self, name: str) -> Array | None:
+        """Channel at both ends of the span; None if it is not in the result."""
+        return self.channel(name)[[0, -1]] if name in self.result else None
 
     def _blocks(self, model: Model) -> tuple[list[str], dict[int, int]]:
         """Names of the blocks, and the block of each rotating body; the stations of a shaft are one block."""
@@ -160,7 +177,7 @@ class Machine:
 
     def sources(self) -> Iterator[PowerLink]:
         """Links of drives and loads, and of their reactions on other bodies."""
-        for power, record, name in self.passing(source=True):
+        for power, record, name, _ in self.passing(source=True):
             i, j = int(record["i"]), int(record["j"])
             on_i = self.power(power.torque.format(name), self.turning(i, self.axis[i]))
             on_j = -self.power(power.torque.format(name), self.turning(j, self.axis[i]))
@@ -169,16 +186,19 @@ class Machine:
             if on_j:
                 yield self.link(f"reaction of {name}", power.source, (0, j), (-on_j, on_j))
 
-    def passing(self, source: bool) -> Iterator[tuple[Power, np.void, str]]:
-        """Description, record and name of the elements with an evaluated torque: sources, or all others."""
+    def passing(self, source: bool) -> Iterator[tuple[Power, np.void, str, Place]]:
+        """Description, record, name, and kind with number of the elements with an evaluated torque.
+
+        They are the sources, or all others.
+        """
         for kind, records in self.system.records.items():
             power = registry.find(kind).power
             if power is None or not power.torque or bool(power.source) != source:
                 continue
-            for record, name in zip(records, self.system.names.get(kind, ()), strict=False):
+            for k, (record, name) in enumerate(zip(records, self.system.names.get(kind, ()), strict=False)):
                 wanted = power.where is None or power.where(record)
                 if wanted and self.follows(power, record):
-                    yield power, record, name
+                    yield power, record, name, (kind, k)
 
     def follows(self, power: Power, record: np.void) -> bool:
         """Whether all links between rotating bodies are evaluated, for kinds with only some such records."""
@@ -201,11 +221,24 @@ class Machine:
             yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
 
     def torques(self) -> Iterator[PowerLink]:
-        """Links of couplings and clutches; the difference of their powers is their loss."""
-        for power, record, name in self.passing(source=False):
+        """Links of couplings and clutches; the difference of their powers is their loss, or stored."""
+        for power, record, name, place in self.passing(source=False):
             pair = int(record["i"]), int(record["j"])
-            found = self.between(name, pair, power.torque.format(name))
-            yield _with_losses(found, {power.loss: found.given - found.taken})
+            channel = power.torque.format(name)
+            found = self.between(name, pair, channel)
+            energy = np.diff(power.energy(record, self.channel(channel)[[0, -1]]))[0] if power.energy else 0.0
+            stored = (float(energy) + self.elastic([place])) / self.duration
+            found = replace(found, stored=stored if abs(stored) > ROUND_OFF * found.given else 0.0)
+            lost = found.given - found.taken - stored
+            yield _with_losses(found, {power.loss: lost if abs(lost) > SMALL * found.given else 0.0})
+
+    def elastic(self, places: Iterable[Place]) -> float:
+        """Change of the elastic energy of springs over the span [J]."""
+        on: dict[str, list[int]] = {}
+        for kind, k in places:
+            on.setdefault(kind, []).append(k)
+        springs = {kind: np.array(rows) for kind, rows in on.items() if kind in self.springs}
+        return self.deflections.change(springs)
 
     def between(self, name: str, pair: tuple[int, int], channel: str) -> PowerLink:
         """Link of a torque on the first of two bodies and the opposite torque on the second."""
@@ -244,10 +277,21 @@ class Machine:
         return found
 
     def stored(self, block: int) -> float:
-        """Mean rate of the kinetic energy of a block: rotation, and motion about its carriers [W]."""
+        """Mean rate of the energy of a block: rotation, motion about its carriers, torsion of a shaft [W]."""
         energy = sum(self.energy(b) for b, k in self.block_of.items() if k == block)
         first, last = np.broadcast_to(energy, 2)
-        return float(last - first) / float(self.time[-1] - self.time[0])
+        return (float(last - first) + self.strain[block]) / self.duration
+
+    def within(self, block: int) -> list[Place]:
+        """Springs between bodies of one block, not links: pieces of a shaft; `OUTSIDE`: all others."""
+        linked = {place for *_, place in self.passing(source=False)}
+        found = []
+        for kind in self.springs:
+            for k, record in enumerate(self.system.records[kind]):
+                one, two = (self.block_of.get(int(record[end]), OUTSIDE) for end in "ij")
+                if (kind, k) not in linked and (one if one == two else OUTSIDE) == block:
+                    found.append((kind, k))
+        return found
 
     def energy(self, b: int) -> Array:
         """Kinetic energy of a body at both ends of the span, at its rest position [J]."""
@@ -275,8 +319,9 @@ class Machine:
         """Complete power flow."""
         own = {block: b for b, block in reversed(self.block_of.items())}
         speed = {block: self.mean(self.turning(b, self.axis[b])) for block, b in own.items()}
-        span = float(self.time[-1] - self.time[0])
-        energies = [self.channel(f"elastic_energy[{m}]") for m in mesh_names(self.system)]
+        names = [c.name for c in self.system.layout.channels if c.name.startswith("elastic_energy[")]
+        teeth = sum(float(ends[1] - ends[0]) for name in names if (ends := self.ends(name)) is not None)
+        unknown = bool(self.springs) and not self.deflections.known
         touched = {block for link in links for block in (link.start, link.end)}
         kept = [k for k in range(len(self.blocks)) if k in touched]
         number = {k: new for new, k in enumerate(kept)} | {OUTSIDE: OUTSIDE}
@@ -284,9 +329,9 @@ class Machine:
             span=(float(self.time[0]), float(self.time[-1])),
             blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
             links=[_numbered(link, number) for link in links],
-            elastic=sum(float(e[-1] - e[0]) for e in energies) / span,
+            elastic=(teeth + self.elastic(self.within(OUTSIDE))) / self.duration,
             booked=self.booked,
-            unfollowed=self.unfollowed(),
+            unfollowed=[*self.unfollowed(), *[UNKNOWN] * unknown],
         )
 
 

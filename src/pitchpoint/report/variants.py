@@ -48,18 +48,8 @@ def variant_words(
     >>> variant_words({"a": text % "5 N m", "b": text % "9 N m"}, {"a": "s", "b": "s"})
     {'a': 'load 5 N m', 'b': 'load 9 N m'}
     """
-    try:
-        read = {name: _read(text, files.get(name)) for name, text in models.items()}
-    except PitchpointError:
-        try:  # a model that refers to other files can be compared as text only
-            read = {name: _as_text(text) for name, text in models.items()}
-        except PitchpointError:
-            return {}
-    leaves = {name: _of_scenario(written, scenarios.get(name, "")) for name, (written, _) in read.items()}
-    values = {name: _of_scenario(exact, scenarios.get(name, "")) for name, (_, exact) in read.items()}
-    paths = dict.fromkeys(path for own in leaves.values() for path in own)
-    differing = [path for path in paths if _differs(leaves, path) and _differs(values, path)]
-    if not 0 < len(differing) <= MAX_DIFFERENCES:
+    leaves, differing = _compared(models, scenarios, files)
+    if not differing:
         return {}
     # a parameter has its own name, a key of a component that of the key
     keys = [path[1:2] if path[0] == "parameters" else path[2:] for path in differing]
@@ -74,6 +64,59 @@ def variant_words(
             words.append(" ".join(filter(None, (*place, key, value))))
         found[name] = ", ".join(words)
     return found if len(set(found.values())) == len(found) else {}
+
+
+def change_words(one: str, other: str, scenario: str, file: str) -> str:
+    """Values of the model of a result file that differ from those of another model, by path.
+
+    Parameters
+    ----------
+    one, other
+        Text of the model, and of that of the result file.
+    scenario
+        Scenario of the result.
+    file
+        The result file, for the files to which its model refers.
+
+    Returns
+    -------
+    str
+        "" as for `variant_words`.
+
+    Examples
+    --------
+    >>> text = '{"parameters": {"load": {"value": "%s"}}}'
+    >>> change_words(text % "5 N m", text % "9 N m", "s", "")
+    'parameters.load = 9 N m (the model: 5 N m)'
+    """
+    files = {"other": file} if file else {}
+    leaves, differing = _compared({"one": one, "other": other}, {"one": scenario, "other": scenario}, files)
+    words = []
+    for path in differing:
+        now, before = (
+            printed(str(own[path])) if path in own else "default" for own in (leaves["other"], leaves["one"])
+        )
+        place = ".".join(("scenarios", scenario, *path[2:]) if path[0] == "scenario" else path)
+        words.append(f"{place} = {now} (the model: {before})")
+    return ", ".join(words)
+
+
+def _compared(
+    models: Mapping[str, str], scenarios: Mapping[str, str], files: Mapping[str, str]
+) -> tuple[dict[str, Leaves], list[Path]]:
+    """Values of the models, and the paths of those that differ; none if they are too many."""
+    try:
+        read = {name: _read(text, files.get(name)) for name, text in models.items()}
+    except PitchpointError:
+        try:  # a model that refers to other files can be compared as text only
+            read = {name: _as_text(text) for name, text in models.items()}
+        except PitchpointError:
+            return {}, []
+    leaves = {name: _of_scenario(written, scenarios.get(name, "")) for name, (written, _) in read.items()}
+    values = {name: _of_scenario(exact, scenarios.get(name, "")) for name, (_, exact) in read.items()}
+    paths = dict.fromkeys(path for own in leaves.values() for path in own)
+    differing = [path for path in paths if _differs(leaves, path) and _differs(values, path)]
+    return leaves, differing if len(differing) <= MAX_DIFFERENCES else []
 
 
 def _read(text: str, file: str | None) -> tuple[Leaves, Leaves]:

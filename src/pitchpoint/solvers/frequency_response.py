@@ -24,6 +24,7 @@ from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
+from pitchpoint.solvers.harmonic_response import harmonic_response
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest, rates_of
 from pitchpoint.system import evaluate
@@ -159,55 +160,20 @@ def respond(
     omega: float,
 ) -> Complex:
     """Outputs per unit of each input at one circular frequency [rad/s], shape (no, ni)."""
-    M, D, K = matrices
-    own = list(linear.states)
-    unit = np.eye(M.shape[0])[:, own]
-    # the unknown of a state is the rate of its coordinate
-    columns = [(K + 1j * omega * D - omega**2 * M) @ basis, (D + 1j * omega * M)[:, own]]
     B = np.column_stack([port.at(omega) for port in ins])
-    if isinstance(basis, np.ndarray):
-        y = _solved_dense(columns, basis, unit, B)
-    else:
-        y = _solved_sparse(columns, basis, unit, B)
-    if not np.all(np.isfinite(y)):
+    found = harmonic_response(matrices, basis, linear.states, omega, B)
+    if not np.all(np.isfinite(found.place)):
         raise SolverError(f"nothing resists at {omega / (2.0 * np.pi):.6g} Hz: a rigid motion", SINGULAR)
-    n = basis.shape[1]
-    q = basis @ y[:n]
-    rate = 1j * omega * q + unit @ y[n:]
-    found = outs.place @ q + outs.rate @ rate
+    values = outs.place @ found.place + outs.rate @ found.rate
     if np.any(outs.react):
         G = evaluate.constraint_jacobian(linear.system, linear.state)
-        left = B - columns[0] @ y[:n] - columns[1] @ y[n:]
-        found = found + outs.react @ np.linalg.lstsq(G.T.astype(complex), left, rcond=1e-9)[0]
+        values = values + outs.react @ np.linalg.lstsq(G.T.astype(complex), found.left, rcond=1e-9)[0]
     for i, port in enumerate(ins):
         if port.mesh >= 0:
             feed = outs.feed[:, port.mesh]
             damper = np.where(feed != 0.0, outs.rate @ port.follows, 0.0)
-            found[:, i] += port.direct * feed - 1j * omega * damper
-    return np.asarray(found)
-
-
-def _solved_dense(columns: Sequence[Any], basis: Array, unit: Array, B: Complex) -> Complex:
-    """Response of the basis coordinates and states to loads; NaN if the matrix is singular."""
-    rows = np.hstack([basis, unit]).T
-    whole = np.hstack([c if isinstance(c, np.ndarray) else c.toarray() for c in columns])
-    try:
-        return np.asarray(np.linalg.solve(rows @ whole, rows @ B))
-    except np.linalg.LinAlgError:
-        return np.full((len(rows), B.shape[1]), np.nan + 0j)
-
-
-def _solved_sparse(columns: Sequence[Any], basis: Any, unit: Array, B: Complex) -> Complex:
-    """`_solved_dense` with sparse matrices."""
-    from scipy.sparse import csc_array, hstack
-    from scipy.sparse.linalg import splu
-
-    rows = hstack([basis, csc_array(unit)]).T
-    try:
-        lu = splu((rows @ hstack(columns)).tocsc())
-    except RuntimeError:  # a pivot is zero
-        return np.full((rows.shape[0], B.shape[1]), np.nan + 0j)
-    return np.asarray(lu.solve(rows @ B))
+            values[:, i] += port.direct * feed - 1j * omega * damper
+    return np.asarray(values)
 
 
 def solve_frequency_response(

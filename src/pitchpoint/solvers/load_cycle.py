@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +24,7 @@ from pitchpoint.elements.torsion import sense_of, turn_between
 from pitchpoint.model.components.law import FormulaLaw
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.load_waves import SAME, TURNS, Wave, grid_of, waves_of
 from pitchpoint.solvers.steady_motion import Motion, Torques, path_from, steady_motion, window
 from pitchpoint.solvers.torque_paths import turning
 from pitchpoint.system import evaluate
@@ -34,19 +34,8 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 LOAD = KIND.name
-TURNS = 2.0 * math.pi
-SAME = 1e-9
-"""Relative difference up to which rates, torques or speeds count as equal."""
 ROUND_OFF = 1e-14
 """Mean of a torque relative to its largest value that counts as zero."""
-POINTS = 64
-"""Points per period of the fastest argument: the mean is exact for harmonics of lower order."""
-LEAST = 4096
-"""Least number of points in a common period, for tables and formulas with kinks."""
-GOLDEN = 0.5 * (5.0**0.5 - 1.0)
-"""Added to a number of points per period, so that they have different phases in all periods."""
-MAX_CYCLES = 2048
-"""Periods of the fastest argument: the longest common period, and the longest mean without one."""
 MAX_TURNS = 12
 """Revolutions within which a user law of the angle must repeat to count as periodic."""
 
@@ -76,6 +65,8 @@ class LoadCycle:
     stops
         Bodies that a rigid train would stop within the time of the mean, and when [s], if it started at
         constant speed; computed without steady motion only.
+    waves
+        Harmonics of the loads, as torques on the coordinates.
     body
         Of a slow roll the body whose angle [rad] takes the place of the time; else empty.
     """
@@ -90,6 +81,7 @@ class LoadCycle:
     swing: Array
     steady: bool = True
     stops: dict[str, float] = field(default_factory=dict)
+    waves: tuple[Wave, ...] = ()
     body: str = ""
 
     def applied(self, system: System) -> System:
@@ -117,6 +109,8 @@ class PulsatingLoad:
         Time at the beginning [s].
     angle, speed
         Angle [rad] at the beginning and mean speed [rad/s] of its body, relative to that of the reaction.
+    row
+        Its speed per rate of the coordinates, shape (nd,).
     share
         Share of the free rotations in this angle.
     by_angle
@@ -132,6 +126,7 @@ class PulsatingLoad:
     begin: float
     angle: float
     speed: float
+    row: Array
     share: Array
     by_angle: tuple[float, ...]
     timed: bool
@@ -196,6 +191,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
         stops={}
         if found is not None
         else _stops(system, loads, path_from(torques, mass, h, motion.weights.size, motion.torque), h),
+        waves=waves_of(loads, values if whole else {}, period) if found is not None else (),
     )
 
 
@@ -262,6 +258,7 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
                     begin=state.t,
                     angle=angle,
                     speed=speed,
+                    row=row,
                     share=row @ motions,
                     by_angle=tuple(sorted({abs(by_angle) for _, by_angle in phases if by_angle != 0.0})),
                     timed=any(by_time != 0.0 for by_time, _ in phases),
@@ -342,40 +339,6 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
         if np.abs(values_of(record, 0.0, over + TURNS * turn, speed) - first).max() <= SAME * size:
             return [(0.0, 1.0 / turn)]
     return None
-
-
-def grid_of(rates: Array) -> tuple[float, int, float]:
-    """Distance [s] and number of points for rates [rad/s] of arguments, and their common period [s] or 0.
-
-    No argument has the same phase at two points: the mean of a load with jumps is then as accurate as that of
-    a single period on all points.
-    """
-    base = common_rate(rates)
-    if base > 0.0 and rates[-1] / base <= MAX_CYCLES:
-        cycles = [round(float(rate / base)) for rate in rates]
-        n = math.ceil(max(LEAST, POINTS * rates[-1] / base))
-        while any(math.gcd(n, count) > 1 for count in cycles):
-            n += 1
-        period = TURNS / base
-        return period / n, n, period
-    return TURNS / float(rates[-1]) / (POINTS // 2 + GOLDEN), POINTS // 2 * MAX_CYCLES, 0.0
-
-
-def common_rate(rates: Array) -> float:
-    """Rate of the common period of positive rates in increasing order; 0 if their ratios are not rational.
-
-    Examples
-    --------
-    >>> round(common_rate(np.array([2.0, 5.0])), 12), common_rate(np.array([1.0, 2.0**0.5]))
-    (1.0, 0.0)
-    """
-    multiples = []
-    for rate in rates / rates[0]:
-        near = Fraction(float(rate)).limit_denominator(MAX_CYCLES)
-        if abs(float(near) - rate) > SAME * rate:
-            return 0.0
-        multiples.append(near.denominator)
-    return float(rates[0]) / math.lcm(*multiples)
 
 
 def _without_round_off(mean: float, values: Array) -> float:

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.elements.signal import OVER_SPEED, Pool, set_constant, set_table
 from pitchpoint.solvers.gear_trains import driven_coordinates
-from pitchpoint.solvers.load_cycle import LOAD, PulsatingLoad, common_rate, pulsating_loads
+from pitchpoint.solvers.load_cycle import LOAD, PulsatingLoad, pulsating_loads
+from pitchpoint.solvers.load_waves import common_rate
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]

@@ -77,15 +77,17 @@ def _pulsating(system: System) -> tuple[bool, bool]:
     return rough, surface
 
 
-def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ...]:
+def cycle_notes(system: System, state: State, cycle: LoadCycle, rates: Array) -> tuple[str, ...]:
     """Notes on the mean torques of pulsating loads and on the ripple of the speed.
 
     Parameters
     ----------
     system, state
-        The system, and the state at t = 0 with the mean rates.
+        The system, and the state at t = 0.
     cycle
         Its pulsating loads.
+    rates
+        Mean rates, shape (nd,).
     """
     names, records = system.names[LOAD], system.records[LOAD]
     balancing = balancing_loads(system)
@@ -108,12 +110,13 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     for k in balancing:
         body = int(records[k]["i"])
         spin = spin_of(system.program["body"], body)
-        mean = float(state.v[spin])
-        if abs(cycle.offset[spin]) > RIPPLE * abs(mean):
-            ripples = (cycle.offset[spin], 0.0, cycle.lowest[spin], cycle.highest[spin])
-            now, wanted, least, most = (format_quantity(mean + x, "angular_speed", 5) for x in ripples)
+        mean, begun = float(rates[spin]), float(state.v[spin])
+        if abs(begun - mean) > RIPPLE * abs(mean):
+            speeds = (begun, mean, mean + cycle.lowest[spin], mean + cycle.highest[spin])
+            now, wanted, least, most = (format_quantity(x, "angular_speed", 5) for x in speeds)
             name = system.layout.bodies[body]
-            starts.append(f"{name} starts at {now} for a mean speed of {wanted} (from {least} to {most})")
+            rigid = f"rigid train: from {least} to {most}"
+            starts.append(f"{name} starts at {now} for a mean speed of {wanted} ({rigid})")
     return (": ".join([text, *starts]),)
 
 

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import MESH
-from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.gear_trains import rotations, turning_spins
 from pitchpoint.solvers.machine_groups import SHAFT
 from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
 from pitchpoint.solvers.planet_modes import PLANET, TRANSLATIONAL, PlanetSet, planet_sets, type_of_mode
@@ -329,6 +329,8 @@ class _Namer:
         if e < 0 or not groups.springs[e]:
             return f"rotation of {groups.parts[part]}"
         held = groups.kinds[e] != SHAFT and len(groups.ends[e]) < 2
+        if held and spin in turning_spins(self.system):  # its bearings do not resist the rotation
+            return f"rotation of {groups.parts[part]}"
         return f"torsion of {groups.parts[part]}" + (" against ground" if held else "")
 
     def _rates(self, spin: int) -> Array:

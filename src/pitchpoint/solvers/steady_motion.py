@@ -233,7 +233,10 @@ def _path(torques: Torques, mass: Array, h: float, given: tuple[Array, Array], g
         for _ in range(PASSES):
             value, by_angle, by_speed = torques(part, now[:n], now[n:])
             with np.errstate(over="ignore", invalid="ignore"):
-                found = _linear(mass, h, now, (value - level[:, None], by_angle, by_speed), by[:, k])
+                try:
+                    found = _linear(mass, h, now, (value - level[:, None], by_angle, by_speed), by[:, k])
+                except np.linalg.LinAlgError:  # the trial motion left all bounds
+                    return None
                 now = now + found[:, :, 0]
             if not np.all(np.isfinite(found)):
                 return None

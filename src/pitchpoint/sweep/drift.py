@@ -50,8 +50,9 @@ def drift_notes(
                 off.append((deviation, point["speed"]))
     if not off:
         return ()
-    worst, speed = max(off, key=lambda one: abs(one[0]))
-    text = f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed"
+    largest, speed = max(off, key=lambda one: abs(one[0]))
+    worst = float(f"{100.0 * largest:.2g}")
+    text = f"{body}: the mean speed deviates by up to {worst:+g} % from the prescribed speed"
     if found := unstable(speed):
         return (note(f"{text}: {found}", remedy=REMEDY),)
     remedy = "drive or hold a body, or reduce settle_periods"

@@ -21,7 +21,7 @@ class PowerBlock:
     speed
         Mean speed about its axis [rad/s].
     stored
-        Mean rate of its rotational energy [W].
+        Mean rate of the energy of its rotation and of the deflection of a shaft [W].
     """
 
     name: str
@@ -45,6 +45,8 @@ class PowerLink:
         Mean power losses according to the result, by their description.
     fed
         Mean power supplied to a mesh by its phase-dependent stiffness and static errors [W].
+    stored
+        Mean rate of the elastic energy of a coupling [W].
     """
 
     name: str
@@ -55,6 +57,7 @@ class PowerLink:
     taken: float
     losses: Mapping[str, float] = field(default_factory=dict)
     fed: float = 0.0
+    stored: float = 0.0
 
     @property
     def lost(self) -> float:
@@ -73,7 +76,8 @@ class PowerFlow:
     blocks, links
         Rotating blocks, and the power transmitted between them.
     elastic
-        Mean rate of the elastic energy in the flanks [W].
+        Mean rate of the elastic energy in the flanks, bearings and other springs outside of the blocks and
+        links [W].
     booked
         Whether friction power of a mesh is assigned to the driving gear, because its division is unknown.
     unfollowed
@@ -109,8 +113,9 @@ class PowerFlow:
 
     @property
     def stored(self) -> float:
-        """Mean rate of the energy stored in rotation and flanks [W]."""
-        return sum(block.stored for block in self.blocks) + self.elastic
+        """Mean rate of the energy stored in rotation and deflection [W]."""
+        within = sum(block.stored for block in self.blocks) + sum(link.stored for link in self.links)
+        return within + self.elastic
 
     @property
     def remainder(self) -> float:

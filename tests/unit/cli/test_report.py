@@ -105,16 +105,23 @@ def test_what_cannot_be_computed_is_said(tmp_path: Path) -> None:
 def test_results_of_another_state_of_the_model_are_marked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """On the page and on the terminal."""
+    """On the page and on the terminal, with the values that `--set` changed."""
     file, target = written(tmp_path, TORSION.replace("0.5 s", "0.01 s")), tmp_path / "page.html"
     result = str(tmp_path / "run.h5")
     assert run_command(["run", file, "-s", "steady", "-o", result, "-q"]) == 0
     assert run_command(["report", file, result, "-o", str(target)]) == 0
     assert "different version of the model" not in target.read_text(encoding="utf-8")
     assert "note:" not in capsys.readouterr().out
-    written(tmp_path, TORSION.replace("150 N m", "100 N m"))
+    other = str(tmp_path / "set.h5")
+    load = "loads.output.torque=100 N m"
+    assert run_command(["run", file, "-s", "steady", "-o", other, "-q", "--set", load]) == 0
+    assert run_command(["report", file, other, "-o", str(target)]) == 0
+    words = "set.h5 was computed with loads.output.torque = 100 N m (the model: 150 N m)."
+    assert words in target.read_text(encoding="utf-8")
+    assert f"note: {words}" in capsys.readouterr().out
+    changed = TORSION.replace("150 N m", "100 N m").replace("driver: {", "one: {").replace("driver", "one")
+    written(tmp_path, changed)
     assert run_command(["report", file, result, "-o", str(target)]) == 0
-    assert "run.h5 was computed with a different version" in target.read_text(encoding="utf-8")
     assert "note: run.h5 was computed with a different version of the model." in capsys.readouterr().out
     assert run_command(["report", file, result, "-o", str(target), "-q"]) == 0
     assert capsys.readouterr().out == ""

@@ -188,3 +188,19 @@ def test_a_pin_error_does_not_separate_the_translational_pairs() -> None:
     assert [modes.names[k] for k in pairs] == [
         words.format(ordinal(n), x) for n in (1, 2, 3, 4) for x in "ab"
     ]
+
+
+def test_a_wheel_that_rolls_on_its_bearings_has_no_torsion_against_ground() -> None:
+    """It rolls on a heavy wheel: all strain is in a bearing, which does not resist the rotation."""
+    gear = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    text = (
+        f"gears:\n  a: {{number_of_teeth: 20, {gear}}}\n  b: {{number_of_teeth: 60, {gear}}}\n"
+        "bodies:\n  roller: {gears: [a], motion: planar, mass: 0.1 kg, inertia: 0.01 kg m^2}\n"
+        "  heavy: {gears: [b], motion: torsion, inertia: 1e4 kg m^2}\n"
+        "meshes:\n  m: {gears: [a, b], stiffness: {law: constant, value: 1e9 N/m}}\n"
+        "bearings:\n  l: {body: roller, stiffness: {radial: 1e6 N/m}}\n"
+        "loads:\n  in: {body: roller, torque: 10 N m}\n  out: {body: heavy, torque: 30 N m}\n"
+    )
+    free = find_modes(compile_model(loads_model(text))).names
+    assert "rotation of roller" in free
+    assert not any("ground" in name for name in free)

@@ -84,7 +84,7 @@ def test_a_rigid_train_returns_after_the_period_with_the_mean_speed_of_the_scena
     ripple = MEAN + np.array([start.cycle.lowest[spin], start.cycle.highest[spin]])
     np.testing.assert_allclose(ripple, [least, most], atol=2e-3 * (most - least))
     (note,) = start.notes
-    said = re.search(r"for a mean speed of 1500 rpm \(from (\S+) rpm to (\S+) rpm\)", note)
+    said = re.search(r"for a mean speed of 1500 rpm \(rigid train: from (\S+) rpm to (\S+) rpm\)", note)
     told = -np.array([float(value) for value in said.groups()]) * RPM / 3.0
     np.testing.assert_allclose(told, [most, least], atol=2e-3 * (most - least))
 

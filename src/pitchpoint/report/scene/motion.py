@@ -88,31 +88,11 @@ def motion(
         Called with the index of each time when the system is in this state.
     """
     layout, body = system.layout, system.program["body"]
-    q = np.tile(system.initial_state().q * 0.0, (n, 1))
+    q, charts, unknown = coordinates(system, n, read)
+    spins = body["spin"]
+    spinning = np.flatnonzero(spins >= 0)
     angle = np.zeros((n, len(layout.bodies)))
-    charts = np.tile(system.initial_state().charts, (n, 1, 1, 1))
-    unknown = []
-    words = {"alpha": "rx", "beta": "ry"}
-    for b, one in enumerate(system.bodies, start=1):
-        if one.state:
-            continue
-        name, chart = layout.bodies[b], int(body[b]["chart"])
-        for k, (coordinate, unit) in enumerate(one.coordinates):
-            dof = int(body[b]["dof"]) + k
-            if chart >= 0 and unit == "rad":
-                if coordinate == "alpha" and not _attitudes(name, read, charts[:, chart]):
-                    unknown.append(f"attitude of {name}")
-                continue
-            spin = coordinate == "spin"
-            word = words.get(coordinate, coordinate)
-            channel = f"angle[{name}]" if spin else f"displacement[{name}.{word}]"
-            values = read(channel)
-            if values is None:
-                unknown.append(f"{name}.{coordinate}")
-                continue
-            q[:, dof] = values
-            if spin:
-                angle[:, b] = values
+    angle[:, spinning] = q[:, spins[spinning]]
     meshes = mesh_records(system)
     count = len(meshes)
     found = Motion(
@@ -121,12 +101,10 @@ def motion(
         angle,
         np.zeros((n, count, 3)),
         np.zeros((n, count, 3, 3)),
-        tuple(unknown),
+        unknown,
         np.zeros((n, system.sizes["no"])),
     )
     state = system.initial_state()
-    spins = body["spin"]
-    spinning = np.flatnonzero(spins >= 0)
     for i in range(n):
         state.t = float(times[i])
         state.q[:] = q[i]
@@ -142,6 +120,38 @@ def motion(
         if look is not None:
             look(i)
     return found
+
+
+def coordinates(
+    system: System, n: int, read: Callable[[str], Array | None]
+) -> tuple[Array, Array, tuple[str, ...]]:
+    """Coordinates with whole turns (n, nd), attitudes (n, charts, 3, 3), and those not in the result.
+
+    Parameters
+    ----------
+    system, n, read
+        See `motion`.
+    """
+    q = np.zeros((n, system.sizes["nd"]))
+    charts = np.tile(system.initial_state().charts, (n, 1, 1, 1))
+    unknown = []
+    words = {"alpha": "rx", "beta": "ry"}
+    for b, one in enumerate(system.bodies, start=1):
+        if one.state:
+            continue
+        record, name = system.program["body"][b], system.layout.bodies[b]
+        for k, (coordinate, unit) in enumerate(one.coordinates):
+            if int(record["chart"]) >= 0 and unit == "rad":
+                if coordinate == "alpha" and not _attitudes(name, read, charts[:, int(record["chart"])]):
+                    unknown.append(f"attitude of {name}")
+                continue
+            word = words.get(coordinate, coordinate)
+            values = read(f"angle[{name}]" if coordinate == "spin" else f"displacement[{name}.{word}]")
+            if values is None:
+                unknown.append(f"{name}.{coordinate}")
+            else:
+                q[:, int(record["dof"]) + k] = values
+    return q, charts, tuple(unknown)
 
 
 def _attitudes(name: str, read: Callable[[str], Array | None], charts: Array) -> bool:

@@ -33,6 +33,7 @@ from pitchpoint.solvers.gear_trains import (
 )
 from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
+from pitchpoint.solvers.initial_state.vibration import with_vibration
 from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants, cycle_notes
 from pitchpoint.solvers.model_damping import with_damping
@@ -141,21 +142,22 @@ class Start:
     notes
         Notes for the user.
     cycle
-        Mean torques of pulsating loads that balancing torques balance, if there are any; of a slow roll at
-        rest over its angle.
+        Mean torques of pulsating loads, if there are any; of a slow roll at rest over its angle.
+    rest
+        State without the ripple of these loads: deflected by the mean torques, with the mean rates. Default:
+        `state`.
     """
 
     system: System
     state: State
     notes: tuple[str, ...] = ()
     cycle: LoadCycle | None = None
+    rest: State | None = None
 
     @property
     def mean(self) -> State:
-        """State at t = 0 with the mean rates, without the ripple of pulsating loads."""
-        state = self.state.copy()
-        state.v -= 0.0 if self.cycle is None else self.cycle.offset
-        return state
+        """State with the mean rates and deflections, without the ripple of pulsating loads."""
+        return self.state if self.rest is None else self.rest
 
 
 def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
@@ -259,24 +261,33 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     held = list(held_spins(system))
     if scenario.start == "assembled":
         state = centred(system, state, {*held, *driven}, loaded=False)
-        cycle = None
         state, notes = _closed(system, scenario, state, driven)
+        mean, cycle = state, None
         if balancing_loads(system):
             system, *_, cycle = _at_rest(system, scenario, state, held, driven)
-            if cycle is not None:
-                notes = (*notes, *cycle_notes(system, state, cycle))
-                state.v += cycle.offset
-        state = states_of_inputs(system, state)
-        notes = (*notes, *start_notes(system, state, driven))
-        return Start(with_damping(system, state), state, notes, cycle)
+        state = states_of_inputs(system, state if cycle is None else _rippled(state, cycle))
+        notes = (*notes, *start_notes(system, state, driven), *_cycle_notes(system, state, cycle, mean))
+        return Start(with_damping(system, state), state, notes, cycle, mean)
     state = _from_given(system, state, driven)
     system, found, notes, cycle = _at_rest(system, scenario, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
-    more = (*more, *start_notes(system, state, driven))
+    notes = (*notes, *more, *start_notes(system, state, driven))
+    mean, system = state, with_damping(system, state)
     if cycle is not None:
-        more = (*more, *cycle_notes(system, state, cycle))
-        state.v += cycle.offset
-    return Start(with_damping(system, state), state, (*notes, *more), cycle)
+        state = with_vibration(system, _rippled(state, cycle), cycle, held, driven)
+    return Start(system, state, (*notes, *_cycle_notes(system, state, cycle, mean)), cycle, mean)
+
+
+def _rippled(state: State, cycle: LoadCycle) -> State:
+    """Copy of a state with the ripple of the rates."""
+    found = state.copy()
+    found.v += cycle.offset
+    return found
+
+
+def _cycle_notes(system: System, state: State, cycle: LoadCycle | None, mean: State) -> tuple[str, ...]:
+    """Notes on the mean torques and the ripple, if torques balance them."""
+    return () if cycle is None or not balancing_loads(system) else cycle_notes(system, state, cycle, mean.v)
 
 
 def _at_rest(
@@ -284,25 +295,28 @@ def _at_rest(
 ) -> tuple[System, Equilibrium, tuple[str, ...], LoadCycle | None]:
     """The system with its balancing torques, its equilibrium, notes, and the steady motion under its loads.
 
-    Torques balance the mean of pulsating loads; the equilibrium is that under the initial loads.
+    Pulsating loads count with their mean, in the balance and in the equilibrium. The ripple is that at the
+    angles of the equilibrium; trains without balancing torque have none at the start.
     """
     balancing = balancing_loads(system)
-    cycle = load_cycle(system, state, held, driven) if balancing else None
+    cycle = load_cycle(system, state, held, driven)
     if balancing and cycle is None and scenario.quasi_static is not None:
         cycle = roll_cycle(system, state, scenario.quasi_static.mesh)
     mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state)[:2] if balancing else NOW
-    mean, balanced, held = balance_torques(mean, state, held, driven, instants)
+    mean, balanced, fixed = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
-    state = centred(mean, state, {*held, *known})
-    found, signal_notes = rest_of_controls(mean, state, held, known)
+    state = centred(mean, state, {*fixed, *known})
+    found, signal_notes = rest_of_controls(mean, state, fixed, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
-    if cycle is not None:
-        records = system.records[LOAD].copy()
-        records["value"][balancing] = mean.records[LOAD]["value"][balancing]
-        mean = system.with_params({LOAD: records})
-        found, signal_notes = rest_of_controls(mean, found.state, held, known)
-    return mean, found, (*signal_notes, *_notes(mean, found, known), *remarks), cycle
+    notes = (*signal_notes, *_notes(mean, found, known), *remarks)
+    if cycle is None:
+        return mean, found, notes, None
+    records = system.records[LOAD].copy()
+    records["value"][balancing] = mean.records[LOAD]["value"][balancing]
+    system = system.with_params({LOAD: records})
+    deflected = load_cycle(system, found.state, held, driven) or cycle  # of a slow roll at rest: the same
+    return system, found, notes, deflected if balancing else replace(deflected, offset=0.0 * deflected.offset)
 
 
 def _turn_to(system: System, state: State, body: str, angle: float) -> None:

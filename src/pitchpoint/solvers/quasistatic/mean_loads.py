@@ -11,7 +11,8 @@ import numpy as np
 
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.gear_trains import rotations
-from pitchpoint.solvers.load_cycle import LoadCycle, grid_of, pulsating_loads
+from pitchpoint.solvers.load_cycle import LoadCycle, pulsating_loads
+from pitchpoint.solvers.load_waves import grid_of
 from pitchpoint.solvers.quasistatic.path import held_in_roll
 from pitchpoint.solvers.steady_motion import window
 from pitchpoint.solvers.stiffness_parts import Array

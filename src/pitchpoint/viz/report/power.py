@@ -120,7 +120,7 @@ def balance(flow: PowerFlow) -> str:
         "input by phase-dependent stiffness and static errors": flow.fed,
         "output": flow.taken_out,
         "losses": flow.lost,
-        "stored in rotation and flanks": flow.stored,
+        "stored in rotation and deflection": flow.stored,
     }
     words = [f"{what} {amount(p, 'W')}" for what, p in parts.items() if abs(p) > NEGLIGIBLE * most]
     share = abs(flow.remainder) / most if most else 0.0
@@ -162,6 +162,8 @@ def _table(flow: PowerFlow) -> str:
     places = _places(max((link.given for link in flow.links), default=0.0) * unit.factor)
     lost = scale("W", [max((loss for link in flow.links for loss in link.losses.values()), default=0.0)])
     kinds = list(dict.fromkeys(word for link in flow.links for word in link.losses))
+    most = max((abs(link.stored) for link in flow.links), default=0.0)
+    holds, kept = most > NEGLIGIBLE * flow.put_in, scale("W", [most])
     body = []
     for link in flow.links:
         # equal decimals: a small power next to a large one is not more exact
@@ -169,12 +171,16 @@ def _table(flow: PowerFlow) -> str:
             f'<td class="num">{_fixed(p * unit.factor, places)}</td>' for p in (link.given, link.taken)
         )
         cells += "".join(f'<td class="num">{_loss(link, word, lost)}</td>' for word in kinds)
+        cells += (
+            f'<td class="num">{number(link.stored * kept.factor, 4) if link.stored else "–"}</td>' * holds
+        )
         body.append(
             f'<tr><th scope="row">{escape(link.name)} ({link.kind})</th>'
             f"<td>{escape(_end(flow, link.start))} → {escape(_end(flow, link.end))}</td>{cells}</tr>"
         )
     head = ["element", "from → to", f"input [{unit.unit}]", f"output [{unit.unit}]"]
-    return plain_table([*head, *(f"loss, {word} [{lost.unit}]" for word in kinds)], body)
+    head += [f"loss, {word} [{lost.unit}]" for word in kinds] + [f"stored [{kept.unit}]"] * holds
+    return plain_table(head, body)
 
 
 def _places(largest: float) -> int:
