@@ -141,7 +141,7 @@ def highest_speed(system: System, body: str, frequency: ArrayLike) -> float:
     Zero if the body turns no mesh.
     """
     from pitchpoint.solvers.gear_trains import mesh_orders
-    from pitchpoint.solvers.initial_state.start import body_rates
+    from pitchpoint.solvers.initial_state.speeds import body_rates
 
     orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)

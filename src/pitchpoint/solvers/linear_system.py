@@ -26,7 +26,7 @@ from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, unda
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, without_friction
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
-from pitchpoint.solvers.initial_state.start import body_rates
+from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.load_orders import of_one_angle
 from pitchpoint.solvers.operating_point import OperatingPoint, scenario_named, steady_point
 from pitchpoint.solvers.position_dependence import changing

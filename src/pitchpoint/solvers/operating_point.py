@@ -11,7 +11,8 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
-from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
+from pitchpoint.solvers.initial_state.speeds import body_rates
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.load_cycle import LoadCycle
 from pitchpoint.solvers.load_orders import mean_loads
 from pitchpoint.solvers.sweep_speeds import at_one_speed

@@ -12,7 +12,8 @@ import numpy as np
 
 from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.gear_trains import mesh_rates
-from pitchpoint.solvers.initial_state.start import Start, highest_speeds, speeds_of
+from pitchpoint.solvers.initial_state.speeds import highest_speeds, speeds_of
+from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.system.meshes import mesh_records
 

@@ -15,7 +15,7 @@ from pitchpoint.core.status import INCONSISTENT, NOT_FINITE
 from pitchpoint.core.units import format_quantity
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.initial_state.start import body_rates
+from pitchpoint.solvers.initial_state.speeds import body_rates
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model

@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.solvers.frequency_response import find_response
-from pitchpoint.solvers.initial_state.start import body_rates
+from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.mesh_response import find_mesh_response
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings
