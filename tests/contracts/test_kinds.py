@@ -146,6 +146,7 @@ MADE = {
     "solvers/model_damping.py": {"damping"},  # fills it in
     # makes them
     "solvers/reduction/condensed_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},
+    "solvers/initial_state/start.py": {"drive"},  # its signals
     "solvers/initial_state/speeds.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
     "sweep/speed.py": {"drive"},  # sets its speed
