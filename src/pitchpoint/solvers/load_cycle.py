@@ -332,8 +332,11 @@ def _turns_of_law(record: np.void, angle: float, speed: float) -> list[tuple[flo
     size = float(np.abs(first).max())
     if not math.isfinite(size):
         return None
+    faster = values_of(record, 0.0, over, 1.1 * speed + 1.0)
+    if max(np.ptp(first), np.abs(faster - first).max()) <= SAME * size:  # is not called at other times
+        return None
     for t in (0.0123, 0.77, 31.0):
-        if np.abs(values_of(record, t, over, speed) - first).max() > SAME * size:
+        if not np.abs(values_of(record, t, over, speed) - first).max() <= SAME * size:  # also NaN of an error
             return None
     for turn in range(1, MAX_TURNS + 1):
         if np.abs(values_of(record, 0.0, over + TURNS * turn, speed) - first).max() <= SAME * size:
