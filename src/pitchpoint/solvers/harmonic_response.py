@@ -94,7 +94,7 @@ def _solved_sparse(columns: Sequence[Any], basis: Any, unit: Any, B: Complex) ->
 
     rows = hstack([basis, csc_array(unit)]).T
     try:
-        lu = splu((rows @ hstack(columns)).tocsc())
+        lu = splu((rows @ hstack([csc_array(c) for c in columns])).tocsc())
     except RuntimeError:  # a pivot is zero
         return np.full((rows.shape[0], B.shape[1]), np.nan + 0j)
     return np.asarray(lu.solve(rows @ B))
