@@ -20,6 +20,8 @@ LEAST = 1e-3
 """Least participation of a listed critical speed whose response is below `LARGE`."""
 LARGE = 1.0
 """Response of the machine from which a critical speed is listed: the vibration exceeds its excitation."""
+NO_CRITICAL_SPEED = f"none with a response of {LARGE:g} or a participation of {100.0 * LEAST:g} %"
+"""What an empty list means, for outputs."""
 
 
 @dataclass(frozen=True)

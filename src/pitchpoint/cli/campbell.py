@@ -267,6 +267,8 @@ def _cell(value: Any) -> str:
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     """Print critical speeds and modes."""
+    from pitchpoint.analysis.campbell_ranking import NO_CRITICAL_SPEED
+
     apart = summary["operating_speed"] is not None
     cells = [
         [
@@ -291,7 +293,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     if cells:
         table(title, heads, cells)
     else:
-        show(f"{title}: none in this range of speeds and frequencies")
+        show(f"{title}: {NO_CRITICAL_SPEED} in this range of speeds and frequencies")
     _print_unstable(summary)
     if quiet:
         return

@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.analysis.campbell_ranking import RankedSpeed, UnstableRange, ranked_speeds, unstable_ranges
+from pitchpoint.analysis.campbell_ranking import (
+    NO_CRITICAL_SPEED,
+    RankedSpeed,
+    UnstableRange,
+    ranked_speeds,
+    unstable_ranges,
+)
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.quantities import amount, damping_words, number, scale, span
 from pitchpoint.viz.report.page import Section, keep_height
@@ -37,7 +43,7 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
         section.add(f"<p>{escape(_conditions(data))}</p>")
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."
-        caption = words if ranked else "No critical speed in this range."
+        caption = words if ranked else f"Critical speeds: {NO_CRITICAL_SPEED} in this range."
         drawn = plot_campbell(data)
         keep_height(drawn)
         section.add_figure(drawn, caption, name="campbell")
