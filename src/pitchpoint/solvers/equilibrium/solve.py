@@ -286,6 +286,13 @@ def balancing_loads(system: System) -> list[int]:
     return [k for k, torque in enumerate(torques) if isinstance(torque, Balance)]
 
 
+def balancing_spins(system: System) -> list[int]:
+    """Spins of the bodies of the balancing torques, for a shaft of the station of the torque; same order."""
+    loads = balancing_loads(system)
+    acting = system.records[LOAD]["i"][loads] if loads else ()
+    return [system.spin(system.layout.bodies[int(body)]) for body in acting]
+
+
 def balance_torques(
     system: System,
     state: State,
@@ -322,8 +329,7 @@ def balance_torques(
     wanted = balancing_loads(system)
     if not wanted:
         return system, (), list(held)
-    acting = system.records[LOAD]["i"]  # for a shaft: the station of the torque
-    spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
+    spins = balancing_spins(system)
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, centred(system, state, let_go), let_go)
     reaction = _mean_reaction(system, found, *instants)
