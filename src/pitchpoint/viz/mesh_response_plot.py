@@ -206,7 +206,7 @@ def _label_peaks(figure: go.Figure, speed: Array, decibels: Array, frequency: Ar
 
 
 def _label(x: float, y: float, words: str) -> Label:
-    """Label centred above a peak; at the ends of the axis beside it."""
+    """Label centred above a peak; at the ends of the axis to one side of it."""
     label = Label(x, y, "middle", ((words, "pp-small"),))
     left, _, right, _ = label.box
     return replace(label, anchor="start" if left < 0.0 else "end" if right > WIDTH else "middle")
