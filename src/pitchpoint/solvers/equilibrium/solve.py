@@ -30,7 +30,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.elements import torque
-from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.equilibrium.balancing import balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
@@ -277,20 +277,6 @@ def _wrapped(system: System, state: State) -> State:
                 state.q[spin] -= 2.0 * np.pi * turns
                 state.turns[b] += turns
     return state
-
-
-def balancing_loads(system: System) -> list[int]:
-    """Record indices of the balancing torques of the model."""
-    loads = {} if system.model is None else system.model.loads
-    torques = [load.torque for load in loads.values() if load.torque is not None]
-    return [k for k, torque in enumerate(torques) if isinstance(torque, Balance)]
-
-
-def balancing_spins(system: System) -> list[int]:
-    """Spins of the bodies of the balancing torques, for a shaft of the station of the torque; same order."""
-    loads = balancing_loads(system)
-    acting = system.records[LOAD]["i"][loads] if loads else ()
-    return [system.spin(system.layout.bodies[int(body)]) for body in acting]
 
 
 def balance_torques(

@@ -14,16 +14,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.elements.ratio import place_of
+from pitchpoint.solvers.equilibrium.balancing import balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import (
-    LOAD,
-    Equilibrium,
-    balancing_loads,
-    balancing_spins,
-    find_equilibrium,
-)
-from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.equilibrium.solve import LOAD, Equilibrium, find_equilibrium
+from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.system import State, System
 
@@ -64,7 +58,8 @@ class Holding:
 
         Through closed loops, whose ratios vary, a balancing torque on another body remains constant.
         """
-        rows = {place_of(r, "i"): int(r["row"]) for r in system.rows(DRIVE)}
+        numbers = (int(record["row"]) for record in system.rows(DRIVE))
+        rows = dict(zip(driven_coordinates(system), numbers, strict=True))
         torques = dict(zip(balancing_spins(system), balancing_loads(system), strict=True))
         drives = {k: rows[spin] for k, spin in enumerate(held) if spin in rows}
         balancing = {k: torques[s] for k, s in enumerate(held) if s in torques and k not in drives}

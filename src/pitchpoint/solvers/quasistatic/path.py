@@ -12,8 +12,8 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.constraints.assembly import close_loops
+from pitchpoint.solvers.equilibrium.balancing import balancing_spins
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import balancing_spins
 from pitchpoint.solvers.gear_trains import (
     complete,
     driven_coordinates,
