@@ -29,8 +29,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.elements import torque
-from pitchpoint.solvers.equilibrium.balancing import balancing_loads, balancing_spins
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
@@ -61,7 +60,6 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     import xarray as xr
 
-LOAD = torque.KIND.name
 MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""

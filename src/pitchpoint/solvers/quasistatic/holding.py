@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers.equilibrium.balancing import balancing_loads, balancing_spins
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD, Equilibrium, find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import Equilibrium, find_equilibrium
 from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.system import State, System

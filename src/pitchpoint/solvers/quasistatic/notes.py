@@ -15,8 +15,7 @@ import numpy as np
 from pitchpoint.core.errors import Message, note
 from pitchpoint.core.words import listed
 from pitchpoint.multibody.bodies import spin_of
-from pitchpoint.solvers.equilibrium.balancing import balancing_loads
-from pitchpoint.solvers.equilibrium.solve import LOAD
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.solvers.initial_state.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array
