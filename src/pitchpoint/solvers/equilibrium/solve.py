@@ -31,6 +31,7 @@ from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.equilibrium.approach import Contacts, line_and_open_contacts
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
@@ -48,7 +49,6 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     ROUNDING,
     inverse_of,
     rest_matrix,
-    step_on,
     unsettled_states,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
@@ -166,7 +166,7 @@ def find_equilibrium(
         raise SolverError(words, DIVERGED, found.state)
     if failure:
         if names := unconstrained(system, state, free):
-            where = coordinate_source(system, names[0]).removeprefix(names[0])
+            where = line_and_open_contacts(system, state, names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
         name, words = run_away(system, found.state)
         if name:
@@ -200,7 +200,7 @@ def _pseudo_time(
     unloaded = evaluate.residual(system, begin)
     loads = float(np.abs(unloaded * weight).max(initial=0.0))
     wanted = max(tolerance * float(np.abs(R * weight).max(initial=0.0)), NEGLIGIBLE * loads)
-    tangent, started = Tangent(system, state), time.monotonic()
+    tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu = FIRST
@@ -227,7 +227,7 @@ def _pseudo_time(
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
-        trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
+        trial = contacts.step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:
             new = evaluate.residual(system, trial)
         except SolverError:
