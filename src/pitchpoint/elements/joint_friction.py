@@ -208,10 +208,12 @@ def _directions(b, n, s_i, s_j):
 
 @kernel
 def _thread_load(b, axial, other, k):
-    """Load of a thread from the axial force, its other loads and the share k of them that is friction; < 0: jam.
+    """Load of a thread: its other loads and |N|; negative if it jams.
 
-    Neither a drive nor a torque on the nut changes its balance along the axis, N cos lam + f sin lam + F_a = 0,
-    with the friction f = -k (other + |N|) along the thread. The force of the rows of a cut joint is N cos lam.
+    N follows from the balance of the moved body along the axis, N cos lam + f sin lam + F_a = 0, in which no
+    torque occurs, known or not, such as that of a drive. The friction f = -k (other + |N|) acts along the
+    thread, so |N| cos lam (1 -+ k tan lam) = |F_a - k other sin lam|: no finite torque drives a thread uphill
+    if k tan lam reaches 1 (lead angle + friction angle = 90 deg). In a cut joint the rows carry N cos lam.
     """
     if b["n_beyond"] == 0:
         return other + b["c_a"] * abs(axial)
@@ -223,7 +225,7 @@ def _thread_load(b, axial, other, k):
 
 @kernel
 def _load(b, force, moment, n, k):
-    """Load of the joint from force and moment about it; k: share of the load of a thread that is friction."""
+    """Load of the joint from force and moment about it; k: friction over load, signed, for threads."""
     if b["form"] == BALL:
         return b["preload"] + b["c_r"] * math.sqrt(dot(force, force))
     load = b["preload"] + b["c_r"] * _across(force, n) + b["c_m"] * _across(moment, n)

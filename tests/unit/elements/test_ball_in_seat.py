@@ -2,8 +2,8 @@
 """Ball on the axis of a conical seat, and in the hole of a ring: contact along a circle, by statics.
 
 With the angle g between the axis and the seat at the circle, the axial force is N sin g of the force N of the
-whole circle, and there is none across. For a linear law of stiffness K the mean of sin^2 and of cos^2 around the
-circle gives K sin(g)^2 along the axis and K cos(g)^2/2 across.
+whole circle, and there is none across. For a linear law of stiffness K the mean around the circle gives
+K sin(g)^2 along the axis and K cos(g)^2/2 across.
 """
 
 from __future__ import annotations
@@ -30,16 +30,17 @@ RISE = math.sqrt((R + 0.006) ** 2 - 0.015**2)
 GUIDES = {
     "slide": "joints: {g: {type: prismatic, bodies: [ground, ball], axes: {z: [0, 0, 1]}}}",
     "springs": "joints: {g: {type: free, bodies: [ground, ball]}}\n"
-    "bushings: {b: {ends: [ball, ground], stiffness: {radial: 1e5 N/m, tilt: 10 N m/rad, torsion: 10 N m/rad}}}",
+    "bushings: {b: {ends: [ball, ground],\n"
+    "  stiffness: {radial: 1e5 N/m, tilt: 10 N m/rad, torsion: 10 N m/rad}}}",
 }
 
 
-def valve(seat=CONE, place=(0.0, 0.0, -TIP), more=", line: true", guide="slide", exponent=1.5, tilt="", load=LOAD):
+def valve(seat=CONE, place=(0.0, 0.0, -TIP), more=", line: true", guide="slide", exponent=1.5, load=LOAD):
     """Ball with a load along the axis of its seat; the text of the model."""
     return f"""
 title: valve
 bodies:
-  base: {{motion: fixed, position: [0, 0, 0]{tilt}}}
+  base: {{motion: fixed, position: [0, 0, 0]}}
   ball: {{mass: 0.03 kg, inertia_tensor: [1e-6, 1e-6, 1e-6, 0, 0, 0],
     position: [{place[0]!r} m, {place[1]!r} m, {place[2]!r} m], markers: {{o: {{}}}}}}
 {GUIDES[guide]}
@@ -123,9 +124,9 @@ def test_forces_balance_and_tangents_are_their_derivatives(seat):
 @pytest.mark.parametrize(
     ("seat", "place", "more", "words"),
     [
-        (CONE, (0.0, 0.0, -TIP), "", "on its axis, which touch along a circle.*write line: true"),
-        (CONE, (1e-6, 0.0, -TIP), "", r"0\.001 mm off the axis.*write line: true"),
-        (RING, (0.0, 0.0, RISE), "", "a torus on its axis.*write line: true"),
+        (CONE, (0.0, 0.0, -TIP), "", "a hollow cone that touch along a circle.*write line: true"),
+        (CONE, (1e-6, 0.0, -TIP), "", r"0\.001 mm from the axis.*write line: true"),
+        (RING, (0.0, 0.0, RISE), "", "a torus that touch along a circle.*write line: true"),
         ("{shape: cone, half_angle: 30 deg}", (0.02, 0.0, -0.02), ", line: true", "line.*has no effect"),
         ("{shape: cylinder, radius: 9 mm, hollow: true}", (0.0, 0.0, 0.0), "", "does not fit into the bore"),
     ],

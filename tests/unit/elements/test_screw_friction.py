@@ -43,8 +43,8 @@ bodies:
   nut: {{mass: {MASS} kg, inertia_tensor: [{INERTIA}, {INERTIA}, {INERTIA}, 0, 0, 0], position: [0, 0, 0],
     markers: {{o: {{}}}}}}
 joints:
-{joint}  s: {{type: screw, bodies: [ground, nut], lead: {lead!r} m, axes: {{z: {list(axis)}}}{CUT if joint else ""},
-    friction: {{coefficient: {mu}, radius: {R} m}}}}
+{joint}  s: {{type: screw, bodies: [ground, nut], lead: {lead!r} m,{CUT if joint else ""}
+    axes: {{z: {list(axis)}}}, friction: {{coefficient: {mu}, radius: {R} m}}}}
 loads:
   w: {{body: nut, marker: o, force: [{force[0]!r} N, {force[1]!r} N, {force[2]!r} N]}}
 {tail.replace("RUN", run).replace("SPEED", repr(way * SPEED))}
@@ -52,7 +52,7 @@ loads:
     return compile_model(loads_model(text), "run")
 
 
-CUT = ", cut: true"
+CUT = " cut: true,"
 FREE = "  hang: {type: cylindrical, bodies: [ground, nut], axes: {z: [0, 0, 1]}}\n"
 
 

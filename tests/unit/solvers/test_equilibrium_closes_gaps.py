@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Equilibrium of bodies that do not touch at the start: their load closes the gap, however thin the obstacle.
 
-A body slides along one direction with 1 kN against a fixed one; the law is 1 kN at 10 um, linear. With the angle
-between the direction and the contact normal n, the normal force is 1 kN/cos and the body moves the gap along the
-direction plus 10 um/cos^2.
+A body slides along one direction with 1 kN against a fixed one; the law is 1 kN at 10 um, linear. With the
+angle between the direction and the contact normal n, the normal force is 1 kN/cos and the body moves the gap
+along the direction plus 10 um/cos^2.
 """
 
 from __future__ import annotations

@@ -6,9 +6,9 @@ of these planes. A part of the circle in the direction e = (cos a, sin a, 0) has
 
     h(a) = -(c . e cos g + c_z sin g) - r
 
-for the centre c of the sphere, its radius r and the half angle g: the smallest of all h is the distance of the
-sphere from the cone. The law for the whole circle is divided equally among its parts, so a centred ball is
-pressed along the axis only, and one that is displaced is pushed back by the parts that are deeper.
+for the centre c of the sphere, its radius r and the half angle g: the smallest of all h is the distance of
+the sphere from the cone. The law for the whole circle is divided equally among its parts, so a centred ball
+is pressed along the axis only, and one that is displaced is pushed back by the parts that are deeper.
 """
 
 from __future__ import annotations

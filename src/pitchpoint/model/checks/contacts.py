@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.checks.seats import seat_of
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 
@@ -51,10 +52,6 @@ PARALLEL = 0.02
 """Sine of the angle between two axes below which cylinders are parallel."""
 
 
-CENTRED = 0.02
-"""Distance of a sphere from the axis of its seat, over its radius, below which it touches along a circle."""
-
-
 def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Reader) -> None:
     """Check a contact of two surfaces.
 
@@ -72,14 +69,14 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     shapes = {contact.first.shape, contact.second.shape}
     for part, key in (one, two):
         check_file(part, (*at, key), report)
-    if contact.line and shapes != {"cylinder"} and not ("torus" in shapes and shapes <= set(ORDER[:3])):
-        if _seat(contact) is None or contact.permanent:
-            report.problem(
-                (*at, "line"),
-                "has no effect: it is for two cylinders, a torus on a cylinder, cone or torus, or a sphere in a "
-                "hollow cone or in the hole of a torus",
-                remedy="remove it",
-            )
+    around = "torus" in shapes and shapes <= set(ORDER[:3]) or seat_of(contact) is not None
+    if contact.line and shapes != {"cylinder"} and not (around and not contact.permanent):
+        report.problem(
+            (*at, "line"),
+            "has no effect: it is for two cylinders, a torus on a cylinder, cone or torus, or a sphere in a "
+            "hollow cone or in the hole of a torus",
+            remedy="remove it",
+        )
     if contact.permanent:
         _held(contact, at, report)
     _plates(parts, contact, at, report)
@@ -88,7 +85,6 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
             _sizes(part, SIZES[part.shape], (*at, key), report)
         if shapes == {"sphere", "cylinder"} and contact.first.hollow != contact.second.hollow:
             _bore(contact, at, report)
-        _centred(parts, contact, at, report)
         return
     one, two = sorted((one, two), key=lambda part: (ORDER.index(part[0].shape), part[0].hollow))
     pair = (one[0].shape, two[0].shape)
@@ -155,48 +151,6 @@ def _cosine(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) ->
         return None
     a, b = (axes_of(parts, end)[:, 2] for end in contact.ends)
     return float(a @ b)
-
-
-def _seat(contact: SurfaceContact) -> tuple[ContactSurface, ContactSurface] | None:
-    """Sphere and the hollow cone or torus of a contact, which may touch along a circle; or None."""
-    for ball, seat in ((contact.first, contact.second), (contact.second, contact.first)):
-        if ball.shape == "sphere" and not ball.hollow:
-            if (seat.shape == "cone") if seat.hollow else (seat.shape == "torus"):
-                return ball, seat
-    return None
-
-
-def _centred(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> None:
-    """Check that a sphere with a single contact point is not on the axis of its seat."""
-    from pitchpoint.model.frames import GROUND, axes_of, place_of, split
-
-    pair = _seat(contact)
-    known = (*parts.bodies, *parts.beams, GROUND)
-    if pair is None or contact.line or (*at, "ends") in report.tainted:
-        return
-    ball, seat = pair
-    radius, ring = ball.radius, seat.radius
-    if radius is None or any(split(end)[0] not in known for end in contact.ends):
-        return
-    if seat.shape == "torus" and (ring is None or seat.tube is None or radius <= ring - seat.tube):
-        return  # the ball falls through the hole
-    ends = contact.ends if seat is contact.second else contact.ends[::-1]
-    centre, origin = (place_of(parts, end) for end in ends)
-    if centre is None or origin is None:
-        return
-    axis = axes_of(parts, ends[1])[:, 2]
-    across = centre - origin - ((centre - origin) @ axis) * axis
-    offset = math.sqrt(float(across @ across))
-    if offset < CENTRED * radius:
-        report.problem(
-            at,
-            f"is between a sphere and {_named(seat)} on its axis, which touch along a circle",
-            value=f"centre {1e3 * offset:.3g} mm off the axis",
-            limit=f">= {1e3 * CENTRED * radius:.3g} mm for a single contact point",
-            remedy="hold the sphere by a joint instead"
-            if contact.permanent
-            else "write line: true, and the law for the whole circle",
-        )
 
 
 def _named(part: ContactSurface) -> str:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steps of an equilibrium iteration that do not carry a body through another one.
 
-Bodies that are not in contact move freely along their loads, and a long step would end behind a cylinder, ball
-or wall. The gaps of all contacts bound how far a step is safe: a relative motion of length d changes a gap by at
-most d. So a step is followed in parts of this length until a gap closes (conservative advancement: B. Mirtich,
-*Impulse-based Dynamic Simulation of Rigid Body Systems*, 1996), and is cut off there.
+Bodies that are not in contact move freely along their loads, and a long step would end behind a cylinder or
+ball. A relative motion of length d changes a gap by at most d, so a step is followed in parts that no gap is
+too small for, until one closes (conservative advancement: B. Mirtich, *Impulse-based Dynamic Simulation of
+Rigid Body Systems*, 1996), and is cut off there.
 """
 
 from __future__ import annotations
@@ -30,8 +30,10 @@ DEEPER = 10.0
 """Factor by which a step may increase a penetration."""
 PARTS = 100
 """Number of parts after which a step is cut off."""
+FAR = 1e3
+"""Gap [m] of bodies that are too far apart for a contact to be searched."""
 ROUNDED = 1e-6
-"""Relative error of a rate of a gap."""
+"""Relative error of rates and steps."""
 
 
 @dataclass(frozen=True)
@@ -45,8 +47,8 @@ class Contacts:
     events
         Their event functions, which are the gaps [m], shape (n,).
     moves
-        Length [m] by which each coordinate moves the bodies of a contact relative to each other, per unit, shape
-        (n, nd).
+        Length [m] by which each coordinate moves the bodies of a contact relative to each other, per unit,
+        shape (n, nd).
     """
 
     names: tuple[tuple[str, str], ...]
@@ -67,8 +69,9 @@ class Contacts:
         return cls(tuple(names), np.array(events, np.int64), np.reshape(moves, (-1, system.sizes["nd"])))
 
     def gaps(self, system: System, state: State) -> Array:
-        """Gaps of a state [m], shape (n,)."""
-        return evaluate.event_values(system, state)[self.events]
+        """Gaps of a state [m], at most `FAR`, shape (n,)."""
+        found: Array = np.minimum(evaluate.event_values(system, state)[self.events], FAR)
+        return found
 
     def step_on(self, system: System, state: State, free: NDArray[np.int64], step: Array) -> State:
         """Copy of a state after a step of the free coordinates, or after its part up to a contact.
@@ -80,26 +83,25 @@ class Contacts:
         free, step
             Coordinates that may move, and their changes, shape (n,).
         """
-        trial = step_on(system, state, free, step)
         speed = self.moves[:, free] @ np.abs(step)
         if not speed.any():
-            return trial
+            return step_on(system, state, free, step)
         gaps = self.gaps(system, state)
         least = np.where(gaps > 0.0, -TOUCH, DEEPER * gaps - TOUCH)
         enough = np.where(gaps > 0.0, TOUCH, -0.5 * least)
         share = 0.0
         for _ in range(PARTS):
             room = gaps - least
-            part = float(np.min(room[speed > 0.0] / speed[speed > 0.0]))
-            if share + part >= 1.0:
-                return trial
+            part = min(float(np.min(room[speed > 0.0] / speed[speed > 0.0])), 1.0 - share)
             reached = step_on(system, state, free, (share + part) * step)
             there = self.gaps(system, reached)
             rate = np.abs(there - gaps) / part
-            if (rate > speed * (1.0 + ROUNDED)).any():  # a rotation about a distant axis: shorten the part
+            if (rate > speed * (1.0 + ROUNDED)).any():  # more than expected: a shorter part
                 speed = np.maximum(speed, rate)
                 continue
-            share, gaps = share + part, there
+            share, gaps, speed = share + part, there, np.maximum(rate, 0.5 * speed)
+            if share > 1.0 - ROUNDED:
+                return reached
             if (gaps - least <= enough).any():
                 break
         return step_on(system, state, free, share * step)
@@ -123,7 +125,7 @@ def line_and_open_contacts(system: System, state: State, name: str) -> str:
     found = [
         f"{source(system, *of)} is open by {format_quantity(float(gap), 'length', 3)}"
         for of, gap, moves in zip(contacts.names, contacts.gaps(system, state), contacts.moves, strict=True)
-        if 0.0 < gap < np.inf and moves[own].any()
+        if 0.0 < gap < FAR and moves[own].any()
     ]
     return f"{line}; at the start {' and '.join(found)}" if found else line
 

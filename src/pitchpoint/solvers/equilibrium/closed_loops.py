@@ -98,8 +98,9 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         inverse = np.linalg.pinv(K + mu * M)
         y = -inverse @ left
         size = float(np.abs(Z @ y).max(initial=0.0))
-        trial = contacts.step_on(system, here, free, Z @ y * min(1.0, LONGEST / size if size > 0.0 else 1.0))
+        part = min(1.0, LONGEST / size if size > 0.0 else 1.0)
         try:
+            trial = contacts.step_on(system, here, free, Z @ y * part)
             trial = _closed(system, trial, kept)
             H, S, _ = _balanced(system, trial, free, holds)
         except SolverError:

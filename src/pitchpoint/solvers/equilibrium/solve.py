@@ -227,8 +227,8 @@ def _pseudo_time(
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
-        trial = contacts.step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:
+            trial = contacts.step_on(system, state, free, step * (LONGEST / turn if turn > LONGEST else 1.0))
             new = evaluate.residual(system, trial)
         except SolverError:
             mu *= 16.0
