@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system.compile import compile_model
@@ -111,3 +112,22 @@ def test_an_open_contact_that_the_load_does_not_close_is_named():
     away = tuple(-x for x in push)
     with pytest.raises(SolverError, match=r"surface_contacts\.c is open by 50 µm"):
         pressed(first, second, place, away, -GAP, axes, line)
+
+
+def test_a_ball_slides_far_while_it_touches():
+    """200 N against 1 N/mm: the ball moves 200 mm along the plane, at a penetration of 10 nm under 1 N."""
+    text = """
+title: ball drawn touching a plane
+bodies:
+  base: {motion: fixed, position: [0, 0, 0]}
+  b: {mass: 1 kg, inertia_tensor: [1e-3, 1e-3, 1e-3, 0, 0, 0], position: [0, 0, 10 mm], markers: {o: {}}}
+joints: {g: {type: free, bodies: [ground, b]}}
+bushings: {k: {ends: [b, ground], stiffness: {tilt: 10 N m/rad, torsion: 10 N m/rad, radial: 1 N/mm}}}
+surface_contacts:
+  c: {ends: [b, base], first: {shape: sphere, radius: 10 mm}, second: {shape: plane},
+    law: {force: 1 kN, depth: 1 um, exponent: 1.5}}
+loads: {f: {body: b, marker: o, force: [200 N, 0, -1 N]}}
+"""
+    found = find_equilibrium(compile_model(loads_model(text)))
+    np.testing.assert_allclose(found.state.q[:3], [0.2, 0.0, -1e-8], rtol=1e-6, atol=1e-12)
+    assert found.iterations < 50
