@@ -2,7 +2,8 @@
 """Bodies that their helical gears load with a moment and whose bearings let them tilt.
 
 The axial force F_a of a helical mesh acts at the radius r of the gear and tilts the body by F_a r. On a
-planet the axial forces of sun and ring cancel, and their moments add up to 2 F_a r.
+planet the axial forces of sun and ring cancel, and their moments add up to 2 F_a r. Bearings at
+one position, with clearance, support little of such a moment.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
+from pitchpoint.geometry.bearings.inner import NEEDLE_TYPES
 from pitchpoint.model.axial_supports import held_otherwise, is_pushed_by_teeth, on_bearings_only
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.rings import ring_bodies, rings_of
@@ -17,12 +19,14 @@ from pitchpoint.model.rings import ring_bodies, rings_of
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
+STIFF = ("ball", "roller", "double_row_angular_contact_ball", *NEEDLE_TYPES)
+"""Bearings that may support a moment at one position: of two rows, of long rollers, or with data as given."""
 TOGETHER = 1e-6
 """Distance of bearings along the axis [m] up to which they support no moment."""
 
 
 class TiltSupport(NamedTuple):
-    """Bearings of a body at one position, none of which supports a moment.
+    """Bearings of a body at one position, which support little or no moment.
 
     Attributes
     ----------
@@ -37,10 +41,10 @@ class TiltSupport(NamedTuple):
 
 
 def without_tilt_support(model: Model) -> Iterator[TiltSupport]:
-    """Bodies with helical gears whose bearings, all at one position, let them tilt.
+    """Bodies with helical gears whose bearings, all at one position, support little or no moment.
 
-    Only self-aligning and spherical roller bearings and linear ones without `tilt` let them. Bodies with
-    springs, contacts, couplings or joints are assumed to be supported by them.
+    Needle roller, double-row angular contact and plain bearings, and linear ones with `tilt`, are assumed to
+    support it, and so are springs, contacts, couplings and joints.
     """
     if model.others:
         return
@@ -75,5 +79,5 @@ def _bearings(model: Model, on_pins: set[str]) -> dict[str, dict[str, tuple[floa
         along = 0.0
         if origin is not None and inner.place is not None:
             along = float(axes[:, 2] @ (inner.place - origin))
-        found.setdefault(own, {})[name] = along, not rolling.geometry.aligns
+        found.setdefault(own, {})[name] = along, rolling.geometry.kind in STIFF
     return found

@@ -111,9 +111,10 @@ def tilting(model: Model) -> Iterator[Message]:
         all_bearings = [name for names in parts.values() for name in names]
         yield remark(
             where,
-            f"the axial forces of its helical gears tilt {_listed(list(parts))}, and only the teeth support "
-            f"this moment: {_listed(all_bearings)} let{'s' if len(all_bearings) == 1 else ''} the gear tilt",
-            "use two bearings at a distance along the axis, or bearings that support moments",
+            f"the axial forces of its helical gears tilt {_listed(list(parts))}; {_listed(all_bearings)}, at "
+            f"one position{' each' if len(parts) > 1 else ''}, support{'s' if len(all_bearings) == 1 else ''} "
+            "little or nothing of this moment, so that the teeth do",
+            "use two bearings at a distance along the axis",
         )
 
 
