@@ -109,11 +109,12 @@ def tilting(model: Model) -> Iterator[Message]:
         found.setdefault(f"planetary_stages.{stage}" if stage else own, {})[body] = bearings
     for where, parts in found.items():
         all_bearings = [name for names in parts.values() for name in names]
+        support = "supports" if len(all_bearings) == 1 else "support"
         yield remark(
             where,
             f"the axial forces of its helical gears tilt {_listed(list(parts))}; {_listed(all_bearings)}, at "
-            f"one position{' each' if len(parts) > 1 else ''}, support{'s' if len(all_bearings) == 1 else ''} "
-            "little or nothing of this moment, so that the teeth do",
+            f"one position{' each' if len(parts) > 1 else ''}, {support} little or nothing of this moment, so "
+            "that the teeth do",
             "use two bearings at a distance along the axis",
         )
 
