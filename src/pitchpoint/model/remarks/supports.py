@@ -113,8 +113,8 @@ def tilting(model: Model) -> Iterator[Message]:
         yield remark(
             where,
             f"the axial forces of its helical gears tilt {_listed(list(parts))}; {_listed(all_bearings)}, at "
-            f"one position{' each' if len(parts) > 1 else ''}, {support} little or nothing of this moment, so "
-            "that the teeth do",
+            f"one position{' each' if len(parts) > 1 else ''}, {support} little or nothing of this moment, "
+            "so that the teeth do",
             "use two bearings at a distance along the axis",
         )
 
