@@ -75,10 +75,8 @@ def errors_of(laws: Iterable[MeshLaw]) -> Source | None:
     stiff = [law for law in laws if law.mean > 0.0]
     if not stiff:
         return None
-    forces, rows = (
-        np.array([getattr(law, key) / math.sqrt(law.mean) for law in stiff], np.complex128)
-        for key in ("stiffness", "force")
-    )
+    forces = np.array([law.stiffness / math.sqrt(law.mean) for law in stiff], np.complex128)
+    rows = np.array([law.force / math.sqrt(law.mean) for law in stiff], np.complex128)
     return Source(forces, rows, rows)
 
 

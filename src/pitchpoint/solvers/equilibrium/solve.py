@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.solvers.equilibrium.approach import Contacts, line_and_open_contacts
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
@@ -47,7 +48,6 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     ROUNDING,
     inverse_of,
     rest_matrix,
-    step_on,
     unsettled_states,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
@@ -164,7 +164,7 @@ def find_equilibrium(
         raise SolverError(words, DIVERGED, found.state)
     if failure:
         if names := unconstrained(system, state, free):
-            where = coordinate_source(system, names[0]).removeprefix(names[0])
+            where = line_and_open_contacts(system, state, names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
         name, words = run_away(system, found.state)
         if name:
@@ -198,7 +198,7 @@ def _pseudo_time(
     unloaded = evaluate.residual(system, begin)
     loads = float(np.abs(unloaded * weight).max(initial=0.0))
     wanted = max(tolerance * float(np.abs(R * weight).max(initial=0.0)), NEGLIGIBLE * loads)
-    tangent, started = Tangent(system, state), time.monotonic()
+    tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu = FIRST
@@ -225,8 +225,8 @@ def _pseudo_time(
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
-        trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:
+            trial = contacts.step_on(system, state, free, step * (LONGEST / turn if turn > LONGEST else 1.0))
             new = evaluate.residual(system, trial)
         except SolverError:
             mu *= 16.0
