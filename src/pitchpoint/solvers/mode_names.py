@@ -5,8 +5,8 @@ The name is that of the first rule that applies; shares are those of the kinetic
 
 1. rigid modes, without strain: rigid rotation, rigid motion;
 2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body;
-3. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational, planet mode; but
-   tilting of the central body that has half of the energy is named as such;
+3. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational,
+   planet mode; but tilting of the central body that has half of the energy is named as such;
 4. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
    against each other does not count: what moves there is the tilting body;
 5. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other

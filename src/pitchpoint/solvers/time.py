@@ -312,7 +312,7 @@ class _Loop:
         """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
         rattle = read_counts(self.system, self.sums.counts)
-        channels = channel_statistics(self.system.layout.channels, found, rattle)
+        channels = channel_statistics(self.system, found, rattle)
         remarks = run_remarks(self.system, channels)
         t, state = float(self.run_.t), self.run_.state()
         if status == OK:

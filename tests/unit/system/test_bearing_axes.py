@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces of bearings have axes that do not spin with the outer ring, against statics.
 
-A steady load is at rest in ground, or in the carrier that moves the bearing in a circle, whichever ring turns.
+A steady load is at rest in ground, or in the carrier that moves the bearing in a circle, whichever ring
+turns.
 """
 
 from __future__ import annotations
