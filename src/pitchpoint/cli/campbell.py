@@ -46,7 +46,7 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
     "--body",
     metavar="NAME",
     help="Body of the speed; default: the one whose speed the scenario gives, else the first that rotates, "
-    "has a gear and is no planet.",
+    "has a gear and is not a planet.",
 )
 @quantities(
     "--speeds",

@@ -129,7 +129,7 @@ def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) ->
     """Reference body of the speed.
 
     The first rotating body whose speed a scenario gives, other than zero: start speeds, drives, sweep.
-    Without one, the first that rotates, has a gear in mesh and is no planet, that is, no rotating body
+    Without one, the first that rotates, has a gear in mesh and is not a planet, that is, no rotating body
     carries it; else the first that rotates.
 
     Parameters

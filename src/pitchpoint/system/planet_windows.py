@@ -76,7 +76,7 @@ def _turning(model: Model, carrier: str, statistics: Mapping[str, Any]) -> str |
 
 
 def _lateral(model: Model, carrier: str) -> str:
-    """Gravity across the axis of a carrier, and forces on bodies, in words; "" without effect."""
+    """Weight across the axis of a carrier, and forces on bodies, in words; "" without effect."""
     if not any({"x", "y"} & set(seat.coordinates) for seat in model.mechanism.seats.values()):
         return ""
     words = []
@@ -84,7 +84,7 @@ def _lateral(model: Model, carrier: str) -> str:
         weight = np.array(model.gravity, dtype=float)
         along = float(weight @ body_frame(model, carrier)[1][:, 2])
         across = float(np.linalg.norm(weight)) ** 2 - along**2
-        words += ["gravity"] if across > (ACROSS * float(np.linalg.norm(weight))) ** 2 else []
+        words += ["weight"] if across > (ACROSS * float(np.linalg.norm(weight))) ** 2 else []
     if any(_acts(load) for load in model.loads.values()):
         words.append("forces")
     return " and ".join(words)

@@ -70,7 +70,7 @@ def put_rest(tree: Sequence[Body], row: Any) -> None:
 
     They are fixed to the frame R of the last body, from the outer ring towards ground, that spins about the
     axis of the bearing: of a planet, which its carrier moves in a circle, but of the carrier for a sun that
-    it supports. A ring beside the axis of its body, such as that of a planet shaft in its carrier, goes round
+    it supports. A ring off the axis of its body, such as that of a planet shaft in its carrier, goes round
     with the body; so do the axes. Floating bodies have no spin axis.
 
     Parameters
