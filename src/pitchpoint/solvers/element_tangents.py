@@ -123,6 +123,14 @@ def tangents(
     return damping - bare_damping, stiffness - bare_stiffness
 
 
+def residual_of(system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]) -> Array:
+    """Part of some records in the residual, their negative generalised forces, shape (nd,)."""
+    with switched(system, on):
+        own = evaluate.residual(system, state)
+    with switched(system, {}):
+        return own - evaluate.residual(system, state)
+
+
 def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
     """Blocks of the matrix of the bodies alone, without any element."""
     with switched(system, {}):

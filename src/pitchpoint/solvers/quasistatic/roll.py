@@ -48,7 +48,7 @@ from pitchpoint.solvers.quasistatic.unloaded_mesh import tangent_stiffness, unlo
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
-from pitchpoint.system.system import System
+from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -156,16 +156,16 @@ def roll_through(
     mesh: str | None = None,
     others: bool = True,
     progress: Progress = silent,
-    look: Callable[[System, Array], None] | None = None,
+    look: Callable[[System, State, Array], None] | None = None,
     at: Sequence[int] | None = None,
     along: Array | None = None,
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
     Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
-    evaluated system and its channels. `at`: numbers of the rolled periods, counted from the initial position,
-    instead of the first ones. `along`: rates of the coordinates in whose direction the roll goes; default:
-    the speeds of the scenario.
+    evaluated system, its state and its channels. `at`: numbers of the rolled periods, counted from the
+    initial position, instead of the first ones. `along`: rates of the coordinates in whose direction
+    the roll goes; default: the speeds of the scenario.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -200,7 +200,7 @@ def roll_through(
             state = found.state
             rows[s] = found.observe(own)
             if look is not None:
-                look(own, rows[s])
+                look(own, state, rows[s])
             reaction[s] = found.reaction
             for m in observed:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
