@@ -877,6 +877,24 @@ def test_bushing_force_is_that_on_the_first_body_in_axes_of_the_second() -> None
     assert system.workspace.fr["F"][1, 0] == pytest.approx(-1.4)
 
 
+def test_axes_of_bearing_forces_do_not_spin_with_the_outer_ring() -> None:
+    """A planet is 50 µm off its pin along x of the carrier, whatever the angles of both are."""
+    text = (
+        "bodies:\n  carrier: {inertia: 1 kg m^2, position: [0, 0, 0]}\n"
+        "  planet: {motion: planar, mass: 1 kg, inertia: 1 kg m^2, position: [100 mm, 0, 0]}\n"
+        "joints: {pin: {type: planar, bodies: [carrier, planet], position: [100 mm, 0, 0]}}\n"
+        "plain_bearings: {b: {ends: [carrier, planet], clearance: 20 um, stiffness: 1e9, exponent: 1}}\n"
+    )
+    system = compile_model(loads_model(text.replace("motion: planar, ", "")))
+    state = system.initial_state()
+    state.q[system.layout.coordinate("planet.x")] = 50e-6
+    first = system.layout.channel("bearing_force[b.fx]")
+    for turned, carried in ((0.0, 0.0), (1.0, 0.0), (-2.0, 0.0), (1.0, 0.7)):
+        state.q[system.spin("planet")], state.q[system.spin("carrier")] = turned, carried
+        force = evaluate.observe(system, state)[first : first + 2]
+        assert np.allclose(force, [40e-6 * 1e9, 0.0], rtol=1e-6, atol=1.0)
+
+
 def test_a_positive_contact_angle_carries_along_plus_z() -> None:
     numbers = {"i": 1, "j": 2, "n": 8, "pitch": 0.1, "element": 0.01, "stiffness": 1e6, "exponent": 1.5}
     system = two_shafts("rolling_bearing", angle=0.4, **numbers)

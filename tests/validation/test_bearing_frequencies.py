@@ -64,8 +64,6 @@ def push(fault, kind="ball", ends="rotor, ground", loads="", duration="4.2 s"):
     text = MODEL.format(ends=ends, kind=KINDS[kind][0], faults=faults, loads=loads, duration=duration)
     run = solve_time(compile_model(loads_model(text), "s"))
     force = run["bearing_force[b.fx]"].values + 1j * run["bearing_force[b.fy]"].values
-    if ends.endswith("rotor"):  # stated in the axes of the outer ring
-        force *= np.exp(1j * run["angle[rotor]"].values)
     return force[SETTLED:-1]
 
 

@@ -43,7 +43,10 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
 @model_file
 @state
 @click.option(
-    "--body", metavar="NAME", help="Body of the speed; default: the first that rotates and has a gear."
+    "--body",
+    metavar="NAME",
+    help="Body of the speed; default: the one whose speed the scenario gives, else the first that rotates, "
+    "has a gear and is not a planet.",
 )
 @quantities(
     "--speeds",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import shown, table
+from pitchpoint.cli.output import show, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.io.container import Header
@@ -202,6 +202,7 @@ def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
     """Print mean mesh force and share of every planet, and the mesh load factor of every stage."""
     for stage, found in loads.items():
         if found["load_sharing_factor"] is None:
+            show(f"{stage}: no load on the planets, no mesh load factor K_γ")
             continue
         rows = [
             [planet, mesh, shown(force, "force", 5), f"{round(100.0 * share, 2) + 0.0:.2f} %"]

@@ -7,7 +7,7 @@ import time
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.cli.output import shown, table
+from pitchpoint.cli.output import NOTHING, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -53,6 +53,7 @@ def compute(
     from pitchpoint.core.status import OK
     from pitchpoint.solvers.quasistatic.roll import roll_through, statistics, tables
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.no_load import unloaded_meshes
     from pitchpoint.system.planet_loads import loads_in
 
     begun = time.perf_counter()
@@ -64,6 +65,9 @@ def compute(
     channels = {t.name: statistics(t) for t in found if t.rolled and len(t.values)}
     status, notes = how_a_status_ends(roll.status), [*roll.notes, *roll.cycle_notes]
     store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status, notes)
+    meshes = {name: numbers(name, roll, found) for name in roll.meshes}
+    for name in unloaded_meshes(model, channels) & meshes.keys():
+        meshes[name]["mean_stiffness"] = None
     summary = {
         "status": status,
         "sentence": roll.sentence,
@@ -73,7 +77,7 @@ def compute(
         "output": str(target),
         "notes": notes,
         "periods_rolled": roll.position,
-        "meshes": {name: numbers(name, roll, found) for name in roll.meshes},
+        "meshes": meshes,
         "channels": channels,
         "planet_loads": loads_in(model, channels),
     }
@@ -125,7 +129,8 @@ def show_roll(title: str, summary: dict[str, Any]) -> None:
         whole = mesh["repeats_after_periods"]
         part = f", {periods} of {whole} periods" if 0 < periods < whole else ""
         words = [f"{name}{part}: {WORDS[0]}", *(f"  {word}" for word in WORDS[1:])]
-        rows += [list(row) for row in zip(words, mesh_cells(summary["channels"], name), strict=True)]
+        cells = mesh_cells(summary["channels"], name, loaded=mesh["mean_stiffness"] is not None)
+        rows += [list(row) for row in zip(words, cells, strict=True)]
     table(title, ["slow roll", "value"], rows)
 
 
@@ -140,13 +145,15 @@ def show_forces(model: Model, channels: Mapping[str, Mapping[str, Any]], name: s
         statistics_table("bearings and loads", {one: channels[one] for one in chosen})
 
 
-def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str) -> list[str]:
-    """Values for `WORDS` from the statistics of the channels of a roll."""
+def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str, *, loaded: bool = True) -> list[str]:
+    """Values for `WORDS` from the statistics of the channels of a roll; no stiffness without load."""
     force, stiffness = channels[f"mesh_force[{mesh}]"], channels[f"tangent_stiffness[{mesh}]"]
     errors = []
     for name in ("transmission_error", "unloaded_transmission_error"):
         row = channels[f"{name}[{mesh}]"]
         errors += [length(row["mean"], 5), length(row["max"] - row["min"], 4)]
+    if not loaded:
+        return ["no load", *errors, NOTHING]
     return [shown(force["mean"], "force", 5), *errors, shown(stiffness["mean"], "stiffness", 5)]
 
 

@@ -86,6 +86,7 @@ def run(
         unless_it_cannot_begin,
     )
     from pitchpoint.report.main_channels import main_channels
+    from pitchpoint.system.no_load import without_rounding
     from pitchpoint.viz.quantities import window_words
 
     model = read_model(file, allow_code, quiet)
@@ -127,7 +128,7 @@ def run(
         if not rows or any(math.isfinite(row["mean"]) for row in rows.values()):
             chosen = None if how["everything"] else main_channels(model, rows, name)
             window = f", {window_words(*summary['window'])}" if summary["window"] else ""
-            statistics_table(f"{title}{window}", rows, chosen)
+            statistics_table(f"{title}{window}", without_rounding(model, rows), chosen)
             rattle_table(rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")

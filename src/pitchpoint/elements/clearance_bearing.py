@@ -103,7 +103,7 @@ def clearance_bearing(rec, ctl, fr, kk):
             events(ctl)[b["ev"]] = d
         if c["out"] != 0:
             out = observations(ctl)
-            ring_observations(b, line, out)
+            ring_observations(b, fr, line, out)
             out[b["out"] + RESULTANTS] = d
         if d > 0.0:
             ring_forces(b, f, g, line)

@@ -199,7 +199,7 @@ class Kind:
         Whether a mode may be named after it.
     arrow
         How its force ``bearing_force[NAME.fx]`` … is drawn: "bearing" in the axes B at zi, "ring" in those of
-        the second ring, "" not drawn. A word, or a function of the record.
+        the second ring without its spin, "" not drawn. A word, or a function of the record.
     power
         How it appears in a power flow; None: power is not evaluated.
     law_call

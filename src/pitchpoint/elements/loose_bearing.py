@@ -133,7 +133,7 @@ def loose_bearing(rec, ctl, fr, kk):
         if c["ev"] != 0:
             events(ctl)[b["ev"]] = x
         if c["out"] != 0:
-            ring_observations(b, line, observations(ctl))
+            ring_observations(b, fr, line, observations(ctl))
         ring_forces(b, f, g, line)
         if c["jac"] != 0:
             ring_tangents(b, f, g, kk, ctl, line)

@@ -15,6 +15,9 @@ for both rings.
 A bearing kind computes the forces f conjugate to U and the slopes K = -df/dU, D = -df/dU'; this module
 converts them to wrenches and exact tangents. The wrenches are in equilibrium, and their power is f . U' for
 displacements and tilts of any size.
+
+Results have axes that coincide with those of marker j as assembled and do not spin with the outer ring: in a
+planet they follow the carrier (`rest`).
 """
 
 from __future__ import annotations
@@ -35,6 +38,8 @@ RING: list[tuple[Any, ...]] = [
     ("p_j", "f8", 3),
     ("A_i", "f8", (3, 3)),  # axes of the marker in those of body i, columns
     ("A_j", "f8", (3, 3)),
+    ("rest", "i8"),  # body whose frame R has the axes of the results, 0: those of marker j
+    ("A_rest", "f8", (3, 3)),  # these axes in that frame, columns
     ("K", "f8", (6, 6)),  # scratch: stiffness -df/dU
     ("D", "f8", (6, 6)),  # scratch: damping -df/dU'
     ("x", "f8", 6),  # scratch: displacement or its change
@@ -49,7 +54,7 @@ RESULTANT_OUTPUTS = (
     ("bearing_force[{}.direction]", "rad", "direction of the radial force, from the x axis"),
 )
 OUTPUTS = (
-    ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring, x"),
+    ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring without its spin, x"),
     ("bearing_force[{}.fy]", "N", "force on the inner ring, y"),
     ("bearing_force[{}.fz]", "N", "force on the inner ring, axial"),
     ("bearing_force[{}.mx]", "N m", "moment on the inner ring about its centre, x"),
@@ -154,14 +159,18 @@ def ring_forces(b, f, g, line):
 
 
 @kernel
-def ring_observations(b, line, out):
-    """Write force and moment on the inner ring in the axes of marker j."""
+def ring_observations(b, fr, line, out):
+    """Write force and moment on the inner ring in the axes of marker j without the spin of its body."""
     arm, reach, axes, n, h, y, spin = line
     force, couple = _force_and_couple(b["f"], axes, n, h)
     first = b["out"]
     for r in range(3):
-        out[first + r] = b["f"][r]
-        out[first + 3 + r] = dot(axes[r], couple)
+        along = axes[r]
+        if b["rest"] != 0:
+            A = b["A_rest"]
+            along = into_world(fr[b["rest"]]["R"], (A[0, r], A[1, r], A[2, r]))
+        out[first + r] = dot(along, force)
+        out[first + 3 + r] = dot(along, couple)
     put_resultants(out, first)
 
 

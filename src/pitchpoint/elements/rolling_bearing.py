@@ -362,7 +362,7 @@ def rolling_bearing(rec, ctl, fr, kk):
             _row(b, start + math.pi / b["n"], (share, cage), spun, -b["sa"], jac)
         if ctl0["out"] != 0:
             out = observations(ctl)
-            ring_observations(b, line, out)
+            ring_observations(b, fr, line, out)
             out[b["out"] + RESULTANTS] = cage - TWO_PI * math.floor(cage / TWO_PI)
         ring_forces(b, f, g, line)
         if jac != 0:

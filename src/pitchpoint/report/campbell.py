@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.excitation_orders import Orders
     from pitchpoint.system.system import System
 
@@ -49,7 +51,7 @@ def campbell_of(
     model, scenario
         The model, and the name of the scenario with loads and operating speed.
     body
-        Body of the speed; default: the first rotating one with a gear in mesh, else the first rotating one.
+        Body of the speed; default: see `body_of_speeds`.
     speeds, points
         Range of its speeds [rad/s], default from zero to 1.2 times the highest operating speed; number of
         speeds.
@@ -75,7 +77,8 @@ def campbell_of(
     from pitchpoint.solvers.linear_system import linearise, lowest
     from pitchpoint.system.compile import compile_model
 
-    body = body or body_of_speeds(model)
+    chosen = None if scenario is None else [model.scenarios[scenario]]
+    body = body or body_of_speeds(model, chosen)
     if body is None:
         raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
     system = compile_model(model, scenario)
@@ -83,7 +86,6 @@ def campbell_of(
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
-    chosen = None if scenario is None else [model.scenarios[scenario]]
     reached = operating_range(system, body, chosen)
     if speeds is None:
         top = (
@@ -123,16 +125,61 @@ def _apart(speeds: tuple[float, float], operating: tuple[float, float] | None) -
     return (f"the operating speeds {ranges[0]} are outside the computed speeds {ranges[1]}; extend --speeds",)
 
 
-def body_of_speeds(model: Model) -> str | None:
-    """Reference body of the speed: the first rotating one with a gear in mesh, else the first rotating."""
+def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) -> str | None:
+    """Reference body of the speed.
+
+    The first rotating body whose speed a scenario gives, other than zero: start speeds, drives, sweep.
+    Without one, the first that rotates, has a gear in mesh and is not a planet, that is, no rotating body
+    carries it; else the first that rotates.
+
+    Parameters
+    ----------
+    model
+        The model.
+    scenarios
+        Its scenarios in order; default: all.
+
+    Returns
+    -------
+    str or None
+        None if no body rotates.
+    """
     in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
     turning = []
     for name, body in model.bodies.items():
         seat = model.mechanism.seats.get(name)
         if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
             turning.append(name)
-    geared = (n for n in turning if in_mesh & {*model.bodies[n].gears, *model.bodies[n].bevel_gears})
+    for scenario in model.scenarios.values() if scenarios is None else scenarios:
+        given = next((name for name in _with_speed(scenario) if name in turning), None)
+        if given is not None:
+            return given
+    own = {n: {*model.bodies[n].gears, *model.bodies[n].bevel_gears} for n in turning}
+    geared = (n for n in turning if in_mesh & own[n] and not _carried(model, n, turning))
     return next(geared, turning[0] if turning else None)
+
+
+def _with_speed(scenario: Scenario) -> list[str]:
+    """Bodies whose speed a scenario gives, other than zero."""
+    from pitchpoint.model.components.law import Constant
+
+    found = [name for name, speed in scenario.speed.items() if speed != 0.0]
+    for name, drive in scenario.drive.items():
+        law = drive.speed or drive.angle
+        stands = isinstance(law, Constant) and (law.value == 0.0 or law is drive.angle)
+        if law is not None and not stands:
+            found.append(name)
+    return found if scenario.sweep is None else [*found, scenario.sweep.body]
+
+
+def _carried(model: Model, name: str, turning: Iterable[str]) -> bool:
+    """Whether a body is on one that rotates, such as a planet on its carrier."""
+    seats = model.mechanism.seats
+    while (seat := seats.get(name)) is not None:
+        name = seat.parent
+        if name in turning:
+            return True
+    return False
 
 
 def highest_speed(system: System, body: str, frequency: ArrayLike) -> float:

@@ -137,7 +137,9 @@ def collect(
     compared = _compare(found, compare)
     cycles = {
         name: (
-            MeshCycleData(stiffness=cycle, stiffness_unit=words.get(relative_to, relative_to)),
+            MeshCycleData(
+                stiffness=cycle, stiffness_unit=words.get(relative_to, relative_to), unit_stiffness=unit
+            ),
             unit,
         )
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()

@@ -196,7 +196,7 @@ def _diagram(
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
 
     model = model_of(system)
-    body = body_of_speeds(model)
+    body = body_of_speeds(model, [model.scenarios[name] for name in one.scenarios])
     if body is None:
         return "No body rotates."
     if not frequency:

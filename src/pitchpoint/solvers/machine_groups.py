@@ -59,6 +59,8 @@ class Groups:
         Whether each component is a spring, unlike weight and other loads.
     ends
         Parts connected by each component, without ground.
+    bodies
+        Bodies connected by the elements of each component, without ground.
     """
 
     parts: tuple[str, ...]
@@ -72,6 +74,7 @@ class Groups:
     kinds: tuple[str, ...]
     springs: tuple[bool, ...]
     ends: tuple[tuple[int, ...], ...]
+    bodies: tuple[frozenset[int], ...]
 
 
 SHAFT = "shaft"
@@ -101,6 +104,9 @@ def groups_of(system: System, parts: Parts) -> Groups:
     listed_components = tuple(dict.fromkeys(labels))
     place = {label: k for k, label in enumerate(listed_components)}
     first = {label: e for e, label in reversed(list(enumerate(labels)))}
+    touched: dict[str, set[int]] = {label: set() for label in listed_components}
+    for label, pair in zip(labels, parts.bodies, strict=True):
+        touched[label] |= {int(b) for b in pair if b}
     return Groups(
         parts=listed,
         part=part,
@@ -116,6 +122,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
             for k in (first[label] for label in listed_components)
         ),
         ends=tuple(ends[first[label]] for label in listed_components),
+        bodies=tuple(frozenset(touched[label]) for label in listed_components),
     )
 
 

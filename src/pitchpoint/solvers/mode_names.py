@@ -5,8 +5,8 @@ The name is that of the first rule that applies; shares are those of the kinetic
 
 1. rigid modes, without strain: rigid rotation, rigid motion;
 2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body;
-3. half of it in a planetary set, in one of its three types: rotational, translational, planet mode; but
-   tilting of the central body that has half of the energy is named as such;
+3. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational,
+   planet mode; but tilting of the central body that has half of the energy is named as such;
 4. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
    against each other does not count: what moves there is the tilting body;
 5. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other
@@ -39,7 +39,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 MAIN = 0.5
-"""Share of the energy from which a planetary set, a mesh or an elastic body names a mode."""
+"""Share of the energy from which a mesh or an elastic body names a mode."""
 BENDS = 0.3
 """Share of its beams in the strain energy of a shaft and its supports from which it bends."""
 TURNS = 1e-9
@@ -209,13 +209,13 @@ class _Namer:
         if kinetic[elastic, 3] >= MAIN:
             return _Named(f"elastic mode of {self.groups.parts[elastic]}", True)
         for planets in self.sets:
-            kind, share = type_of_mode(planets, twist, wrench, kinetic)
-            if kind and share >= MAIN:
+            kind = type_of_mode(planets, twist, wrench, kinetic, strain)
+            if kind:
                 tilts = self._tilts(planets, kinetic, strain, twist, wrench)
                 if kind == TRANSLATIONAL and tilts is not None:
                     return tilts
                 words = f"{kind} mode of {planets.name}"
-                plane = self._plane_of(planets.central, twist, wrench) if kind == TRANSLATIONAL else None
+                plane = self._plane_of(planets.bodies, twist, wrench) if kind == TRANSLATIONAL else None
                 return _Named(words, True, plane=plane, multiple=kind == PLANET)
         teeth = self.energies.teeth[k]
         if teeth.sum() >= MAIN:
@@ -275,10 +275,10 @@ class _Namer:
         """Bodies that move with some parts."""
         return [b for b, own in enumerate(self.groups.carried) if own in parts]
 
-    def _plane_of(self, parts: Sequence[int], twist: Complex, wrench: Complex) -> Array:
-        """Direction of the largest lateral motion of some parts."""
-        bodies = self._bodies(*parts)
-        return _main_direction(twist[bodies], (twist[bodies].conj() * wrench[bodies]).real)
+    def _plane_of(self, bodies: Sequence[int], twist: Complex, wrench: Complex) -> Array:
+        """Direction of the largest lateral motion of some bodies."""
+        own = list(bodies)
+        return _main_direction(twist[own], (twist[own].conj() * wrench[own]).real)
 
     def _lateral(self, part: int, strain: Array, twist: Complex, wrench: Complex) -> _Named:
         """Bending of a shaft, or its translation or tilting."""

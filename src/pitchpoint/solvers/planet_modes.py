@@ -12,6 +12,12 @@ e^(2 pi i h/N) in the radial and tangential directions of each planet [1]_:
 
 The energies by h follow from the discrete Fourier transform of the planets' motions and inertia forces.
 
+A mode is one of the set if the set has half of the energies: the kinetic energy of planets and central
+bodies, and the strain energy of meshes, planet bearings and the supports of central bodies. Of an elastic
+shaft only the stations with the gear or the carrier, and what is fixed to them, are central bodies. Where
+meshes and planet bearings have less than a tenth of the strain energy, the central body moves on its own
+supports.
+
 References
 ----------
 .. [1] J. Lin, R. G. Parker: Analytical characterization of the unique properties of planetary gear free
@@ -43,6 +49,11 @@ STILL = 1e-6
 """Share of sun, ring and carrier in the energy of the set up to which they are at rest."""
 PURE = 0.8
 """Share of one type in the energy of the set from which a mode has this type."""
+OWN = 0.5
+"""Share of the set in the kinetic and in the strain energy from which a mode is one of the set."""
+COUPLED = 0.1
+"""Share of meshes and planet bearings in the strain energy from which the set takes part in a mode: the
+least of all modes of the sets of Lin and Parker with three to five planets is 0.11."""
 ROTATIONAL, TRANSLATIONAL, PLANET = TYPES = ("rotational", "translational", "planet")
 """Types of modes of a planetary set by h."""
 AXIAL = "axial"
@@ -66,6 +77,11 @@ class PlanetSet:
         Parts of the planets.
     central
         Parts of sun, ring and carrier.
+    bodies
+        Bodies with sun, ring and carrier, and all that are fixed to them.
+    springs, supports
+        Components of meshes and planet bearings, and of springs that connect bodies of the set to each other
+        or to ground.
     """
 
     name: str
@@ -73,6 +89,9 @@ class PlanetSet:
     angles: tuple[float, ...]
     parts: tuple[int, ...]
     central: tuple[int, ...]
+    bodies: tuple[int, ...]
+    springs: tuple[int, ...]
+    supports: tuple[int, ...]
 
 
 def planet_sets(system: System, groups: Groups, place: Array, axes: Array) -> tuple[PlanetSet, ...]:
@@ -134,6 +153,13 @@ def _set(
 ) -> PlanetSet:
     """Set with its central bodies and its name."""
     members = [*(b for b in central if b), *carriers]
+    moved = _moved_by(system)
+    around_planets = {moved[b] for b in members} - {0}
+    parts = tuple(dict.fromkeys(groups.carried[p] for p in planets))
+    springs = [e for e, ends in enumerate(groups.ends) if set(ends) & set(parts)]
+    held = [
+        e for e, own in enumerate(groups.bodies) if {moved[b] for b in own} - {0} <= around_planets and own
+    ]
     order = np.argsort(angles)
     around = groups.parts[groups.part[(carriers or members)[0]]]
     stages = system.model.planetary_stages.items() if system.model is not None else ()
@@ -144,13 +170,26 @@ def _set(
         ),
         planets=tuple(planets[k] for k in order),
         angles=tuple(float(angles[k]) for k in order),
-        parts=tuple(dict.fromkeys(groups.carried[planets[k]] for k in order)),
+        parts=parts,
         central=tuple(dict.fromkeys(groups.carried[b] for b in members)),
+        bodies=tuple(b for b, mover in enumerate(moved) if mover in around_planets),
+        springs=tuple(springs),
+        supports=tuple(e for e in held if e not in springs),
     )
 
 
-def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: Array) -> tuple[str, float]:
-    """Type of a mode of a set ("" if mixed), and the share of the set in its kinetic energy.
+def _moved_by(system: System) -> list[int]:
+    """Body that moves each body: itself, or the one to which it is fixed; 0: none."""
+    found = [0]
+    for row in system.program["body"][1:]:
+        parent = int(row["spinner"]) or int(row["parent"])
+        follows = row["n"] == 0 and not row["shares"]
+        found.append(found[parent] if follows else len(found))
+    return found
+
+
+def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: Array, strain: Array) -> str:
+    """Type of a mode of a set; "" if it is mixed, or no mode of the set.
 
     Parameters
     ----------
@@ -160,7 +199,12 @@ def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: A
         Motions and inertia wrenches of the bodies in body axes, shape (nb, 6).
     kinetic
         Shares of the kinetic energy by part that moves and direction, shape (parts, 4).
+    strain
+        Shares of the components in the strain energy, without signs.
     """
+    coupled = strain[list(planets.springs)].sum()
+    if coupled < COUPLED or coupled + strain[list(planets.supports)].sum() < OWN:
+        return ""
     own = list(planets.planets)
     angles = np.array(planets.angles)
     c, s = np.cos(angles), np.sin(angles)
@@ -173,14 +217,19 @@ def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: A
     each = (waves[0].conj() * waves[1]).real.sum(axis=1)
     size = max(float(each.sum()), 1e-300)
     moving = float(kinetic[list(planets.parts)].sum())
-    middle = kinetic[list(planets.central)].sum(axis=0)
+    motion = (twist.conj() * wrench).real
+    scale = float(kinetic[:, :3].sum()) / max(float(motion.sum()), 1e-300)
+    motion = scale * motion[list(planets.bodies)].sum(axis=0)
+    middle = np.array([motion[[0, 1, 3, 4]].sum(), motion[2], motion[5]])
     found = np.array([each[0], each[1] + each[-1], each[2:-1].sum()]) / size * moving
     found += (middle[1] + middle[2], middle[0], 0.0)
     whole = float(found.sum())
+    if whole < OWN:
+        return ""
     if middle.sum() < STILL * whole:
-        return PLANET, whole
+        return PLANET
     best = int(np.argmax(found))
     if found[best] < PURE * whole:
-        return "", whole
+        return ""
     axial = float(kinetic[list(planets.parts), 1].sum() + middle[1])
-    return AXIAL if TYPES[best] == ROTATIONAL and axial > 0.5 * found[best] else TYPES[best], whole
+    return AXIAL if TYPES[best] == ROTATIONAL and axial > 0.5 * found[best] else TYPES[best]

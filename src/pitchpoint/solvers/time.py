@@ -38,6 +38,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
 from pitchpoint.system.meshes import forget_contacts
+from pitchpoint.system.planet_windows import window_notes
 from pitchpoint.system.remarks import run_remarks
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
@@ -312,9 +313,13 @@ class _Loop:
         """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
         rattle = read_counts(self.system, self.sums.counts)
-        channels = channel_statistics(self.system.layout.channels, found, rattle)
-        remarks = run_remarks(self.system, channels)
+        channels = channel_statistics(self.system, found, rattle)
         t, state = float(self.run_.t), self.run_.state()
+        length = max(t - self.window, 0.0)
+        remarks = (
+            *run_remarks(self.system, channels),
+            *window_notes(self.system.model, channels, length),
+        )
         if status == OK:
             remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples

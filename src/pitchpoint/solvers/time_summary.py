@@ -3,18 +3,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS
+from pitchpoint.system.no_load import unloaded_meshes
 from pitchpoint.system.system import State
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.sampling import Statistics
-    from pitchpoint.system.layout import Channel
+    from pitchpoint.system.system import System
 
 
 class Sink(Protocol):
@@ -84,11 +87,14 @@ class TimeSummary:
 
 
 def channel_statistics(
-    channels: Sequence[Channel], found: Statistics, rattle: Mapping[str, Mapping[str, Any]]
+    system: System, found: Statistics, rattle: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, dict[str, Any]]:
-    """Statistics by name of the channel, see `TimeSummary`; `rattle` by mesh."""
+    """Statistics by name of the channel, see `TimeSummary`; `rattle` by mesh.
+
+    The flanks of a mesh without load touch and leave at each step: its contact numbers are NaN.
+    """
     rows: dict[str, dict[str, Any]] = {}
-    for k, channel in enumerate(channels):
+    for k, channel in enumerate(system.layout.channels):
         row = rows[channel.name] = {
             "unit": channel.unit,
             "mean": float(found.mean[k]),
@@ -99,4 +105,8 @@ def channel_statistics(
         if channel.name.startswith("contact_state["):
             row["share_zero"] = float(found.share_zero[k])
             row |= rattle[channel.name[len("contact_state[") : -1]]
+    for mesh in unloaded_meshes(system.model, rows):
+        row = rows.get(f"contact_state[{mesh}]", {})
+        if row.get("share_zero", 1.0) < 1.0:  # a mesh that never touches keeps its contact loss
+            row |= dict.fromkeys(CONTACT_NUMBERS, math.nan)
     return rows

@@ -2,7 +2,7 @@
 """Load sharing of the planets of a stage, from the mean forces of their meshes.
 
 The mesh load factor K_gamma (ISO 6336:2019) is the largest load of the parallel meshes over their mean: 1 for
-equal planets, N if one of N planets carries all.
+equal planets, N if one of N planets carries all. Planets without load, see `no_load`, have no shares.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.load_sharing import FACTOR, factor_name, factor_row
+from pitchpoint.system.no_load import least_forces
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,7 +35,7 @@ class PlanetLoads:
     force
         Mean mesh force along the base tangent by planet [N].
     share
-        Share of the sum of the forces by planet [-].
+        Share of the sum of the forces by planet [-]; NaN without load.
     factor
         Mesh load factor K_gamma [-]; None without load.
     """
@@ -45,13 +46,15 @@ class PlanetLoads:
     factor: float | None
 
 
-def mesh_load_factor(forces: Sequence[float]) -> float | None:
+def mesh_load_factor(forces: Sequence[float], least: float = 0.0) -> float | None:
     """Largest of parallel mesh forces over their mean; None without load.
 
     Parameters
     ----------
     forces
         Mean force of every mesh, of one sign or zero [N].
+    least
+        Mean of the forces up to which there is no load [N].
 
     Examples
     --------
@@ -59,7 +62,7 @@ def mesh_load_factor(forces: Sequence[float]) -> float | None:
     1.2
     """
     total = abs(math.fsum(forces))
-    if not total > 0.0 or not math.isfinite(total):
+    if not total > least * len(forces) or not math.isfinite(total):
         return None
     return len(forces) * max(map(abs, forces)) / total
 
@@ -74,16 +77,22 @@ def loads_of_planets(model: Model, mean: Callable[[str], float | None]) -> dict[
     mean
         Returns the mean of a channel; None if it is not known. Stages without known forces are omitted.
     """
-    found = {}
+    found: dict[str, PlanetLoads] = {}
+    if not model.planetary_stages:
+        return found
+    every = {mesh: mean(f"mesh_force[{mesh}]") for mesh in model.every_mesh}
+    largest = max((abs(f) for f in every.values() if f is not None and math.isfinite(f)), default=0.0)
+    least = least_forces(model, largest)
     for name, stage in model.planetary_stages.items():
         meshes = stage.sun_meshes() or stage.ring_meshes()
-        forces = [mean(f"mesh_force[{mesh}]") for mesh in meshes]
+        forces = [every[mesh] for mesh in meshes]
         known = [force for force in forces if force is not None and math.isfinite(force)]
         if len(known) < len(meshes):
             continue
-        total = math.fsum(known)
-        share = tuple(force / total if total != 0.0 else math.nan for force in known)
-        found[name] = PlanetLoads(meshes, tuple(known), share, mesh_load_factor(known))
+        factor = mesh_load_factor(known, max(least[mesh] for mesh in meshes))
+        total = math.nan if factor is None else math.fsum(known)
+        share = tuple(force / total for force in known)
+        found[name] = PlanetLoads(meshes, tuple(known), share, factor)
     return found
 
 

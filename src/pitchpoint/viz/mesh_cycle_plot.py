@@ -24,6 +24,7 @@ def plot_mesh_stiffness(
     *,
     name: str = "",
     unit: str = "c′·b",
+    reference: float | None = None,
     loaded: tuple[ArrayLike, ArrayLike] | None = None,
     cycles: int = 2,
 ) -> go.Figure:
@@ -38,13 +39,20 @@ def plot_mesh_stiffness(
         Name of the mesh, for the legend.
     unit
         Reference of the ratio: c′·b for tooth pair laws, the mean for prescribed stiffness.
+    reference
+        Value of the reference [N/m]: the stiffness itself is drawn; None: the ratio.
     loaded
         Phases and slopes of the force under load, in the same unit, if they differ from the law; a single
         cycle is repeated like that of the law.
     cycles
         Number of cycles drawn.
     """
-    phase, ratio = repeated(cycle.phase, cycle.stiffness_ratio, cycles)
+    factor = 1.0
+    if reference is not None:
+        shown = scale("N/m", [reference * float(cycle.maximum)])
+        factor, unit = reference * shown.factor, shown.unit
+    phase, ratio = repeated(cycle.phase, factor * np.asarray(cycle.stiffness_ratio, dtype=float), cycles)
+    mean, low, high = (factor * float(x) for x in (cycle.mean, cycle.minimum, cycle.maximum))
     figure = theme.figure("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
     figure.add_scatter(
         x=phase,
@@ -54,20 +62,19 @@ def plot_mesh_stiffness(
         line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     if loaded is not None:
-        x, y = repeated(*loaded, cycles)
+        under = factor * np.asarray(loaded[1], dtype=float)
+        low, high = min(low, float(under.min())), max(high, float(under.max()))
+        x, y = repeated(loaded[0], under, cycles)
         figure.add_scatter(x=x, y=y, mode="lines", name="under load", line={"color": theme.RED, "width": 2})
-    figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
+    figure.add_hline(y=mean, line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
         x=[None],
         y=[None],
         mode="lines",
         line={"color": theme.GREY, "dash": "dash", "width": 1},
-        name=f"mean {number(float(cycle.mean))}",
+        name=f"mean {number(mean)}" + (f" {unit}" if reference is not None else ""),
     )
-    low, high = float(cycle.minimum), float(cycle.maximum)
-    if loaded is not None:
-        low, high = min(low, float(np.min(loaded[1]))), max(high, float(np.max(loaded[1])))
-    margin = max(0.08 * (high - low), 0.02 * abs(float(cycle.mean)))
+    margin = max(0.08 * (high - low), 0.02 * abs(mean))
     figure.update_yaxes(range=[low - margin, high + margin])
     figure.update_xaxes(range=[0.0, cycles])
     return figure

@@ -60,7 +60,7 @@ def test_a_rotor_without_gears_has_its_critical_speed_and_order_maps(tmp_path: P
     assert "scenario up, prescribed motion: spindle; operating range 3000 to 6000 rpm." in critical
     row = re.search(r"(\d+) rpm\s+[\d.]+ Hz\s+[\d.]+ %\s+1× spindle\s+1st bending", critical)
     assert row and 3000.0 < float(row[1]) < 6000.0
-    assert f"within the operating range 3000 to 6000 rpm: {row[1]} rpm (1× spindle" in section(
+    assert f"within the operating range 3000 to 6000 rpm of spindle: {row[1]} rpm (1× spindle" in section(
         page, "summary"
     )
     # the largest force of a run-up follows within a tenth of the critical speed
@@ -133,7 +133,7 @@ def test_an_axial_mode_that_helical_teeth_drive_is_named(beta: str, tmp_path: Pa
         assert "axial mode" not in summary
         return
     found = re.search(
-        r"Nearest critical speed: ([\d.]+) rpm, [\d.]+ % above .*?\(mesh stage, (.*?),", summary
+        r"Nearest critical speed: ([\d.]+) rpm of driver, [\d.]+ % above .*?\(mesh stage, (.*?),", summary
     )
     assert found, summary
     assert found[2] == "axial mode of driven"

@@ -12,7 +12,7 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.campbell import campbell_of, highest_speed
+from pitchpoint.report.campbell import body_of_speeds, campbell_of, highest_speed
 from pitchpoint.report.operating_range import operating_range, speed_range
 from tests.support.planet_stages import stage_file
 
@@ -102,3 +102,33 @@ def test_a_run_up_through_a_critical_speed_is_in_range(
     first = next(row for row in rows if row["order"] == "mesh stage")
     assert first["speed"] / RPM == pytest.approx(speed, rel=1e-3)
     assert first["separation"] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("scenario", "body"),
+    [
+        ("{speed: {carrier: 20 rpm}, duration: 1 s}", "carrier"),
+        ("{drive: {carrier: {speed: 20 rpm}}, duration: 1 s}", "carrier"),
+        ("{drive: {sun: {speed: 0 rpm}, carrier: {speed: 20 rpm}}, duration: 1 s}", "carrier"),
+        ("{drive: {sun: {angle: 0 deg}, carrier: {angle: '2 * t * 1 rad/s'}}, duration: 1 s}", "carrier"),
+        ("{sweep: {body: sun, speed: [20 rpm, 40 rpm], points: 2}}", "sun"),
+        ("{duration: 1 s}", "sun"),  # no speed: the first body in mesh that is no planet
+    ],
+)
+def test_the_reference_speed_is_that_of_the_scenario(scenario: str, body: str) -> None:
+    """Planets precede shafts in a model; their speed is that relative to the carrier."""
+    text = stage_file()
+    text = text[: text.index("scenarios:")] + f"scenarios:\n  s: {scenario}\n"
+    model = loads_model(text)
+    assert body_of_speeds(model) == body_of_speeds(model, [model.scenarios["s"]]) == body
+
+
+def test_gears_on_shafts_come_before_planets() -> None:
+    shaft = "shafts:\n  sun:\n    sections: [{length: 50 mm, diameter: 40 mm}]\n    gears: {sun: 25 mm}\n"
+    text = stage_file("planets: 3\nmotion: planar\nbearing: {stiffness: {radial: 5e8 N/m}}")
+    body = next(line for line in text.splitlines() if line.startswith("  sun: {gears"))
+    text = text.replace(body + "\n", "")
+    text = text[: text.index("scenarios:")] + shaft + "bearings: {a: {body: sun, stiffness: {radial: 1e8}}}\n"
+    model = loads_model(text)
+    assert list(model.bodies).index("planet_1") < list(model.bodies).index("sun")
+    assert body_of_speeds(model) == "sun"

@@ -146,6 +146,65 @@ def test_planets_of_a_stage_and_their_bearings_have_the_names_of_the_file() -> N
     assert not any(component.startswith("coupling") for component in modes.groups.components)
 
 
+BESIDE = """\
+gears:
+  sun: {number_of_teeth: 28, normal_module: 4 mm, face_width: 60 mm, profile_shift_coefficient: 0}
+  ring: {type: internal, number_of_teeth: 92, normal_module: 4 mm, face_width: 60 mm,
+    profile_shift_coefficient: 0}
+shafts:
+  main:
+    position: [0, 0, -1 m]
+    sections: [{length: 1 m, diameter: 80 mm}]
+    markers: {hub: {position: [0, 0, 0]}, end: {position: [0, 0, 1 m]}}
+bodies:
+  rotor: {mass: 500 kg, inertia_tensor: [20, 20, 40, 0, 0, 0], position: [0, 0, -1 m]}
+  carrier: {mass: 30 kg, inertia_tensor: [0.3, 0.3, 0.5, 0, 0, 0], position: [0, 0, 0]}
+  sun_shaft: {gears: [sun], position: [0, 0, 0]}
+  ring_body: {gears: [ring], motion: fixed}
+joints:
+  a: {type: fixed, bodies: [main.hub, rotor]}
+  b: {type: fixed, bodies: [main.end, carrier]}
+bearings:
+  one: {body: main, position: [0, 0, 300 mm], stiffness: {radial: 2e9 N/m, axial: 1e9 N/m}}
+  two: {body: main, position: [0, 0, 950 mm], stiffness: {radial: 2e9 N/m}}
+planetary_stages:
+  st:
+    sun: sun
+    ring: ring
+    carrier: carrier
+    planets: 4
+    planet: {number_of_teeth: 32, normal_module: 4 mm, face_width: 60 mm, profile_shift_coefficient: 0}
+    motion: planar
+    bearing: {stiffness: {radial: 3e8 N/m}}
+    sun_mesh: {stiffness: {law: constant, value: 1.0e9 N/m}}
+    ring_mesh: {stiffness: {law: constant, value: 1.3e9 N/m}}
+loads:
+  wind: {body: main, torque: 1500 N m}
+  gen: {body: sun_shaft, torque: balance}
+"""
+
+
+def test_a_shaft_beside_a_stage_has_its_own_modes() -> None:
+    """The rotor at the free end, and main shaft and carrier, move on the stiffness of the shaft.
+
+    Modes of the stage have its meshes and planet bearings; four planets have three planet modes.
+    """
+    modes = find_modes(compile_model(loads_model(BESIDE)))
+    names = modes.names
+    assert {*names[1:3]} == {"1st bending of main (x)", "1st bending of main (y)"}
+    assert names[3].startswith("torsion of ")
+    assert {*names[4:7]} == {"2nd bending of main (x)", "2nd bending of main (y)", "axial mode of main"}
+    energies, components = modes.energies, modes.groups.components
+    own = [e for e, name in enumerate(components) if "planet" in name]
+    strain = np.abs(energies.strain)
+    strain[1:] /= strain[1:].sum(axis=1, keepdims=True)
+    stage = np.array(["planetary stage" in name for name in names])
+    share = strain[:, own].sum(axis=1)
+    assert share[stage].min() > 0.5
+    assert share[~stage].max() < 0.5
+    assert sum("planet mode" in name for name in names) == 3
+
+
 def crank(housing: bool) -> str:
     """A crankshaft gear with three wheels around it, on bearings to ground or in a housing."""
     wheel = "{number_of_teeth: 41, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}"

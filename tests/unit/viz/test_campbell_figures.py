@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,9 @@ import pytest
 
 from pitchpoint.viz.campbell_plot import ROOM, plot_campbell
 from pitchpoint.viz.mode_plot import plot_modes
+from pitchpoint.viz.report.build import ReportResults
+from pitchpoint.viz.report.campbell import campbell_section
+from pitchpoint.viz.report.summary import summary_section
 from tests.support.report_data import campbell
 
 
@@ -149,3 +153,20 @@ def test_the_legend_names_only_modes_in_the_plot() -> None:
     }
     assert legend({**whirl, "torsion of shaft": 900.0}, 200.0) == {"forward whirl", "backward whirl"}
     assert legend({"torsion of shaft": 900.0}, 1000.0) == {"modes"}
+
+
+def test_the_table_has_the_critical_speed_that_the_summary_names() -> None:
+    """Orders 2 to 30 of a mode at 100 Hz; that of rank 19 is 0.5 % above the operating speed."""
+    crossing = 2.0 * np.pi * 100.0 / 20.0
+    data = campbell(
+        {"bending": 100.0},
+        {f"{k}× shaft": (float(k), "shaft") for k in range(2, 31)},
+        operating=(crossing / 1.005, crossing / 1.005),
+    )
+    words = "".join(summary_section((), ReportResults(campbells={"": data})).parts)
+    assert "Nearest critical speed: 300 rpm of driver, 0.5 % above the operating speed 298.5 rpm" in words
+    table = "".join(str(part) for part in campbell_section({"": data}).parts)
+    ranks = [int(r) for r in re.findall(r'<th scope="row">(\d+)</th>', table)]
+    assert ranks == [*range(1, 13), 19]
+    assert "20× shaft" in table.partition('<th scope="row">19</th>')[2]
+    assert "16 more in the result" in table

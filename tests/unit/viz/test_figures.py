@@ -36,6 +36,18 @@ def test_mesh_stiffness_over_two_cycles() -> None:
     assert figure.data[1].name == "mean 1.2"
 
 
+def test_mesh_stiffness_of_a_known_reference_is_in_newtons_per_micrometre() -> None:
+    """c'·b = 5e8 N/m, 1.2 pairs on average: 600 N/µm."""
+    own = cycle()
+    figure = plot_mesh_stiffness(own, reference=5e8, loaded=(own.phase, own.stiffness_ratio))
+    assert titles(figure)[1] == "mesh stiffness [N/µm]"
+    assert figure.data[-1].name == "mean 600 N/µm"
+    for drawn in figure.data[:2]:
+        assert max(drawn.y) == pytest.approx(500.0 * own.maximum)
+    low, high = figure.layout.yaxis.range
+    assert low < 500.0 * own.minimum < 500.0 * own.maximum < high
+
+
 def test_transmission_error_in_micrometres() -> None:
     phase = np.linspace(0.0, 1.0, 11)
     figure = plot_transmission_error(

@@ -118,12 +118,13 @@ def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[Scene
             if parts is None:
                 continue
             i, j = int(record["i"]), int(record["j"])
-            if drawn == "bearing":  # has its own axes; those of rings follow the outer ring
+            if drawn == "bearing":  # has its own axes
                 place = moved.place[:, i] + record["zi"] * moved.axes[:, i, :, 2]
                 axes = moved.axes[:, j] @ record["B"]
             else:
                 place = moved.place[:, i] + moved.spinning(i) @ record["p_i"]
-                axes = moved.spinning(j) @ record["A_j"]
+                rest = int(record["rest"])
+                axes = moved.axes[:, rest] @ record["A_rest"] if rest else moved.spinning(j) @ record["A_j"]
             across = np.einsum("nij,nj->ni", axes[:, :, :2], parts[:, :2])
             components = {"radial": across, "axial": parts[:, 2, None] * axes[:, :, 2]}
             if np.abs(parts[:, 2]).max() <= NOTHING * np.abs(parts).max():

@@ -150,8 +150,8 @@ class MeshCycleData:
     stiffness
         `contact.mesh_cycle.MeshCycle`, or anything with `phase`, `stiffness_ratio`, `mean`, `minimum`,
         `maximum`.
-    stiffness_unit
-        Reference of the ratio.
+    stiffness_unit, unit_stiffness
+        Reference of the ratio, and its value [N/m]; None if it is not a stiffness.
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
     cycles, repeats
@@ -165,6 +165,7 @@ class MeshCycleData:
 
     stiffness: Any = None
     stiffness_unit: str = "c′·b"
+    unit_stiffness: float | None = None
     error_phase: ArrayLike = ()
     errors: Mapping[str, ArrayLike] = field(default_factory=dict)
     cycles: int = 1

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.analysis.campbell_ranking import (
+    LARGE,
     NO_CRITICAL_SPEED,
     RankedSpeed,
     UnstableRange,
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 LISTED = 12
-"""Maximum number of critical speeds in the table."""
+"""Number of critical speeds in the table, in addition to those that the summary names."""
+MAX_CRITICAL = 3
+"""Maximum number of critical speeds that the summary names."""
 
 
 def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
@@ -48,13 +51,24 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
         keep_height(drawn)
         section.add_figure(drawn, caption, name="campbell")
         if ranked:
-            section.add(_table(ranked, "crossing_separation" in data))
-            more = len(ranked) - LISTED
+            listed = sorted({*range(min(LISTED, len(ranked))), *named_speeds(ranked)})
+            section.add(_table(ranked, listed, "crossing_separation" in data))
+            more = len(ranked) - len(listed)
             section.add(f"<p>{more} more in the result of pitchpoint campbell.</p>" if more > 0 else "")
         unstable = unstable_ranges(data)
         if unstable:
             section.add("<p>Unstable modes grow without excitation:</p>" + _unstable_table(unstable))
     return section
+
+
+def named_speeds(ranked: Sequence[RankedSpeed]) -> list[int]:
+    """Places of the critical speeds that the summary names, in the ranking.
+
+    Those with a large response that are within the operating range, else the nearest one.
+    """
+    known = [k for k, c in enumerate(ranked) if np.isfinite(c.separation) and c.response >= LARGE]
+    inside = [k for k in known if ranked[k].separation == 0.0]
+    return inside[:MAX_CRITICAL] or sorted(known, key=lambda k: abs(ranked[k].separation))[:1]
 
 
 def _conditions(data: xr.Dataset) -> str:
@@ -103,10 +117,11 @@ def _unstable_table(listed: tuple[UnstableRange, ...]) -> str:
     return plain_table(("mode", "speed", "lowest damping", "driven by"), rows)
 
 
-def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
-    """Table of the first critical speeds."""
+def _table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int], apart: bool) -> str:
+    """Table of some critical speeds."""
     rows = []
-    for rank, c in enumerate(ranked[:LISTED], start=1):
+    for k in listed:
+        c = ranked[k]
         damping = damping_words(c.damping_ratio)
         cells = [
             scale("rad/s").text(c.speed),
@@ -129,8 +144,8 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
                 if known
                 else "–"
             )
-        body = "".join(f'<td class="{"num" if k not in TEXTS else ""}">{x}</td>' for k, x in enumerate(cells))
-        rows.append(f'<tr><th scope="row">{rank}</th>{body}</tr>')
+        body = "".join(f'<td class="{"num" if n not in TEXTS else ""}">{x}</td>' for n, x in enumerate(cells))
+        rows.append(f'<tr><th scope="row">{k + 1}</th>{body}</tr>')
     heads = ["rank", "speed", "frequency", "damping", "order", "mode", "driven by"]
     heads += ["amplification", "response", *(["from operation"] if apart else [])]
     return plain_table(heads, rows, words=1, texts=[k + 1 for k in TEXTS])

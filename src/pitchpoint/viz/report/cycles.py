@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from html import escape
 from typing import Any
@@ -15,7 +16,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
     plot_mesh_stiffness,
     plot_transmission_error,
 )
-from pitchpoint.viz.quantities import channel_scale, number, scale
+from pitchpoint.viz.quantities import amount, channel_scale, number, scale, span
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.planets import planet_table
 from pitchpoint.viz.tables import common_name
@@ -26,6 +27,8 @@ CONSTANT = 1e-9
 """Relative variation of a constant stiffness."""
 SAME = 0.02
 """Difference of two curves over their variation that is within the width of a line."""
+ALIKE = 1e-9
+"""Relative difference of equal reference stiffnesses."""
 ROUND_OFF_WAY = 1e-6
 """Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
 
@@ -76,6 +79,8 @@ def _same(one: Any, other: Any) -> bool:
         return False
     if one.stiffness is not None and one.stiffness_unit != other.stiffness_unit:
         return False
+    if not math.isclose(one.unit_stiffness or 0.0, other.unit_stiffness or 0.0, rel_tol=ALIKE):
+        return False
     pairs = [(one.share, other.share), (one.loaded_ratio, other.loaded_ratio)]
     if one.stiffness is not None:
         pairs.append((one.stiffness.stiffness_ratio, other.stiffness.stiffness_ratio))
@@ -96,17 +101,29 @@ def _close(a: Any, b: Any) -> bool:
 def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
     s = cycle.stiffness
     if not np.size(cycle.loaded_ratio) and float(s.maximum - s.minimum) <= CONSTANT * abs(float(s.mean)):
-        section.add("<p>The mesh stiffness is constant over the mesh cycle.</p>")
+        one = cycle.unit_stiffness
+        value = "" if one is None else f", {amount(one * float(s.mean), 'N/m')}"
+        section.add(f"<p>The mesh stiffness is constant over the mesh cycle{value}.</p>")
         return
     loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
     count = min(_drawn_cycles(cycle), MAX_CYCLES) if loaded else 2
-    caption = (
-        f"Mesh stiffness over {_count(count)}: mean {number(float(s.mean))}, "
-        f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "
-        f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
+    unit, one = cycle.stiffness_unit, cycle.unit_stiffness
+    mean, low, high = float(s.mean), float(s.minimum), float(s.maximum)
+    if one is not None:
+        words = f"mean {amount(one * mean, 'N/m')}, from {span(one * low, one * high, 'N/m')}"
+        words += f"; {unit} = {amount(one, 'N/m')}" if unit != "mean" else ""
+    else:
+        words = f"mean {number(mean)}, from {number(low)} to {number(high)}"
+        words += f", in units of {'its mean' if unit == 'mean' else unit}"
+    caption = f"Mesh stiffness over {_count(count)}: {words}."
+    drawn = plot_mesh_stiffness(
+        s,
+        name=mesh,
+        unit="× mean" if unit == "mean" else unit,
+        reference=one,
+        loaded=loaded,
+        cycles=count,
     )
-    unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
-    drawn = plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded, cycles=count)
     section.add_figure(drawn, caption, name=f"mesh_stiffness[{mesh}]")
 
 

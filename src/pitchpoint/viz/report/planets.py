@@ -12,7 +12,7 @@ from pitchpoint.viz.tables import plain_table
 
 
 def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
-    """HTML tables of mean mesh force and share of every planet, with K_γ in words; empty without load.
+    """HTML tables of mean mesh force and share of every planet, with K_γ in words; without load a sentence.
 
     Parameters
     ----------
@@ -24,6 +24,7 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
     for name, stage in stages.items():
         factor = stage["load_sharing_factor"]
         if factor is None:
+            found.append(f"<p>{escape(name)}: no load on the planets, no mesh load factor K<sub>γ</sub>.</p>")
             continue
         force = scale("N", stage["mean_force"])
         head = ["planet", "mesh", f"mean mesh force [{force.unit}]", "share [%]"]

@@ -25,7 +25,7 @@ from pitchpoint.viz.quantities import (
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
-from pitchpoint.viz.report.campbell import range_words
+from pitchpoint.viz.report.campbell import named_speeds, range_words
 from pitchpoint.viz.report.case_results import case_quantities
 from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
@@ -44,8 +44,6 @@ SPEEDS = "Speeds of input and output"
 """Title of the speeds among the curves of a run."""
 VARIES = 0.02
 """Variation of a speed relative to its largest value from which its range is given."""
-MAX_CRITICAL = 3
-"""Critical speeds within the operating range that are named."""
 RIPPLE = 1.005
 """Ratio of the maximum of a mesh force to its mean from which it is given."""
 
@@ -319,23 +317,24 @@ def _critical(diagrams: Mapping[str, Any]) -> list[str]:
     for name, data in diagrams.items():
         if isinstance(data, str) or "crossing_separation" not in data or not data["frequency"].size:
             continue
-        known = [c for c in ranked_speeds(data) if np.isfinite(c.separation) and c.response >= LARGE]
+        ranked = ranked_speeds(data)
+        known = [ranked[k] for k in named_speeds(ranked)]
         of = f" of {name}" if len(diagrams) > 1 else ""
         if not known:
             found.append(f"No critical speed{of} with a response above {LARGE:g} in the Campbell diagram.")
             continue
-        inside = [c for c in known if c.separation == 0.0]
-        if inside:
-            words = "; ".join(f"{amount(c.speed, 'rad/s')} ({_resonance(c)})" for c in inside[:MAX_CRITICAL])
-            more = len(inside) - MAX_CRITICAL
+        body = f" of {data.attrs['body']}" if data.attrs.get("body") else ""
+        if known[0].separation == 0.0:
+            words = "; ".join(f"{amount(c.speed, 'rad/s')} ({_resonance(c)})" for c in known)
+            more = sum(c.separation == 0.0 and c.response >= LARGE for c in ranked) - len(known)
             words += f"; {more} more in the Campbell diagram" if more > 0 else ""
             place = range_words(data.attrs["operating_speed"])
-            found.append(f"Critical speeds{of} within the operating {place}: {words}.")
+            found.append(f"Critical speeds{of} within the operating {place}{body}: {words}.")
             continue
-        near = min(known, key=lambda c: abs(c.separation))
+        near = known[0]
         side = "above" if near.separation > 0.0 else "below"
         found.append(
-            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}, "
+            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}{body}, "
             f"{number(abs(100.0 * near.separation), 2)} % {side} the operating "
             f"{range_words(data.attrs['operating_speed'])} ({_resonance(near)})."
         )

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Note on mean loads of planets over a part of a turn of their carrier."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import Message, note
+from pitchpoint.model.components.law import Constant
+from pitchpoint.model.frames import body_frame
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+WHOLE = 0.02
+"""Turns of the carrier by which a window may differ from whole turns."""
+STILL = 1e-3
+"""Turns of the carrier up to which it is at rest."""
+ACROSS = 1e-6
+"""Component of gravity across the axis of the carrier, over gravity, from which it counts."""
+
+
+def window_notes(
+    model: Model | None, statistics: Mapping[str, Mapping[str, Any]], window: float
+) -> tuple[Message, ...]:
+    """Notes on stages whose planets go round under gravity or lateral forces for a part of a turn.
+
+    Each planet has its largest and its smallest load once per turn of the carrier, so that means over a part
+    of a turn depend on this part.
+
+    Parameters
+    ----------
+    model
+        The computed model; None: no notes.
+    statistics
+        Statistics by channel, with the `mean` of the speeds.
+    window
+        Length of the window of the statistics [s].
+    """
+    found = []
+    for name, stage in model.planetary_stages.items() if model is not None else ():
+        assert model is not None
+        body = _turning(model, stage.carrier, statistics)
+        what = _lateral(model, stage.carrier)
+        if body is None or not what:
+            continue
+        turns = abs(float(statistics[f"speed[{body}]"]["mean"])) * window / math.tau
+        whole = abs(turns - round(turns)) <= WHOLE and turns > 0.5
+        if not math.isfinite(turns) or turns <= STILL or whole:
+            continue
+        found.append(
+            note(
+                f"the statistics are those of {turns:.3g} turns of {body}; under {what} the loads of the "
+                "planets vary over a turn, so that their means and K_γ depend on the window",
+                f"planetary_stages.{name}",
+                remedy="use a window of whole turns, or a slow roll for one position of the carrier",
+            )
+        )
+    return tuple(found)
+
+
+def _turning(model: Model, carrier: str, statistics: Mapping[str, Any]) -> str | None:
+    """Body whose speed is that of the carrier: itself, or the one to which it is fixed."""
+    seats = model.mechanism.seats
+    name = carrier
+    while f"speed[{name}]" not in statistics:
+        seat = seats.get(name)
+        if seat is None or seat.coordinates:
+            return None
+        name = seat.parent
+    return name
+
+
+def _lateral(model: Model, carrier: str) -> str:
+    """Weight across the axis of a carrier, and forces on bodies, in words; "" without effect."""
+    if not any({"x", "y"} & set(seat.coordinates) for seat in model.mechanism.seats.values()):
+        return ""
+    words = []
+    if model.gravity is not None and any(model.gravity):
+        weight = np.array(model.gravity, dtype=float)
+        along = float(weight @ body_frame(model, carrier)[1][:, 2])
+        across = float(np.linalg.norm(weight)) ** 2 - along**2
+        words += ["weight"] if across > (ACROSS * float(np.linalg.norm(weight))) ** 2 else []
+    if any(_acts(load) for load in model.loads.values()):
+        words.append("forces")
+    return " and ".join(words)
+
+
+def _acts(load: Any) -> bool:
+    """Whether a load is a force other than zero."""
+    force = load.force or ()
+    return any(not isinstance(part, Constant) or part.value != 0.0 for part in force)
