@@ -171,7 +171,7 @@ def test_clearance_grows_with_class_and_bore() -> None:
 
 
 def test_clearance_of_miniature_and_motor_bearings() -> None:
-    """NSK CAT. No. E1102, table 9.10, and the same of www.minibearings.com; CM: Mitsubishi SF-PR, table 14-1."""
+    """NSK CAT. No. E1102, table 9.10, also www.minibearings.com; CM: Mitsubishi SF-PR manual, table 14-1."""
     limits = [[round(1e6 * c) for c in clearance_of("deep_groove_ball", 8e-3, f"MC{n}")] for n in range(1, 7)]
     assert limits == [[0, 5], [3, 8], [5, 10], [8, 13], [13, 20], [20, 28]]
     bores = (10, 18, 20, 30, 40, 50, 65, 80)
