@@ -242,7 +242,7 @@ class Machine:
         return self.deflections.change(_by_kind(places, self.springs))
 
     def damping(self) -> float:
-        """Mean power dissipated by springs that are not links, such as bearings, and by Rayleigh damping [W]."""
+        """Mean power of Rayleigh damping and of springs that are not links, such as bearings [W]."""
         places = [place for block in (OUTSIDE, *range(len(self.blocks))) for place in self.within(block)]
         on = _by_kind(places, self.damped)
         on |= {kind: np.arange(self.system.records[kind].size) for kind in self.system.kinds(RAYLEIGH)}

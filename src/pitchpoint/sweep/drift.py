@@ -94,6 +94,6 @@ def drift_notes(
     largest, speed = max(off, key=lambda one: abs(one[0]))
     worst = float(f"{100.0 * largest:.2g}")
     text = f"{body}: the mean speed deviates by up to {worst:+g} % from the prescribed speed"
-    if found := unstable(speed):
-        return (note(f"{text}: {found}", remedy=REMEDY),)
+    if growth := unstable(speed):
+        return (note(f"{text}: {growth}", remedy=REMEDY),)
     return (note(f"{text}: {UNBALANCED}", remedy=f"{HOLD}, or reduce settle_periods"),)

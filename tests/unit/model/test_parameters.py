@@ -135,7 +135,7 @@ def test_a_number_has_the_unit_of_the_parameter(model):
         (
             "parameters.gap",
             "3 N",
-            "has the unit N, but the value in the file has the unit m; give a value in m",
+            "has the unit N, but the value in the file has the unit m; give",
         ),
         ("parameters.gap", "gap + 1 um", "depends on itself: gap -> gap"),
         ("parameters.gp", "3 mm", "does not exist; did you mean gap?"),

@@ -156,8 +156,8 @@ def clearance_of(kind: str, bore: float, group: str = "CN") -> tuple[float, floa
     [5, 12]
     """
     if group not in CLASSES:
-        low, high = _other_class(kind, round(bore * 1e3, 9), group)
-        return low * 1e-6, high * 1e-6
+        limits = _other_class(kind, round(bore * 1e3, 9), group)
+        return limits[0] * 1e-6, limits[1] * 1e-6
     bores, table = _TABLES[kind]
     rows = table.split("\n")[1:-1]
     row = bisect_left(bores, round(bore * 1e3, 9))
