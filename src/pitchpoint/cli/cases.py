@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.cases import CaseResult
 
 _OPEN, _CLOSE = "([{", ")]}"
+_RANGE = re.compile(
+    r"(?P<low>[-+]?\d*\.?\d+)\s*(?P<unit>[^\d.:]*?)\s*(?:\.\.|:)\s*(?P<high>[-+]?\d*\.?\d+)\s*(?P<own>[^\d.:]*).*"
+)
+"""Range of numbers, which other options take, but not `--vary`."""
 MAX_ROWS = 60
 MAX_NOTES = 5
 
@@ -36,7 +41,7 @@ def vary_option(function: Any) -> Any:
         "--vary",
         multiple=True,
         metavar="PATH=V1,V2,...",
-        help="Run every value of a key, such as 'loads.input.torque=50 N m,150 N m'; "
+        help="Run every value of a key, listed with commas, such as 'loads.input.torque=50 N m,150 N m'; "
         "several --vary options run all combinations, on all cores, into one table.",
     )
     return vary(jobs(function))
@@ -69,6 +74,16 @@ def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
             parts[-1] += letter
     if not sign or not path.strip() or not all(part.strip() for part in parts):
         raise click.BadParameter(f"{text!r} is not of the form PATH=V1,V2,...", param_hint="--vary")
+    for part in parts:
+        if found := _RANGE.fullmatch(part.strip()):
+            low, high = float(found["low"]), float(found["high"])
+            unit = found["own"].strip() or found["unit"]
+            values = ",".join(f"{x:g} {unit}".strip() for x in (low, 0.5 * (low + high), high))
+            raise click.BadParameter(
+                f"{part.strip()!r} is a range, and every value is one case; list the values, such as "
+                f"'{path.strip()}={values}'",
+                param_hint="--vary",
+            )
     return path.strip(), [scalar(part.strip(), "--vary") for part in parts]
 
 

@@ -129,11 +129,11 @@ def compute(
 def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
     """Print jumps, and the points with the maximum response of the swept mesh.
 
-    The points of a sweep defined by speeds are labelled with the speed of the swept body.
+    The points of a sweep defined by speeds are labelled with the speed of the swept body, with its sign.
     """
     per_speed = None
     if sweep is not None and sweep.speed is not None:
-        per_speed = max(p["mesh_frequency"] / abs(p["speed"]) for p in summary["points"] if p["speed"])
+        per_speed = max((p["mesh_frequency"] / p["speed"] for p in summary["points"]), key=abs)
 
     def place(frequency: float) -> str:
         """Label of a point of the sweep: mesh frequency or speed."""

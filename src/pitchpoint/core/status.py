@@ -23,6 +23,7 @@ CONTROLLER = 12
 JAMMED = 13
 UNBOUNDED = 14
 NOT_WRITTEN = 15
+OFF_SPEED = 16
 
 _SENTENCES = {
     DIED: "an element kernel stopped with an exception",
@@ -41,6 +42,7 @@ _SENTENCES = {
     JAMMED: "friction and the loads that cause it do not settle: the mechanism jams, or a controller feeds a "
     "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
     UNBOUNDED: "the solution grew without bound",
+    OFF_SPEED: "the mean speed left the speed of the sweep",
     NOT_WRITTEN: "the result cannot be written to the disk",
 }
 

@@ -35,7 +35,8 @@ class SweepWriter(TableWriter):
     directions
         `up`, `down` or both, in the order of computation.
     speeds, mesh_frequencies
-        Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending, shape (n,).
+        Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending in magnitude,
+        shape (n,).
     channels
         Name, SI unit and description of all channels with stored statistics, and of the mesh load factors of
         planetary stages, which are single numbers.

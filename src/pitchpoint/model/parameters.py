@@ -193,8 +193,9 @@ def check_units(old: Mapping[str, Amount], new: Mapping[str, Amount], reader: Re
         if name in old and old[name].unit != amount.unit:
             is_now = f"has the unit {readable(amount.unit)}" if amount.unit else "has no unit"
             unit = readable(old[name].unit)
+            was = f"the unit {unit}" if unit else "none"
             remedy = f"give a value in {unit}" if unit else "give a plain number"
-            reader.problem((SECTION, name), f"{is_now}, in contrast to the previous value", remedy=remedy)
+            reader.problem((SECTION, name), f"{is_now}, but the value in the file has {was}", remedy=remedy)
 
 
 def _key() -> Any:

@@ -58,7 +58,7 @@ class Ripple(Component):
 class Drive(Component):
     """Prescribed motion of the spin of a body or of a joint coordinate: one of the four laws, and a ripple.
 
-    In a speed sweep, which prescribes the mean speed, a ripple only.
+    In a speed sweep, which sets the mean speed, a ripple only.
     """
 
     speed: Law | None = key(
@@ -114,7 +114,7 @@ class Sweep(Component):
     body: str = text("body whose speed is swept")
     mesh_frequency: tuple[float, float] | None = quantities(
         "frequency",
-        "lowest and highest mesh frequency",
+        "lowest and highest mesh frequency, in positive rotation",
         None,
         length=(2, 2),
         minimum=0.0,
@@ -123,11 +123,9 @@ class Sweep(Component):
     )
     speed: tuple[float, float] | None = quantities(
         "angular_speed",
-        "lowest and highest speed",
+        "speeds of lowest and highest magnitude, both > 0 or both < 0",
         None,
         length=(2, 2),
-        minimum=0.0,
-        above=True,
         one_of="range",
     )
     mesh: str | None = text(

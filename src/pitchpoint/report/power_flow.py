@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import MESH, RATIO, Kind, Power
+from pitchpoint.elements.kind import MESH, RATIO, RAYLEIGH, Kind, Power
+from pitchpoint.report.damping_losses import damped_kinds, damping_loss, started
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.report.stored_energy import Deflections, elastic_kinds
@@ -112,6 +113,9 @@ class Machine:
             if not one.state and any(name == "spin" for name, _ in one.coordinates):
                 self.spin[b] = self.channel(f"speed[{self.names[b]}]")
         self.blocks, self.block_of = self._blocks(model)
+        self.damped: tuple[str, ...] = ()
+        if self.deflections.known and not self.decimated:
+            self.damped = damped_kinds(system, self.springs)
         self.strain = [self.elastic(self.within(block)) for block in range(len(self.blocks))]
 
     def channel(self, name: str) -> Array:
@@ -122,7 +126,8 @@ class Machine:
 
     def ends(self, name: str) -> Array | None:
         """Channel at both ends of the span; None if it is not in the result."""
-        return self.channel(name)[[0, -1]] if name in self.result else None
+        found = self.known(name)
+        return None if found is None else found[[0, -1]]
 
     def _blocks(self, model: Model) -> tuple[list[str], dict[int, int]]:
         """Names of the blocks, and the block of each rotating body; the stations of a shaft are one block."""
@@ -234,11 +239,23 @@ class Machine:
 
     def elastic(self, places: Iterable[Place]) -> float:
         """Change of the elastic energy of springs over the span [J]."""
-        on: dict[str, list[int]] = {}
-        for kind, k in places:
-            on.setdefault(kind, []).append(k)
-        springs = {kind: np.array(rows) for kind, rows in on.items() if kind in self.springs}
-        return self.deflections.change(springs)
+        return self.deflections.change(_by_kind(places, self.springs))
+
+    def damping(self) -> float:
+        """Mean power of Rayleigh damping and of springs that are not links, such as bearings [W]."""
+        places = [place for block in (OUTSIDE, *range(len(self.blocks))) for place in self.within(block)]
+        on = _by_kind(places, self.damped)
+        on |= {kind: np.arange(self.system.records[kind].size) for kind in self.system.kinds(RAYLEIGH)}
+        system = started(self.system, self.first)
+        return damping_loss(system, self.known, self.time, on) if self.damped else 0.0
+
+    def first(self, name: str) -> Array | None:
+        """First sample of a channel, shape (1,); None if it is not in the result."""
+        return np.asarray(self.result[name].values[:1], np.float64) if name in self.result else None
+
+    def known(self, name: str) -> Array | None:
+        """Channel over the evaluated span; None if it is not in the result."""
+        return self.channel(name) if name in self.result else None
 
     def between(self, name: str, pair: tuple[int, int], channel: str) -> PowerLink:
         """Link of a torque on the first of two bodies and the opposite torque on the second."""
@@ -311,6 +328,8 @@ class Machine:
         found = []
         for name, records in self.system.records.items():
             kind = registry.find(name)
+            if name in self.damped and (kind.power is None or kind.power.where is not None):
+                continue
             if kind.power is None or not all(self.follows(kind.power, record) for record in records):
                 found.append(kind.plural or kind.words)
         return found
@@ -330,9 +349,18 @@ class Machine:
             blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
             links=[_numbered(link, number) for link in links],
             elastic=(teeth + self.elastic(self.within(OUTSIDE))) / self.duration,
+            damped=self.damping(),
             booked=self.booked,
             unfollowed=[*self.unfollowed(), *[UNKNOWN] * unknown],
         )
+
+
+def _by_kind(places: Iterable[Place], kinds: Iterable[str]) -> dict[str, NDArray[np.int64]]:
+    """Numbers of elements of some kinds, by kind."""
+    on: dict[str, list[int]] = {}
+    for kind, k in places:
+        on.setdefault(kind, []).append(k)
+    return {kind: np.array(rows) for kind, rows in on.items() if kind in kinds}
 
 
 def _with_losses(link: PowerLink, losses: Mapping[str, float]) -> PowerLink:

@@ -47,6 +47,15 @@ def elastic_kinds(system: System) -> tuple[str, ...]:
     return tuple(found)
 
 
+def move_to(system: System, state: State, q: Array) -> None:
+    """Put a state to rest at some coordinates, with whole turns."""
+    spins = system.program["body"]["spin"]
+    state.q[:], state.v[:] = q, 0.0
+    turning = np.flatnonzero(spins >= 0)
+    state.turns[turning] = np.rint(q[spins[turning]] / TURN)
+    state.q[spins[turning]] -= TURN * state.turns[turning]
+
+
 class Deflections:
     """Deflections of a machine at both ends of a run.
 
@@ -95,9 +104,6 @@ class Deflections:
 
     def _at(self, q: Array) -> State:
         """State at rest at some coordinates."""
-        state, spins = self.system.initial_state(), self.system.program["body"]["spin"]
-        state.q[:], state.v[:] = q, 0.0
-        turning = np.flatnonzero(spins >= 0)
-        state.turns[turning] = np.rint(q[spins[turning]] / TURN)
-        state.q[spins[turning]] -= TURN * state.turns[turning]
+        state = self.system.initial_state()
+        move_to(self.system, state, q)
         return state

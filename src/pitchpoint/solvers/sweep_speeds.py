@@ -50,7 +50,7 @@ def sweep_orders(system: System, scenario: Scenario) -> tuple[str, dict[str, flo
 
 
 def sweep_range(system: System, scenario: Scenario) -> tuple[float, float]:
-    """Lowest and highest speed of the swept body [rad/s].
+    """Speeds of lowest and highest magnitude of the swept body [rad/s]; mesh frequencies: both positive.
 
     Raises
     ------

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OFF_SPEED, OK
 from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
@@ -36,7 +36,7 @@ from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
 from pitchpoint.solvers.sweep_speeds import at_speed, sweep_orders, sweep_range
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.balance import Balances
-from pitchpoint.sweep.drift import drift_notes
+from pitchpoint.sweep.drift import LEFT, deviation, drift_notes, left_sentence
 from pitchpoint.sweep.tables import channel_tables, factor_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.planet_loads import factors_of
@@ -206,6 +206,11 @@ class _SweepRun:
         )
         return angle / window + self.balances.allowance(self.system.spin(self.body), speed, window)
 
+    def left(self, point: dict[str, Any]) -> bool:
+        """Whether a point is not one of the sweep, because its mean speed is another one."""
+        found, allowed = deviation(point, self.body, self.plan.measure, self.cut_ripple)
+        return abs(found) >= LEFT + allowed
+
     def runaway(self) -> str:
         """Sentence on the unstable operating point that the speed left before the sweep failed; else ''."""
         start, at = (
@@ -298,7 +303,7 @@ def run_sweep(
     plan = plan_sweep(system, chosen)
     walk = _SweepRun(system, chosen, plan)
     points: list[dict[str, Any]] = []
-    status, total = OK, len(plan.speeds) * len(plan.directions)
+    status, words, total = OK, "", len(plan.speeds) * len(plan.directions)
     try:
         for direction, speed in plan.points():
             walk.go_to(speed)
@@ -307,7 +312,12 @@ def run_sweep(
             status = status if status != OK else walk.advance(plan.measure, sums)
             if status != OK:
                 break
-            points.append(walk.point(direction, sums))
+            point = walk.point(direction, sums)
+            if walk.left(point):
+                status = OFF_SPEED
+                words = left_sentence(point, walk.body, walk.balances.unstable(speed))
+                break
+            points.append(point)
             if sink is not None:
                 sink(points[-1])
             progress(len(points), total, f"{points[-1]['mesh_frequency']:.5g} Hz {direction}")
@@ -315,7 +325,7 @@ def run_sweep(
         status = INTERRUPTED
     return SweepSummary(
         status=status,
-        sentence=explain(walk.system, status) + (walk.runaway() if status in FAILURES else ""),
+        sentence=words or explain(walk.system, status) + (walk.runaway() if status in FAILURES else ""),
         points=points,
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,

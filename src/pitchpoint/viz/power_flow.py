@@ -78,6 +78,9 @@ class PowerFlow:
     elastic
         Mean rate of the elastic energy in the flanks, bearings and other springs outside of the blocks and
         links [W].
+    damped
+        Mean power dissipated by the damping of bearings and other springs that are not links, and by Rayleigh
+        and modal damping [W].
     booked
         Whether friction power of a mesh is assigned to the driving gear, because its division is unknown.
     unfollowed
@@ -88,6 +91,7 @@ class PowerFlow:
     blocks: Sequence[PowerBlock]
     links: Sequence[PowerLink]
     elastic: float = 0.0
+    damped: float = 0.0
     booked: bool = False
     unfollowed: Sequence[str] = ()
 
@@ -104,7 +108,7 @@ class PowerFlow:
     @property
     def lost(self) -> float:
         """Sum of all losses in the result [W]."""
-        return sum(link.lost for link in self.links)
+        return sum(link.lost for link in self.links) + self.damped
 
     @property
     def fed(self) -> float:

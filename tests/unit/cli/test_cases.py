@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 
 from pitchpoint.cli.cases import values_of
@@ -104,6 +105,27 @@ def test_bad_input(
 def test_commas_in_brackets_belong_to_the_value() -> None:
     assert values_of("a.b=[1, 2],[3]") == ("a.b", [[1, 2], [3]])
     assert values_of("a=min(t, 1), 2 mm,true") == ("a", ["min(t, 1)", "2 mm", True])
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (
+            "parameters.n=1000..2000rpm",
+            "'1000..2000rpm' is a range, .* 'parameters.n=1000 rpm,1500 rpm,2000",
+        ),
+        ("a.b=0.5 mm..2 mm", "list the values, such as 'a.b=0.5 mm,1.25 mm,2 mm'"),
+        ("a.b=1000:2000:5", "list the values, such as 'a.b=1000,1500,2000'"),
+        ("a.b=1 mm,2..4 mm", "'2..4 mm' is a range"),
+    ],
+)
+def test_a_range_is_refused_with_the_values_to_list(text: str, wanted: str) -> None:
+    with pytest.raises(click.BadParameter, match=wanted):
+        values_of(text)
+
+
+def test_paths_of_files_are_no_ranges() -> None:
+    assert values_of("a.file=../2..3/x.csv,C:/a.csv")[1] == ["../2..3/x.csv", "C:/a.csv"]
 
 
 def start(arguments: list[str], target: Path, ready: int) -> subprocess.Popen[str]:

@@ -170,6 +170,24 @@ def test_clearance_grows_with_class_and_bore() -> None:
         clearance_of("deep_groove_ball", 2.0)
 
 
+def test_clearance_of_miniature_and_motor_bearings() -> None:
+    """NSK CAT. No. E1102, table 9.10, also www.minibearings.com; CM: Mitsubishi SF-PR manual, table 14-1."""
+    limits = [[round(1e6 * c) for c in clearance_of("deep_groove_ball", 8e-3, f"MC{n}")] for n in range(1, 7)]
+    assert limits == [[0, 5], [3, 8], [5, 10], [8, 13], [13, 20], [20, 28]]
+    bores = (10, 18, 20, 30, 40, 50, 65, 80)
+    motor = [[round(1e6 * c) for c in clearance_of("deep_groove_ball", 1e-3 * d, "CM")] for d in bores]
+    assert motor == [[4, 11]] * 2 + [[5, 12]] * 2 + [[9, 17]] * 2 + [[12, 22]] * 2
+    for kind, bore, group, message in (
+        ("deep_groove_ball", 0.03, "MC4", "bore below 10 mm.*give clearance; a brass .* written M/C4"),
+        ("deep_groove_ball", 0.03, "MC5", "bore below 10 mm.*give clearance$"),
+        ("deep_groove_ball", 0.008, "CM", "bore of 10 to 80 mm.*give clearance"),
+        ("deep_groove_ball", 0.085, "CM", "bore of 10 to 80 mm.*give clearance"),
+        ("cylindrical_roller", 0.04, "CM", "CM is a clearance class that is not tabulated for this bearing"),
+    ):
+        with pytest.raises(GeometryError, match=message):
+            clearance_of(kind, bore, group)
+
+
 @pytest.mark.parametrize(
     ("text", "name", "group"),
     [
@@ -205,6 +223,21 @@ def test_clearance_grows_with_class_and_bore() -> None:
         ("61800-2Z", "6800", None),
         ("63/22", "63/22", None),
         ("62/28-2RS/C3", "62/28", "C3"),
+        ("608 ZZ MC3", "608", "MC3"),
+        ("625ZZMC5", "625", "MC5"),
+        ("608-M/C3", "608", "C3"),
+        ("6205 ZZ CM", "6205", "CM"),
+        ("6205DDUCM", "6205", "CM"),
+        ("6206 MC4", "6206", "MC4"),
+        ("6320 M/C4", "6320", "C4"),
+        ("NU 208 ECP CM", "NU208E", "CM"),
+        ("NU 208 ECM", "NU208E", None),
+        ("NU 208 ECM/C3", "NU208E", "C3"),
+        ("NU208EMC3", "NU208E", "C3"),
+        ("NU 2340 MC3", "NU2340", "C3"),
+        ("22310 CAMC3W33", "22310", "C3"),
+        ("22210 CAM", "22210", None),
+        ("7208 CM", "7208C", None),
     ],
 )
 def test_suffixes(text: str, name: str, group: str | None) -> None:
@@ -235,8 +268,11 @@ def test_suffixes(text: str, name: str, group: str | None) -> None:
         ("7208 BDB", "a pair of bearings"),
         (
             "6205-2RSLTN9/HC5C3WT",
-            "suffix HC5C3WT: elements of ceramic.* write 6205, and .* material: {youngs",
+            "suffix HC5: elements of ceramic.* write 6205 C3, and .* material: {youngs",
         ),
+        ("6205-2RS1/HC5C3WT", "write 6205 C3, and for elements of silicon nitride"),
+        ("6308-2RSC5", "clearance class C5"),
+        ("6205 CM C3", "has the clearance classes CM and C3; write 6205 with one of them"),
         ("6208 XYZ", "has the suffix XYZ, which is not known; write 6208"),
         ("table", r"is not in the table of bearings; other bearings: give type, inner_diameter \(d\)"),
     ],

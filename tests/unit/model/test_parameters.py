@@ -132,13 +132,17 @@ def test_a_number_has_the_unit_of_the_parameter(model):
 @pytest.mark.parametrize(
     ("path", "value", "words"),
     [
-        ("parameters.gap", "3 N", "has the unit N, in contrast to the previous value; give a value in m"),
+        (
+            "parameters.gap",
+            "3 N",
+            "has the unit N, but the value in the file has the unit m; give",
+        ),
         ("parameters.gap", "gap + 1 um", "depends on itself: gap -> gap"),
         ("parameters.gp", "3 mm", "does not exist; did you mean gap?"),
         ("meshes.stage.backlash.normal", "gp/2", "unknown name 'gp'; did you mean gap?"),
-        ("meshes.stage.backlash.normal", "M", "M has the unit N m, in contrast to that of a length"),
+        ("meshes.stage.backlash.normal", "M", "M has the unit N m; that of a length"),
         ("meshes.stage.backlash.normal", "2*M", "its units give N m, not m (a length such as 3 mm)"),
-        ("meshes.stage.backlash.normal", "z", "z has no unit, in contrast to that of a length"),
+        ("meshes.stage.backlash.normal", "z", "z has no unit; that of a length"),
         ("meshes.stage.backlash.normal", "gap*t/(1 s)", "cannot depend on t"),
         ("gears.pinion.face_width", "m_n - 20 mm", "'m_n - 20 mm' = -17 mm is out of range (limit > 0"),
         ("gears.pinion.number_of_teeth", "z/3", "'z/3' = 6.66667 is not a whole number"),

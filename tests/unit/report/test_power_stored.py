@@ -124,3 +124,66 @@ def test_without_displacements_the_report_says_what_is_missing() -> None:
     flow = power_flow(model, data)
     assert flow is not None
     assert UNKNOWN in balance(flow)
+
+
+ON_BEARINGS = """\
+gears:
+  a: {number_of_teeth: 25, normal_module: 3 mm, helix_angle: 12 deg, hand: right, face_width: 30 mm,
+    profile_shift_coefficient: 0}
+  b: {number_of_teeth: 50, normal_module: 3 mm, helix_angle: 12 deg, hand: left, face_width: 30 mm,
+    profile_shift_coefficient: 0}
+bodies:
+  in: {gears: [a], motion: free, position: [0, 0, 0], mass: 3 kg, inertia: 0.003 kg m^2,
+    transverse_inertia: 0.01 kg m^2}
+  out: {gears: [b], motion: free, mass: 8 kg, inertia: 0.03 kg m^2, transverse_inertia: 0.04 kg m^2}
+bearings:
+  in_1: {body: in, position: [0, 0, -60 mm], stiffness: {radial: 2e8 N/m, axial: 1e8 N/m},
+    damping: {radial: 3000 N s/m, axial: 1000 N s/m}}
+  in_2: {body: in, position: [0, 0, 60 mm], stiffness: {radial: 2e8 N/m}, damping: {radial: 3000 N s/m}}
+  out_1: {body: out, position: [0, 0, -60 mm], stiffness: {radial: 2e8 N/m, axial: 1e8 N/m},
+    damping: {radial: 3000 N s/m, axial: 1000 N s/m}}
+  out_2: {body: out, position: [0, 0, 60 mm], stiffness: {radial: 2e8 N/m}, damping: {radial: 3000 N s/m}}
+meshes:
+  m: {gears: [a, b], stiffness: {law: din3990}, damping: {ratio: 0.05}}
+loads:
+  drive: {body: in, torque: 200 N m}
+  brake: {body: out, torque: balance}
+scenarios:
+  s: {speed: {in: 2300 rpm}, duration: 0.05 s, step: 10 us}
+"""
+
+
+def test_bearings_dissipate_what_their_dampers_take() -> None:
+    """Sum of d v^2 at the bearings; it is ten times the damping of the teeth, and closes the balance."""
+    flow, data = flow_of(ON_BEARINGS)
+    time = data["time"].values
+    expected = 0.0
+    for body in ("in", "out"):
+        x, y, z, rx, ry = (
+            np.gradient(data[f"displacement[{body}.{c}]"].values, time) for c in ("x", "y", "z", "rx", "ry")
+        )
+        for place in (-0.06, 0.06):
+            expected += np.trapezoid(3000.0 * ((x + place * ry) ** 2 + (y - place * rx) ** 2), time)
+        expected += np.trapezoid(1000.0 * z**2, time)
+    expected /= time[-1] - time[0]
+    assert flow.damped == pytest.approx(expected, rel=2e-3)
+    assert flow.lost == pytest.approx(flow.damped + sum(link.lost for link in flow.links))
+    assert flow.damped > 5.0 * sum(link.lost for link in flow.links)
+    assert abs(flow.remainder) < 0.1 * flow.damped
+    assert not flow.unfollowed
+    assert "by damping outside meshes and couplings)" in balance(flow)
+
+
+def test_a_record_of_some_steps_leaves_bearings_in_the_remainder() -> None:
+    flow, _ = flow_of(ON_BEARINGS.replace("step: 10 us", "step: 10 us, sample_rate: 5 kHz"))
+    assert flow.damped == 0.0
+    assert flow.unfollowed == ["bearings"]
+
+
+def test_rayleigh_damping_is_a_loss() -> None:
+    """The balance of a machine that vibrates about its rotation closes with the power of D v."""
+    text = WOUND.format(coupling=SPRING.format(0)) + "damping: {rayleigh: {mass: 20 1/s, stiffness: 0 s}}\n"
+    flow, _ = flow_of(text)
+    assert flow.damped > 1e-4 * flow.put_in
+    assert abs(flow.remainder) < 1e-6 * flow.put_in
+    assert not flow.unfollowed

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from pitchpoint.core.status import OFF_SPEED
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.sweep.speed import run_sweep
 from tests.support.machines import compiled, pair
@@ -52,8 +53,10 @@ def test_a_train_that_leaves_the_speeds_of_a_sweep_is_told():
     text = SWEEP.replace("SPEEDS", "500 rpm, 3000 rpm").replace("N,", "4,")
     text = pair(LAW, rest=f"{RAYLEIGH}scenarios:\n  sweep: {{{text}}}\n")
     text = text.replace("body: driven, torque: balance", "body: driven, torque: 301 N m")
-    notes = run_sweep(compiled(text, "sweep")[1]).notes
-    assert any("driver: the mean speed deviates by up to -" in note for note in notes)
+    found = run_sweep(compiled(text, "sweep")[1])
+    assert (found.status, found.points) == (OFF_SPEED, [])
+    assert "the mean speed left the speed of the sweep at 500 rpm of driver (up), where" in found.sentence
+    assert "loads and losses do not balance there; drive or hold a body" in found.sentence
     assert not any("mean speed deviates" in note for note in swept("500 rpm, 3000 rpm", 2).notes)
 
 

@@ -326,3 +326,15 @@ def test_without_a_scene_a_sentence_stands_in_its_place(model: ReportModel) -> N
     text = report_html(model, ReportResults(scene=SceneData(words="There is no scene: no <shapes>.")))
     assert "<p>There is no scene: no &lt;shapes&gt;.</p>" in text
     assert "pp-scene" not in text
+
+
+def test_torques_of_inputs_and_outputs_are_those_of_their_channels(model: ReportModel) -> None:
+    """Means over all steps with the sign of the channel, not power over speed."""
+    data = run(1800.0, 1800.0, 0.05)
+    channel = type(data["angle[driver]"])
+    mean = {"mean": -9.87, "rms": 0.0, "min": -9.9, "max": -9.8}
+    torque = channel("torque[motor]", -9.9 + 0.0 * data["time"], "N m", statistics=mean)
+    results = ReportResults(runs={"r": TimeRun(data=data | {"torque[motor]": torque})}, powers={"r": power()})
+    text = report_html(model, results)
+    assert "motor: 954.9 rpm, −9.87 N m, 1000 W" in text
+    assert "brake: −477.5 rpm, 984 W" in text

@@ -269,7 +269,7 @@ def _quotient(powers: Mapping[str, float]) -> str:
 
 
 def of_amount(value: float, unit: str) -> Kind:
-    """Kind of a named constant; without unit it is a plain number, in contrast to a number in a formula.
+    """Kind of a named constant; without unit it is a plain number, unlike a number in a formula.
 
     Parameters
     ----------

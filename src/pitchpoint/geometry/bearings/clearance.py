@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Radial internal clearance by class.
 
-Source: ISO 5753-1:2009, bearings with cylindrical bore, before mounting.
+Sources: ISO 5753-1:2009, bearings with cylindrical bore, before mounting. MC1 to MC6, bores below 10 mm: NSK,
+*Rolling Bearings*, CAT. No. E1102, table 9.10. CM, motors: Mitsubishi Electric, *SF-PR* instruction manual,
+table 14-1 (bores of 10 to 80 mm, which are those of NSK).
 """
 
 from __future__ import annotations
@@ -11,6 +13,17 @@ from bisect import bisect_left
 from pitchpoint.core.errors import GeometryError
 
 CLASSES = ("C2", "CN", "C3", "C4")
+"""Classes of ISO 5753-1."""
+MINIATURE = {"MC1": (0, 5), "MC2": (3, 8), "MC3": (5, 10), "MC4": (8, 13), "MC5": (13, 20), "MC6": (20, 28)}
+"""Limits [um] of the classes of deep groove ball bearings with a bore below 10 mm, by class."""
+MOTOR = "CM"
+"""Class of bearings for electric motors."""
+ALL_CLASSES = (*CLASSES, *MINIATURE, MOTOR)
+"""All classes that are tabulated for some bearings."""
+_SMALLEST = 10.0
+"""Bore [mm] from which deep groove ball bearings have CM, and below which they have MC1 to MC6."""
+_MOTOR_BORES = (18, 30, 50, 80)
+_MOTOR = ((4, 11), (5, 12), (9, 17), (12, 22))
 _BORES = (
     *(10, 18, 24, 30, 40, 50, 65, 80, 100, 120, 140, 160, 180, 200, 225, 250, 280, 315, 355, 400, 450, 500),
 )
@@ -126,18 +139,25 @@ def clearance_of(kind: str, bore: float, group: str = "CN") -> tuple[float, floa
     bore
         Bore diameter d [m].
     group
-        One of `CLASSES`.
+        One of `ALL_CLASSES`.
 
     Raises
     ------
     GeometryError
-        If the bore is beyond the table.
+        If the bore is beyond the table, or the class is not one of this type and bore.
 
     Examples
     --------
     >>> [round(1e6 * c) for c in clearance_of("deep_groove_ball", 40e-3, "C3")]
     [15, 33]
+    >>> [round(1e6 * c) for c in clearance_of("deep_groove_ball", 8e-3, "MC3")]
+    [5, 10]
+    >>> [round(1e6 * c) for c in clearance_of("deep_groove_ball", 25e-3, "CM")]
+    [5, 12]
     """
+    if group not in CLASSES:
+        limits = _other_class(kind, round(bore * 1e3, 9), group)
+        return limits[0] * 1e-6, limits[1] * 1e-6
     bores, table = _TABLES[kind]
     rows = table.split("\n")[1:-1]
     row = bisect_left(bores, round(bore * 1e3, 9))
@@ -152,6 +172,30 @@ def clearance_of(kind: str, bore: float, group: str = "CN") -> tuple[float, floa
     k = 2 * CLASSES.index(group)
     low, high = (float(word) * 1e-6 for word in rows[row].split()[k : k + 2])
     return low, high
+
+
+def _other_class(kind: str, bore: float, group: str) -> tuple[int, int]:
+    """Limits [um] of a class that is not one of ISO 5753-1; bore [mm]."""
+    ball = kind == "deep_groove_ball"
+    if group in MINIATURE:
+        if ball and bore < _SMALLEST:
+            return MINIATURE[group]
+        limit, remedy = f"deep groove ball bearings with a bore below {_SMALLEST:g} mm", "give clearance"
+        if group[1:] in CLASSES:
+            remedy += f"; a brass cage M with the class {group[1:]} is written M/{group[1:]}"
+    else:
+        row = bisect_left(_MOTOR_BORES, bore)
+        if ball and bore >= _SMALLEST and row < len(_MOTOR):
+            return _MOTOR[row]
+        limit = f"deep groove ball bearings with a bore of {_SMALLEST:g} to {_MOTOR_BORES[-1]} mm"
+        remedy = "give clearance, which is that of the maker of the bearing"
+    raise GeometryError(
+        "is a clearance class that is not tabulated for this bearing",
+        where="clearance_class",
+        value=group,
+        limit=limit,
+        remedy=remedy,
+    )
 
 
 _NUP_BORES = (30, 80, 150, 200, 220, 260)

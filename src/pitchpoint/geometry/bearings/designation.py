@@ -2,7 +2,7 @@
 """Bearings by designation: a table of common sizes, and the meaning of suffixes.
 
 Source of the table: see the head of `catalogue.csv`. Suffixes: ISO 5753-1 (clearance), and the catalogues of
-SKF, FAG, NSK and NTN for seals, cages and inner designs.
+SKF, FAG, NSK and NTN for seals, cages, inner designs, and the clearance of miniature and motor bearings.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import nearest
-from pitchpoint.geometry.bearings.clearance import CLASSED
+from pitchpoint.geometry.bearings.clearance import ALL_CLASSES, CLASSED
 
 OFFERED = 4
 """Number of similar designations in a message."""
@@ -25,7 +25,7 @@ MAKERS = "SKF|FAG|INA|NSK|NTN|SNR|KOYO|JTEKT|NACHI|TIMKEN|URB|ZVL|ZKL|NKE|HR"
 _SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?1?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
 _CAGES = (
     r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABLPS\d]?|P|PH|J\d?|XJ?|A|"
-    r"BE[PJYM]?|CA?M?"
+    r"BE[PJYM]?|CA?|CAM"
 )
 _OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|V[AL]\d+|MT33|HT|LHT|GJN|WT|G\d+"
 _WORD = rf"(?:{_SEALS}|{_CAGES}|{_OTHERS})"
@@ -238,10 +238,16 @@ def _double_row(text: str, found: Catalogued, rest: str) -> tuple[Catalogued, st
 
 def _group(text: str, rest: str, found: Catalogued) -> str | None:
     """Clearance class of a suffix; refuses what it does not understand."""
-    group = None
-    rest = re.sub(r"(?<=[A-Z0-9])(C[0234N])(?=-|$)", r"-\1", rest)
-    rest = re.sub(r"(?<![A-Z0-9])(C[0234])(?=[A-Z])", r"\1-", rest)
-    for word in filter(None, rest.split("-")):
+    words = _words(rest, found)
+    classes = ["CN" if word == "C0" else word for word in words if word in (*ALL_CLASSES, "C0")]
+    if len(set(classes)) > 1:
+        raise GeometryError(
+            f"has the clearance classes {' and '.join(classes)}",
+            value=str(text),
+            remedy=f"write {found.designation} with one of them",
+        )
+    group = classes[0] if classes and found.kind in CLASSED else None
+    for word in words:
         if word in _REFUSED:
             raise GeometryError(
                 f"has the suffix {word}, {_REFUSED[word]}",
@@ -249,29 +255,42 @@ def _group(text: str, rest: str, found: Catalogued) -> str | None:
                 remedy=f"use {found.designation}, and give clearance or the data that differ",
             )
         if _CERAMIC.match(word):
+            plain = " ".join(filter(None, (found.designation, group)))
             raise GeometryError(
                 f"has the suffix {word}: elements of ceramic, and material is that of elements and rings",
                 value=str(text),
-                remedy=f"write {found.designation}, and for elements of silicon nitride in rings of steel "
+                remedy=f"write {plain}, and for elements of silicon nitride in rings of steel "
                 f"material: {_CERAMIC_PAIR}",
             )
-        if word in ("C2", "CN", "C0", "C3", "C4"):
-            group = "CN" if word == "C0" else word
-            if found.kind not in CLASSED:
-                group = None
-        elif word.endswith("K") and (word == "K" or _PLAIN.fullmatch(word[:-1])):
+        if word in (*ALL_CLASSES, "C0"):
+            continue
+        if word.endswith("K") and (word == "K" or _PLAIN.fullmatch(word[:-1])):
             raise GeometryError(
                 "has a tapered bore (K), whose clearance is set on mounting",
                 value=str(text),
                 remedy=f"write {found.designation}, and give clearance",
             )
-        elif _PLAIN.fullmatch(word) is None:
+        if _PLAIN.fullmatch(word) is None:
             raise GeometryError(
                 f"has the suffix {word}, which is not known",
                 value=str(text),
                 remedy=f"write {found.designation}, with C2, CN, C3 or C4 for the clearance",
             )
     return group
+
+
+def _words(rest: str, found: Catalogued) -> list[str]:
+    """Suffixes, with the clearance class as a word of its own.
+
+    MC1 to MC6 in one word are classes of deep groove ball bearings, those of other types are a cage M and a
+    class. ECM is the design EC with a cage M.
+    """
+    rest = re.sub(r"(?<![A-Z0-9])(HC\d?)(?=C[0-5N])", r"\1-", rest)
+    cage = "0N" if found.kind == "deep_groove_ball" else "0-6N"  # classes that a cage M may precede
+    rest = re.sub(rf"M(C[{cage}])(?=-|$|[A-Z])", r"M-\1", rest)
+    rest = re.sub(r"(?<=[A-Z0-9])(MC[1-6]|(?<!E)CM|(?<![HM])C[0-5N])(?=-|$)", r"-\1", rest)
+    rest = re.sub(r"(?<![A-Z0-9])(M?C[0-6])(?=[A-Z])", r"\1-", rest)
+    return [word for word in rest.split("-") if word]
 
 
 def _unknown(text: str, plain: str) -> GeometryError:

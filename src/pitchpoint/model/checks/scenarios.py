@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from pitchpoint.core.units import format_quantity
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
 from pitchpoint.model.checks.references import known
@@ -24,7 +25,7 @@ from pitchpoint.model.speed_ratios import (
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
-    from pitchpoint.model.scenario import Drive, Scenario
+    from pitchpoint.model.scenario import Drive, Scenario, Sweep
 
 MAX_STEPS = 1e12
 """Maximum number of steps of a run; more indicate a wrong time step or sampling rate."""
@@ -234,6 +235,35 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
             )
 
 
+def _range(sweep: Sweep, at: Place, report: Reader) -> None:
+    """Check the range of a sweep: rotation in one direction, from the lowest to the highest magnitude."""
+    if sweep.mesh_frequency is not None and sweep.mesh_frequency[0] >= sweep.mesh_frequency[1]:
+        report.problem(
+            (*at, "mesh_frequency"),
+            "is not increasing",
+            remedy="write [lowest, highest]; direction gives the order",
+        )
+    if sweep.speed is None:
+        return
+    first, last = sweep.speed
+    if first * last <= 0.0:
+        what = "contains zero" if first == 0.0 or last == 0.0 else "reverses the rotation"
+        report.problem(
+            (*at, "speed"),
+            f"{what}, and a sweep has one direction of rotation",
+            value=" to ".join(format_quantity(one, "angular_speed", 5) for one in sweep.speed),
+            limit="both > 0 or both < 0",
+            remedy="write one sweep for each direction of rotation, from a speed other than zero",
+        )
+    elif abs(first) >= abs(last):
+        report.problem(
+            (*at, "speed"),
+            "does not increase in magnitude",
+            remedy="write the lowest magnitude first, such as [600 rpm, 1800 rpm] or [-600 rpm, -1800 rpm]; "
+            "direction gives the order",
+        )
+
+
 def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     sweep = scenario.sweep
     if sweep is None:
@@ -246,12 +276,7 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             remedy=f"write hold: [{', '.join(timed)}] for bodies that keep the speed of each point, or give "
             "a drive with ripple only",
         )
-    bounds = sweep.mesh_frequency or sweep.speed
-    key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
-    if bounds is not None and bounds[0] >= bounds[1]:
-        report.problem(
-            (*at, key), "is not increasing", remedy="write [lowest, highest]; direction gives the order"
-        )
+    _range(sweep, at, report)
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
     own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from pitchpoint.geometry.bearings.clearance import CLASSES
+from pitchpoint.geometry.bearings.clearance import ALL_CLASSES
 from pitchpoint.geometry.bearings.inner import TYPES
 from pitchpoint.geometry.materials import Material
 from pitchpoint.model.component import Component
@@ -106,8 +106,9 @@ class RollingBearing(Component):
         display="middle of clearance_class, 0 without a class",
     )
     clearance_class: str | None = choice(
-        CLASSES,
-        "class of the radial internal clearance before mounting (ISO 5753-1)",
+        ALL_CLASSES,
+        "class of the radial internal clearance before mounting: C2 to C4 of ISO 5753-1; deep groove ball "
+        "bearings: MC1 to MC6 below a bore of 10 mm, CM (motors) from 10 to 80 mm",
         None,
         display="that of designation, otherwise CN: all but angular contact, tapered and thrust bearings",
         later=True,

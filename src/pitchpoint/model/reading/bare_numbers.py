@@ -31,7 +31,7 @@ def is_doubtful(value: float, dimension: str) -> bool:
     """Whether a number without unit may be meant in rpm, millimetres or degrees.
 
     Speeds always: a number in rad/s has no typical size. Lengths from 1 m, where most parts are smaller.
-    Angles beyond a turn, and whole numbers: 15 rad is rarely meant, in contrast to 0.26 rad.
+    Angles beyond a turn, and whole numbers: 15 rad is rarely meant, 0.26 rad often is.
 
     Parameters
     ----------

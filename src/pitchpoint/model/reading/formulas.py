@@ -110,7 +110,7 @@ def _alone(reader: Reader, dimension: str, name: str, path: Place) -> Any:
         has = f"has the unit {readable(unit)}" if unit else "has no unit"
         wanted = f"that of {kind.words} such as {kind.example}" if unit or kind.si else kind.words
         remedy = f"use a parameter in {kind.si}" if kind.si else "use a plain number"
-        return reader.problem(path, f"{has}, in contrast to {wanted}", value=name, remedy=remedy)
+        return reader.problem(path, f"{has}; {wanted} is required", value=name, remedy=remedy)
 
 
 def is_plain(reader: Reader, text: str) -> bool:

@@ -122,7 +122,13 @@ def balance(flow: PowerFlow) -> str:
         "losses": flow.lost,
         "stored in rotation and deflection": flow.stored,
     }
-    words = [f"{what} {amount(p, 'W')}" for what, p in parts.items() if abs(p) > NEGLIGIBLE * most]
+    outside = f" ({amount(flow.damped, 'W')} by damping outside meshes and couplings)"
+    more = {"losses": outside} if abs(flow.damped) > NEGLIGIBLE * most else {}
+    words = [
+        f"{what} {amount(p, 'W')}{more.get(what, '')}"
+        for what, p in parts.items()
+        if abs(p) > NEGLIGIBLE * most
+    ]
     share = abs(flow.remainder) / most if most else 0.0
     text = f"Balance: {', '.join(words)}; remainder {amount(flow.remainder, 'W')}"
     text += f", {number(100.0 * share, 2)} % of the largest power." if most else "."

@@ -116,8 +116,11 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
     words = window_words(*statistics_window(time, found, run.settle_time))
     row = {"status": escape(state), "window": escape(words)}
     if isinstance(flow, PowerFlow):
-        row["input"] = _ends(flow, [link for link in flow.links if link.start == OUTSIDE], starts=True)
-        row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
+        torques = _torques(found, window)
+        inputs = [link for link in flow.links if link.start == OUTSIDE]
+        outputs = [link for link in flow.links if link.end == OUTSIDE]
+        row["input"] = _ends(flow, inputs, torques, starts=True)
+        row["output"] = _ends(flow, outputs, torques, starts=False)
         row["input power"] = amount(flow.put_in, "W") if flow.put_in else ""
         row["losses"] = amount(flow.lost, "W") if flow.lost else ""
     row["speed"] = _speeds(run, found, window, known=bool(row.get("input") or row.get("output")))
@@ -142,8 +145,19 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
     return row
 
 
-def _ends(flow: PowerFlow, links: Sequence[PowerLink], *, starts: bool) -> str:
-    """Speed, torque and power of each input or output."""
+def _torques(found: Mapping[str, Channel], window: np.ndarray) -> dict[str, float]:
+    """Mean torque of every drive and load on its body [N m], with the sign of its channel."""
+    torques = {}
+    for channel in found.values():
+        if channel.quantity == "torque" and channel.values[window].size:
+            known = channel.statistics or {"mean": float(channel.values[window].mean())}
+            torques[owner(channel)] = known["mean"]
+            torques[f"reaction of {owner(channel)}"] = -known["mean"]
+    return torques
+
+
+def _ends(flow: PowerFlow, links: Sequence[PowerLink], torques: Mapping[str, float], *, starts: bool) -> str:
+    """Speed, torque and power of each input or output; signs as in `speed` and `torque`."""
     rows = []
     powers = {link.name: link.given if starts else link.taken for link in links}
     # elements against ground transmit torques without power
@@ -151,7 +165,7 @@ def _ends(flow: PowerFlow, links: Sequence[PowerLink], *, starts: bool) -> str:
     for link in links[:MAX_ENDS]:
         speed = flow.blocks[link.end if starts else link.start].speed
         power = link.given if starts else link.taken
-        torque = f", {amount(power / abs(speed), 'N m')}" if abs(speed) > 0.0 else ""
+        torque = f", {amount(torques[link.name], 'N m')}" if link.name in torques else ""
         rows.append(f"{escape(link.name)}: {amount(speed, 'rad/s')}{torque}, {amount(power, 'W')}")
     rows += [f"{len(links) - MAX_ENDS} more"] if len(links) > MAX_ENDS else []
     return "<br>".join(rows)
