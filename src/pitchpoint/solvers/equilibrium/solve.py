@@ -34,6 +34,7 @@ from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
+from pitchpoint.solvers.equilibrium.floating import floating_force
 from pitchpoint.solvers.equilibrium.force_jumps import (
     Rest,
     Surface,
@@ -46,6 +47,7 @@ from pitchpoint.solvers.equilibrium.geometric_stiffness import Tangent, resists
 from pitchpoint.solvers.equilibrium.unknowns import (
     GROWTH,
     ROUNDING,
+    SOFTENING,
     inverse_of,
     rest_matrix,
     step_on,
@@ -203,7 +205,7 @@ def _pseudo_time(
     tangent, started = Tangent(system, state), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
-    mu = FIRST
+    mu, floats = FIRST, False
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
         # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
@@ -223,7 +225,12 @@ def _pseudo_time(
                 mu = FIRST
             continue
         inverse = inverse_of(pulled, root)
-        step = -inverse(R[free])
+        acting = R[free]
+        if floats:
+            drift = floating_force(acting, mass, mu, inverse)
+            floats = bool((np.abs(drift * weight[free]) <= goal).all())
+            acting = acting - drift if floats else acting
+        step = -inverse(acting)
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
@@ -233,10 +240,18 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
-        ratio = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
+        after = new[free] - floating_force(new[free], mass, mu, inverse) if floats else new[free]
+        ratio = float(np.linalg.norm(root * inverse(after)) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
+        if not floats and ratio >= 0.9 and not beyond:
+            drift = floating_force(acting, mass, mu, inverse)
+            if floats := bool((np.abs(drift * weight[free]) <= goal).all()):
+                continue
+        # a roller bearing turns to its next stable position, by forces that grow along the way
+        softens = float(np.abs(new * weight)[free].max(initial=0.0)) <= loads
+        growth = SOFTENING if softens else GROWTH
         # forces grow first on bodies that swing down from an unstable position
-        if ratio < 0.9 or ((ratio <= GROWTH or tangent.exact) and not beyond):
+        if ratio < 0.9 or ((ratio <= growth or tangent.exact) and not beyond):
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue
