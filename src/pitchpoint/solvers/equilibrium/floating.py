@@ -50,3 +50,11 @@ def floating_force(force: Array, mass: Any, mu: float, inverse: Callable[[Array]
     for _ in range(ORDER):
         force = mu * (mass @ inverse(force))
     return force
+
+
+def balanced_drift(
+    force: Array, mass: Any, mu: float, inverse: Callable[[Array], Array], allowed: Array
+) -> Array | None:
+    """The `floating_force` if every component is within `allowed`, else None; other arguments as there."""
+    found = floating_force(force, mass, mu, inverse)
+    return found if bool((np.abs(found) <= allowed).all()) else None

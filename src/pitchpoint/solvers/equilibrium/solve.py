@@ -33,8 +33,8 @@ from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
-from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
-from pitchpoint.solvers.equilibrium.floating import floating_force
+from pitchpoint.solvers.equilibrium.failure import broken_tooth, reason
+from pitchpoint.solvers.equilibrium.floating import balanced_drift, floating_force
 from pitchpoint.solvers.equilibrium.force_jumps import (
     Rest,
     Surface,
@@ -57,7 +57,6 @@ from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, fre
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
-from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -167,20 +166,8 @@ def find_equilibrium(
     if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
-        if names := unconstrained(system, state, free):
-            where = coordinate_source(system, names[0]).removeprefix(names[0])
-            raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
-        name, words = run_away(system, found.state)
-        if name:
-            where = coordinate_source(system, name).removeprefix(name)
-            raise SolverError(f"no equilibrium: {words}{where}", SINGULAR, found.state)
-        size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"
-        raise SolverError(
-            f"no equilibrium found after {count} steps: {size} are unbalanced on "
-            f"{coordinate_source(system, system.layout.coordinates[worst])}; check loads and stiffness",
-            failure,
-            found.state,
-        )
+        words, singular = reason(system, state, free, found, count, worst)
+        raise SolverError(words, SINGULAR if singular else failure, found.state)
     other_sides = tuple(_wrapped(system, other) for other in found.other_sides)
     reaction = found.residual[list(kept)].copy()
     return Equilibrium(_wrapped(system, found.state), kept, reaction, count, other_sides, found.share)
@@ -225,12 +212,9 @@ def _pseudo_time(
                 mu = FIRST
             continue
         inverse = inverse_of(pulled, root)
-        acting = R[free]
-        if floats:
-            drift = floating_force(acting, mass, mu, inverse)
-            floats = bool((np.abs(drift * weight[free]) <= goal).all())
-            acting = acting - drift if floats else acting
-        step = -inverse(acting)
+        allowed = goal / weight[free]
+        drift = balanced_drift(R[free], mass, mu, inverse, allowed) if floats else None
+        step = -inverse(R[free] if drift is None else R[free] - drift)
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
@@ -240,12 +224,12 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
-        after = new[free] - floating_force(new[free], mass, mu, inverse) if floats else new[free]
+        after = new[free] if drift is None else new[free] - floating_force(new[free], mass, mu, inverse)
         ratio = float(np.linalg.norm(root * inverse(after)) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
-        if not floats and ratio >= 0.9 and not beyond:
-            drift = floating_force(acting, mass, mu, inverse)
-            if floats := bool((np.abs(drift * weight[free]) <= goal).all()):
+        if drift is None and ratio >= 0.9 and not beyond:
+            floats = balanced_drift(R[free], mass, mu, inverse, allowed) is not None
+            if floats:
                 continue
         # a roller bearing turns to its next stable position, by forces that grow along the way
         softens = float(np.abs(new * weight)[free].max(initial=0.0)) <= loads
