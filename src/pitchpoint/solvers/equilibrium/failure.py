@@ -116,8 +116,8 @@ def in_clearance(system: System, state: State, free: NDArray[np.int64]) -> str:
     length = np.abs(moved * weight)
     k = int(free[np.argmax(length)])
     body = system.layout.coordinates[k].partition(".")[0]
-    rings = {**system.model.rolling_bearings, **system.model.plain_bearings}
-    bearings = [name for name, part in rings.items() if body in ring_bodies(part)]
+    bearings = [name for name, part in system.model.rolling_bearings.items() if body in ring_bodies(part)]
+    bearings += [name for name, part in system.model.plain_bearings.items() if body in ring_bodies(part)]
     if not bearings:
         return ""
     return (
