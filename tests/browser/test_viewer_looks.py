@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,13 +24,15 @@ def pair() -> tuple[str, str]:
     return texts_of(*gears())
 
 
-def bare(block: Block, solids: list[dict[str, Any]]) -> tuple[str, str]:
+def bare(
+    block: Block, solids: list[dict[str, Any]], bodies: Sequence[dict[str, Any]] = ()
+) -> tuple[str, str]:
     """A scene of solids that are at rest."""
     header = {
         "format": "pitchpoint-scene-2",
         "title": "Solids",
         "up": [0, 1, 0],
-        "bodies": [],
+        "bodies": list(bodies),
         "solids": solids,
     }
     return texts_of({**header, "times": block.put([0.0])}, block)

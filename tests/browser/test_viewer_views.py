@@ -51,6 +51,24 @@ def test_views_look_along_the_axes_by_name_and_by_key(same_scene: OpenPage, pair
         assert found[key] == pytest.approx(found[name], abs=1e-6)
 
 
+def test_at_rest_gears_and_shafts_show_the_axis(open_page: OpenPage) -> None:
+    """A gear along x at rest, y up, in a housing with the axes of the world."""
+    block = Block()
+    half = math.sqrt(0.5)
+    bodies = [
+        {"name": "housing", "parent": -1, "place": [0, 0, 0], "axes": [0, 0, 0, 1]},
+        {"name": "pinion", "parent": -1, "place": [0, 0, 0], "axes": [0, half, 0, half]},
+    ]
+    solids = [
+        {**solid(block, "foot", "housing", box([-0.3, -0.3, -0.3], [0.3, -0.2, 0.3])), "body": 0},
+        {**solid(block, "teeth", "gear", extruded(circle(0.1, 60), 0.05, 0.02)), "body": 1},
+    ]
+    text = bare(block, solids, bodies)
+    script = """V.view("axis"); V.draw(); const {position, target} = S().camera;
+      const d = position.map((x, k) => x - target[k]), l = Math.hypot(...d); return d.map((x) => x / l);"""
+    assert np.abs(asked(scene(open_page, text), script)) == pytest.approx([1, 0, 0], abs=2e-3)
+
+
 def test_parallel_projection_shows_equal_boxes_equally_large(open_page: OpenPage) -> None:
     """Two boxes 1 m behind each other; in central projection the nearer one is larger."""
     block = Block()

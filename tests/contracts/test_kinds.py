@@ -139,7 +139,7 @@ def imported(path: Path) -> set[str]:
 
 #: Kinds that solvers write to or make themselves, by file.
 MADE = {
-    "solvers/equilibrium/solve.py": {"torque"},  # balances it
+    "solvers/equilibrium/balancing.py": {"torque"},  # balances it
     "solvers/load_cycle.py": {"torque"},  # evaluates its law over the period
     "solvers/quasistatic/loads.py": {"torque"},  # evaluates its law at a speed
     "solvers/speed_stability.py": {"torque"},  # evaluates the slope of its law

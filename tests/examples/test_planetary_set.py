@@ -91,10 +91,14 @@ def test_phases_are_those_of_the_angles_of_the_pins(model, error):
 def test_planets_on_needle_bearings_as_on_the_page():
     """Twice the tangential force 600 N m/3 at the working circle of 31.5 mm; radial forces cancel."""
     page = (FOLDER.parents[1] / "docs" / "planetary_stages.md").read_text("utf-8")
-    (bearings,) = re.findall(r"```yaml\n(rolling_bearings:\n.*?)```", page, re.DOTALL)
+    bearings, pair = re.findall(r"```yaml\n(rolling_bearings:\n.*?)```", page, re.DOTALL)
     text = (FOLDER / "model.yaml").read_text("utf-8")
     text = re.sub(r"    (bearing: .*|pin_errors:|  planet_1: .*)\n", "", text)
     found = solve_equilibrium(compile_model(loads_model(text + bearings)))
     loads = [found[f"bearing_force[pin_{k}.radial]"].item() for k in (1, 2, 3)]
     assert loads == pytest.approx([2.0 * 200.0 / 31.5e-3] * 3, rel=1e-4)
     assert f"carries {loads[0] * 1e-3:.1f} kN at 600 N m" in page
+    rows = re.sub(r"  pin_1:.*\n", pair.partition("\n")[2], bearings)
+    found = solve_equilibrium(compile_model(loads_model(text + rows)))
+    halves = [found[f"bearing_force[pin_1{side}.radial]"].item() for side in "ab"]
+    assert halves[0] == pytest.approx(halves[1], rel=1e-9) and halves[0] < loads[0]

@@ -18,6 +18,12 @@ export class Poses {
   /** @param {any} scene result of readScene */
   constructor(scene) {
     this.bodies = scene.bodies;
+    /** Bodies with gears or shafts. */
+    this.shafts = new Set(
+      (scene.solids ?? [])
+        .filter(({ kind }) => kind === "gear" || kind === "shaft")
+        .map(({ blend, body }) => (blend ? blend.bodies[0] : body)),
+    );
     this.times = scene.times?.data ?? new Float64Array([0]);
     this.where = { low: 0, share: 0 };
     this.magnification = 1;
@@ -178,8 +184,10 @@ export class Poses {
     const sum = new Vector3();
     // Oscillating links are used only if no body rotates continuously.
     const round = this.bodies.some((body) => body.gross);
+    const moves = round || this.bodies.some((body) => body.spin);
     this.bodies.forEach((body, k) => {
-      if (!body.gross && (round || !body.spin)) return;
+      // At rest, gears and shafts show the axes.
+      if (moves ? !body.gross && (round || !body.spin) : !this.shafts.has(k)) return;
       const z = new Vector3().setFromMatrixColumn(this.rest[k], 2);
       sum.addScaledVector(z, sum.dot(z) < 0 ? -1 : 1);
     });

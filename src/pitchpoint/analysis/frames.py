@@ -15,7 +15,9 @@ SHORTEST = 4
 """A frame at an end of the record has at least this fraction of the full length."""
 
 
-def frame_places(size: int, length: int, frames: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def frame_places(
+    size: int, length: int, frames: int, least: int = 8
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """First samples and lengths of frames, evenly distributed from end to end of a record.
 
     Parameters
@@ -27,6 +29,8 @@ def frame_places(size: int, length: int, frames: int) -> tuple[NDArray[np.int64]
         quarter of it: a run-up loses an eighth of a frame at each end instead of half a frame.
     frames
         Maximum number of frames.
+    least
+        Smallest length of a shortened frame [samples].
 
     Returns
     -------
@@ -47,7 +51,7 @@ def frame_places(size: int, length: int, frames: int) -> tuple[NDArray[np.int64]
     >>> frame_places(100, 40, 5)
     (array([ 0,  8, 30, 53, 90]), array([10, 40, 40, 40, 10]))
     """
-    least = min(length, max(8, length // SHORTEST))
+    least = min(length, max(least, length // SHORTEST))
     count = max(1, min(int(frames), size - least + 1))
     middle = np.linspace(0.5 * least, size - 0.5 * least, count) if count > 1 else np.array([0.5 * size])
     room = 2.0 * np.minimum(middle, size - middle)

@@ -9,8 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.levels import a_weighting
-from pitchpoint.analysis.orders import one_way
-from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, positive, same_length
+from pitchpoint.analysis.sampled import (
+    Array,
+    SignalError,
+    as_increasing,
+    as_signal,
+    one_way,
+    positive,
+    same_length,
+)
 
 FEWEST = 4.0
 """Smallest distance of two orders in lines of the record, so that they are separated."""
@@ -104,7 +111,8 @@ def order_levels(
     >>> found.frequency.round(6).tolist(), found.level.round(2).tolist(), round(found.total, 2)
     ([200.0, 400.0], [136.99, 116.99], 137.03)
     """
-    x, clock, turned = as_signal(values, minimum=8), as_increasing(time), one_way(angle)
+    x, clock = as_signal(values, minimum=8), as_increasing(time)
+    turned = one_way(angle, clock)
     same_length(x, turned, "values, angle")
     same_length(x, clock, "values, time")
     positive(reference, "reference")

@@ -13,7 +13,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.frames import frame_places, frame_spectra
-from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, positive, same_length
+from pitchpoint.analysis.sampled import (
+    Array,
+    SignalError,
+    as_increasing,
+    as_signal,
+    one_way,
+    positive,
+    same_length,
+)
 from pitchpoint.analysis.spectra import Spectrum, order_spectrum
 from pitchpoint.core.units import format_quantity
 
@@ -73,6 +81,12 @@ class OrderMap:
     speed_change: Array
 
     @property
+    def is_run_up(self) -> bool:
+        """Whether the speed only rises, or only falls."""
+        change = np.diff(self.speed)
+        return bool(np.all(change > 0.0) or np.all(change < 0.0))
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """Note on frames within which the speed changes so much that resonances are understated."""
         fast = self.speed_change > FAST * self.speed
@@ -82,10 +96,11 @@ class OrderMap:
             format_quantity(float(w), "angular_speed", 4)
             for w in (self.speed[fast].min(), self.speed[fast].max(), self.speed_change[fast].max())
         )
+        slower = " or a slower run-up" if self.is_run_up else ""
         return (
             f"between {low} and {high} the speed changes by more than {100.0 * FAST:g} % within a frame, by "
             f"up to {most}, so that maxima at narrow resonances are too low there. Use fewer revolutions per "
-            "frame or a slower run-up",
+            f"frame{slower}",
         )
 
 
@@ -267,7 +282,7 @@ def order_map(
         Highest order [-]; the angle grid has 2.56 times as many samples per revolution.
     revolutions
         Length of one frame [revolutions]; the line spacing is 1/revolutions. Frames at the ends are shorter,
-        see `frames.frame_places`, with wider lines.
+        see `frames.frame_places`, with wider lines, but have at least one revolution.
     frames
         Maximum number of frames [-]; they overlap as needed.
     window_name
@@ -308,24 +323,26 @@ def order_map(
     True
     """
     clock = as_increasing(time, "time", 8)
+    same_length(clock, as_signal(angle, "angle"), "time, angle")
+    phi = one_way(angle, clock)
     rate = SAMPLES_PER_ORDER * positive(highest_order, "highest_order")
     # whole samples per frame: orders that fit the frame then coincide with lines
     length = max(8, round(rate * positive(revolutions, "revolutions")))
     signal = resample_over_angle(values, angle, samples_per_revolution=length / revolutions)
-    same_length(clock, as_signal(angle, "angle"), "time, angle")
     size = signal.values.size
     if size < length:
         turned = (size - 1) / signal.samples_per_revolution
         raise SignalError(
             f"angle: covers {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
         )
-    places = starts, lengths = frame_places(size, length, frames)
+    # shorter than a revolution, the lines of a frame would be as wide as the distance of low mesh orders
+    revolution = max(8, round(signal.samples_per_revolution))
+    places = starts, lengths = frame_places(size, length, frames, revolution)
     n_order = int(np.floor(highest_order * revolutions * (1.0 + 1e-12))) + 1
     amplitude = np.empty((starts.size, n_order))
     for row, (mean, lines) in enumerate(frame_spectra(signal.values, places, length, window_name)):
         amplitude[row] = lines[:n_order]
         amplitude[row, 0] = abs(mean)
-    phi = one_way(angle)
     step = 2.0 * np.pi / signal.samples_per_revolution
     half = 0.5 * (lengths - 1)
     begin, middle, end = (np.interp(phi[0] + (starts + k * half) * step, phi, clock) for k in range(3))
@@ -334,35 +351,6 @@ def order_map(
     change = 2.0 * half * step * np.abs(1.0 / (end - middle) - 1.0 / (middle - begin))
     orders = np.arange(n_order) / revolutions
     return OrderMap(0.5 * (begin + end), speed, orders, amplitude, change)
-
-
-def one_way(angle: ArrayLike) -> Array:
-    """Angle as an increasing function [rad]: negated for a shaft with negative rotation.
-
-    Parameters
-    ----------
-    angle
-        Unwrapped angle [rad], shape (n,).
-
-    Raises
-    ------
-    SignalError
-        If the shaft stops or reverses.
-
-    Examples
-    --------
-    >>> one_way([0.0, -1.0, -3.0])
-    array([0., 1., 3.])
-    """
-    phi = as_signal(angle, "angle")
-    phi = phi if _turns_forward(phi) else 0.0 - phi
-    stop = np.flatnonzero(np.diff(phi) <= 0.0)
-    if stop.size:
-        raise SignalError(
-            f"angle: the shaft stops or reverses after sample {stop[0]}; "
-            "cut the record there, or unwrap the angle"
-        )
-    return phi
 
 
 def _oversampling(steps: Array, rate: float) -> int:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.units import format_quantity
 
 Array = NDArray[np.float64]
 Lines = NDArray[np.complex128]
@@ -97,6 +98,43 @@ def as_increasing(values: ArrayLike, name: str = "time", minimum: int = 2) -> Ar
             f"{name}: does not increase after sample {back[0]}; sort it and drop repeated samples"
         )
     return axis
+
+
+def one_way(angle: ArrayLike, time: ArrayLike | None = None) -> Array:
+    """Angle as an increasing function [rad]: negated for a shaft with negative rotation.
+
+    Parameters
+    ----------
+    angle
+        Unwrapped angle [rad], shape (n,).
+    time
+        Times [s] for the message, shape (n,).
+
+    Raises
+    ------
+    SignalError
+        If the shaft stops or reverses, with the first place where it does.
+
+    Examples
+    --------
+    >>> one_way([0.0, -1.0, -3.0])
+    array([0., 1., 3.])
+    """
+    phi = as_signal(angle, "angle")
+    steps = np.diff(phi)
+    moving = steps[steps != 0.0]
+    # the direction at the start: a record through zero speed may end where it began
+    if moving.size and moving[0] < 0.0:
+        phi, steps = 0.0 - phi, -steps
+    stop = np.flatnonzero(steps <= 0.0)
+    if stop.size:
+        k = int(stop[0])
+        where = "" if time is None else f" at {format_quantity(float(as_signal(time, 'time')[k]), 'time', 4)}"
+        raise SignalError(
+            f"angle: the shaft stops or reverses{where or f' after sample {k}'}; "
+            "cut the record there, or unwrap the angle"
+        )
+    return phi
 
 
 def same_length(first: Array, second: Array, names: str) -> None:

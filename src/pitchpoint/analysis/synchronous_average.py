@@ -23,8 +23,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.orders import highest_resolved_order, one_way
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length, whole
+from pitchpoint.analysis.orders import highest_resolved_order
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal, one_way, same_length, whole
 
 AT_ONCE = 1 << 20
 """Maximum number of grid points per spline, to limit memory for long records."""

@@ -14,7 +14,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.angle_spline import angle_between, edge_uncertainty
-from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, same_length, whole
+from pitchpoint.analysis.sampled import (
+    Array,
+    SignalError,
+    as_increasing,
+    as_signal,
+    one_way,
+    same_length,
+    whole,
+)
 
 HYSTERESIS = 0.25
 """Hysteresis of the trigger below the middle of the range, over the range."""
@@ -293,9 +301,7 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
     phi = as_signal(angle, "angle", 3)
     ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     steps = np.diff(phi)
-    if np.any(steps * np.sign(phi[-1] - phi[0]) <= 0.0):
-        raise SignalError("angle: the shaft stops or reverses; cut the record there, or unwrap the angle")
-    if float(np.abs(steps).max()) * ppr > np.pi:
+    if float(np.diff(one_way(phi)).max()) * ppr > np.pi:
         raise SignalError(
             f"angle: rotates more than half a pitch of {ppr} pulses per revolution within one sample; "
             "raise the sample rate or use fewer pulses"

@@ -62,7 +62,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     if as_json:
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        _print(model, file, found)
+        _print(model, file, found, len(messages))
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
@@ -251,13 +251,14 @@ def _direction(axis: list[float]) -> str:
     return ", ".join(f"{round(c, 6) + 0.0:.6g}" for c in axis)
 
 
-def _print(model: Model, file: str, found: dict[str, Any]) -> None:
-    """Print the data as tables."""
+def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> None:
+    """Print the data as tables, after the number of warnings."""
     from pitchpoint.cli.balance import show_balance
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
-    show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
+    show(f"{file}: {passed}" + (f" – {model.title}" if model.title else ""))
     if found["included"]:
         show(f"included files: {', '.join(found['included'])}")
     if model.parameters:

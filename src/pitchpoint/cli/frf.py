@@ -59,8 +59,8 @@ if TYPE_CHECKING:
     "--mesh-orders",
     type=click.IntRange(min=1, max=16),
     metavar="N",
-    help="Levels of the response to the loaded transmission error of every mesh, by its first N orders, over "
-    "the speed of a body.",
+    help="Levels of the response to transmission error and shuttling force of every mesh under load, by its "
+    "first N orders, over the speed of a body.",
 )
 @click.option(
     "--speed-of",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint frf --mesh-orders`: response to the loaded transmission errors, by mesh order and speed."""
+"""`pitchpoint frf --mesh-orders`: response to the excitation by the meshes, by order and speed."""
 
 from __future__ import annotations
 

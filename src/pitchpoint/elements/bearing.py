@@ -7,9 +7,9 @@ p_j) - d0, -n_i.w_y, n_i.w_x, spin_i - spin_j) - u0: three translations, two til
 body i is conjugate to u, that on body j is its exact reaction; forces act at marker i. Damping acts on the
 relative velocity of the bodies, so between two spinning bodies it rotates with them.
 
-The twist is conjugate to first order in the tilt; all other components are exact for any tilt if j is ground.
-For a bearing in a housing, body j is fixed to the housing at the bearing, along its axis, and its frame
-rotates with the housing; the spin is free.
+The twist is conjugate for any angle between the spin axes, and to first order in the tilt of the bodies; all
+other components are exact for any tilt if j is ground. For a bearing in a housing, body j is fixed to the
+housing at the bearing, along its axis, and its frame rotates with the housing; the spin is free.
 
 Two bodies must be coaxial as assembled, or coupled in torsion only: u contains the spin only in the twist, so
 a force between offset axes would not be conservative. `model/checks/supports.py` refuses such a coupling.
@@ -27,6 +27,8 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import ACROSS, FRAME, HOLDS, NOTHING, TOGETHER, Kind, Power
 from pitchpoint.elements.ring import RESULTANT_OUTPUTS, put_resultants
+from pitchpoint.elements.twist import turned_twist_axis, twist_axis
+from pitchpoint.elements.wrench import angular_velocity, origin, spin_axis, velocity
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
@@ -91,6 +93,12 @@ def _columns(P, sign, W, k, x, y, z, e0, e1, e2):
 
 
 @kernel
+def _far_axis(b, f, g):
+    """Spin axis of body j of a coupling; that of body i for bearings."""
+    return spin_axis(f) if b["j"] == 0 or b["housed"] == 1 else spin_axis(g)
+
+
+@kernel
 def _kinematics(b, f, g):
     """Write the displacement u to b["f"] and its gradients to Pi and Pj; the scratch C holds W."""
     W = b["C"]
@@ -121,9 +129,7 @@ def _kinematics(b, f, g):
             e1 = n2 * W[0, 0] - n0 * W[2, 0]
             e2 = n0 * W[1, 0] - n1 * W[0, 0]
         else:
-            e0 = n0
-            e1 = n1
-            e2 = n2
+            e0, e1, e2 = twist_axis((n0, n1, n2), _far_axis(b, f, g))
         _columns(b["Pi"], 1.0, W, k, s * n0, s * n1, s * n2, e0, e1, e2)
         _columns(b["Pj"], -1.0, W, k, x, y, z, e0, e1, e2)
     u[3] = -(n0 * W[0, 1] + n1 * W[1, 1] + n2 * W[2, 1]) - b["u0"][3]
@@ -162,17 +168,6 @@ def _tangent(b, kk, ck, cd):
 
 
 @kernel
-def _origin(f):
-    return f["r"][0], f["r"][1], f["r"][2]
-
-
-@kernel
-def _twist(f, first):
-    """Velocity of the origin (`first` 0) or angular velocity (3)."""
-    return f["tw"][first], f["tw"][first + 1], f["tw"][first + 2]
-
-
-@kernel
 def _along(b, k):
     """Axis k of W, from the gradient Pi."""
     return b["Pi"][k, 0], b["Pi"][k, 1], b["Pi"][k, 2]
@@ -185,16 +180,11 @@ def _spun(f, turn):
 
 
 @kernel
-def _axis(f):
-    return f["R"][0, 2], f["R"][1, 2], f["R"][2, 2]
-
-
-@kernel
 def _arms(b, f, g):
     """Position of marker i relative to the origin of body i, to that of body j, and to marker j."""
-    own = times(b["zi"], _axis(f))
-    arm = add(add(_origin(f), own), times(-1.0, _origin(g)))
-    return own, arm, add(arm, times(-b["zj"], _axis(g)))
+    own = times(b["zi"], spin_axis(f))
+    arm = add(add(origin(f), own), times(-1.0, origin(g)))
+    return own, arm, add(arm, times(-b["zj"], spin_axis(g)))
 
 
 @kernel
@@ -207,24 +197,22 @@ def _moves(b, f, g, side, c):
     shift = unit(c)
     turn = unit(c - 3)
     if side == 0:
-        dn = cross(turn, _axis(f))
+        dn = cross(turn, spin_axis(f))
         d_own = times(b["zi"], dn)
         d_arm = add(shift, d_own)
         return _spun(f, turn), unit(3), dn, d_own, d_arm, d_arm
     twist = -_spun(g, turn)
     if b["housed"] == 1:
         twist = 0.0
-    frame = add(turn, times(twist, _axis(g)))
+    frame = add(turn, times(twist, spin_axis(g)))
     d_arm = times(-1.0, shift)
-    d_gap = add(d_arm, times(-b["zj"], cross(turn, _axis(g))))
+    d_gap = add(d_arm, times(-b["zj"], cross(turn, spin_axis(g))))
     return twist, frame, unit(3), unit(3), d_arm, d_gap
 
 
 @kernel
 def _turned_axis(b, n, frame, dn, k):
-    """Change of the axis of moment k: w_y x n, n x w_x or n."""
-    if k == 2:
-        return dn
+    """Change of the axis of tilting moment k: w_y x n or n x w_x."""
     w = _along(b, 1 - k)
     de = add(cross(cross(frame, w), n), cross(w, dn))
     return de if k == 0 else times(-1.0, de)
@@ -237,11 +225,13 @@ def _change(b, f, g, side, c):
     Column 0: displacement u; 1: its rate P_i tw_i + P_j tw_j; 2: wrench on body i at constant forces f in W;
     3: wrench on body j, likewise.
     """
-    n = _axis(f)
+    n = spin_axis(f)
+    far = _far_axis(b, f, g)
     own, arm, gap = _arms(b, f, g)
     twist, frame, dn, d_own, d_arm, d_gap = _moves(b, f, g, side, c)
-    oi = _twist(f, 3)
-    oj = _twist(g, 3)
+    d_far = dn if b["j"] == 0 or b["housed"] == 1 else cross(unit(c - 3), far) if side == 1 else unit(3)
+    oi = angular_velocity(f)
+    oj = angular_velocity(g)
     across = add(oi, times(-1.0, oj))
     force = unit(3)
     couple = unit(3)
@@ -250,9 +240,9 @@ def _change(b, f, g, side, c):
         w = _along(b, k)
         dw = cross(frame, w)
         T[k, 0] = dot(dw, gap) + dot(w, d_gap)
-        T[k, 1] = dot(dw, _twist(f, 0)) + dot(add(cross(d_own, w), cross(own, dw)), oi)
-        T[k, 1] -= dot(dw, _twist(g, 0)) + dot(add(cross(d_arm, w), cross(arm, dw)), oj)
-        de = _turned_axis(b, n, frame, dn, k)
+        T[k, 1] = dot(dw, velocity(f)) + dot(add(cross(d_own, w), cross(own, dw)), oi)
+        T[k, 1] -= dot(dw, velocity(g)) + dot(add(cross(d_arm, w), cross(arm, dw)), oj)
+        de = _turned_axis(b, n, frame, dn, k) if k < 2 else turned_twist_axis(n, far, dn, d_far)
         T[3 + k, 1] = dot(de, across)
         force = add(force, times(b["f"][k], w))
         couple = add(couple, times(b["f"][3 + k], de))

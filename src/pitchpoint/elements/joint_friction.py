@@ -5,12 +5,12 @@ The load of a tree joint is the sum of all wrenches of the bodies beyond it, ine
 joint follows from the multipliers of its rows. With the force F and the moment M on the moved body about the
 joint, across (r) and along (a) its axis,
 
-    load = preload + c_r |F_r| + |c_a F_a - c_t M_a| + c_m |M_r|.
+    load = preload + c_r |F_r| + c_a |F_a| + c_m |M_r|.
 
 * TURN, a pin of radius r in a bush of length l: c_r = r, c_a = mean radius of the shoulder, c_m = 2 r / l;
 * WAY, a slide: c_r = 1, c_m = 2 over its length;
-* THREAD, a screw with the lead angle lam at the radius r: c_r = 1, c_a = cos lam, c_t = sin lam / r: the
-  force normal to the thread. Its friction acts along the thread;
+* THREAD, a screw with the lead angle lam at the radius r: c_r = 1, c_a = 1 / cos lam. Its friction acts along
+  the thread, so it changes the force N normal to the thread (`_thread_load`);
 * BUSH, a pin that turns and slides: as a slide, the friction is opposite to the velocity of its surface;
 * BALL: load = preload + c_r |F| with its radius c_r, the torque is opposite to the relative rotation;
 * PLATE: c_a = 1; its friction is opposite to (v_x, v_y, r omega) with the radius r of the friction torque, an
@@ -32,8 +32,8 @@ from numpy.typing import NDArray
 from pitchpoint.contact.bristle import stribeck
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
-from pitchpoint.elements.closure import DISTANCE, RIGHT, SCREW
+from pitchpoint.core.status import JAMMED, OK
+from pitchpoint.elements.closure import DISTANCE, RIGHT
 from pitchpoint.elements.closure import RECORD as CLOSURE
 from pitchpoint.elements.kind import FREE, FRICTION, JOINT, Kind
 from pitchpoint.multibody.bodies import Body
@@ -54,7 +54,6 @@ RECORD = np.dtype(
         ("lead", "f8"),  # THREAD: travel along the axis [m/rad]
         ("c_r", "f8"),  # friction radius of the radial force [m], or its factor
         ("c_a", "f8"),  # friction radius of the axial force [m], or its factor
-        ("c_t", "f8"),  # THREAD: factor of the moment about the axis [1/m]
         ("c_m", "f8"),  # factor of the bending moment [1] or [1/m]
         ("preload", "f8"),  # [N m] or [N]
         ("mu", "f8"),  # coefficient of dynamic friction
@@ -138,8 +137,6 @@ def _cut_load(b, fr, lam):
     for k in range(b["rows"], rows.size):
         r = rows[k]
         a = moved_axis(fr[r["j"]], r["a_j"])
-        if r["form"] == SCREW:
-            moment = add(moment, times(lam[r["row"]] * r["lead"], a))
         if r["form"] == RIGHT:
             moment = add(moment, times(-lam[r["row"]], cross(moved_axis(fr[r["i"]], r["b_i"]), a)))
         elif r["form"] != DISTANCE:
@@ -210,13 +207,31 @@ def _directions(b, n, s_i, s_j):
 
 
 @kernel
-def _load(b, force, moment, n):
-    """Load of the joint from force and moment about it."""
+def _thread_load(b, axial, other, k):
+    """Load of a thread: its other loads and |N|; negative if it jams.
+
+    N follows from the balance of the moved body along the axis, N cos lam + f sin lam + F_a = 0, in which no
+    torque occurs, known or not, such as that of a drive. The friction f = -k (other + |N|) acts along the
+    thread, so |N| cos lam (1 -+ k tan lam) = |F_a - k other sin lam|: no finite torque drives a thread uphill
+    if k tan lam reaches 1 (lead angle + friction angle = 90 deg). In a cut joint the rows carry N cos lam.
+    """
+    if b["n_beyond"] == 0:
+        return other + b["c_a"] * abs(axial)
+    along = k * b["lead"] / math.hypot(b["radius"], b["lead"]) * other - axial
+    rise = k * b["lead"] / b["radius"]
+    part = 1.0 - (rise if along > 0.0 else -rise)
+    return other + b["c_a"] * abs(along) / part if part > 0.0 else -1.0
+
+
+@kernel
+def _load(b, force, moment, n, k):
+    """Load of the joint from force and moment about it; k: friction over load, signed, for threads."""
     if b["form"] == BALL:
         return b["preload"] + b["c_r"] * math.sqrt(dot(force, force))
-    load = b["preload"] + b["c_r"] * _across(force, n)
-    load += abs(b["c_a"] * dot(force, n) - b["c_t"] * dot(moment, n))
-    return load + b["c_m"] * _across(moment, n)
+    load = b["preload"] + b["c_r"] * _across(force, n) + b["c_m"] * _across(moment, n)
+    if b["form"] == THREAD:
+        return _thread_load(b, dot(force, n), load, k)
+    return load + b["c_a"] * abs(dot(force, n))
 
 
 @kernel
@@ -270,11 +285,14 @@ def joint_friction(rec, ctl, fr, kk):
             force, moment = _hung_load(b, fr, place)
         else:
             force, moment = _cut_load(b, fr, lam)
-        load = b["mu"] * _load(b, force, moment, n)
         rise, rise_slope = stribeck(speed, b["ratio"], b["v_s"])
         sign, slope = coulomb(speed, b["v_eps"])
         slope = rise * slope + rise_slope * sign
         factor = rise * sign / speed if speed > 0.0 else slope
+        load = b["mu"] * _load(b, force, moment, n, b["mu"] * factor * b["v"][0])
+        if load < 0.0:
+            c["bad"] = e
+            return JAMMED
         for k in range(count):
             friction = -load * factor * b["v"][k]
             d = b["along"][k]

@@ -2,7 +2,8 @@
 """Contact of a point or sphere of body i with a plane, sphere, cylinder, cone, torus or triangles of body j.
 
 The centre of the sphere is the origin of the marker of body i; the surface is given in the axes of the marker
-of body j (contact/surface.py). Shapes may be convex or hollow. With triangles, up to four contacts with
+of body j (contact/surface.py). Shapes may be convex or hollow; a hollow cone may be touched along a circle
+(elements/contacts/seat.py). With triangles, up to four contacts with
 different normals are simultaneous (a ball in an edge of a box); of faces with similar normals the deepest is
 used.
 """
@@ -18,6 +19,7 @@ from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contacts.record import EVENTS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contacts.seat import circle_of_contact
 from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
 from pitchpoint.elements.contacts.wrench import act, begin, finish
 from pitchpoint.elements.kind import FRAME, Kind
@@ -31,7 +33,12 @@ OUTPUTS = RESULTS
 
 
 def set_surface(
-    record: np.void, form: str, size: ArrayLike = (), radius: float = 0.0, hollow: bool = False
+    record: np.void,
+    form: str,
+    size: ArrayLike = (),
+    radius: float = 0.0,
+    hollow: bool = False,
+    line: bool = False,
 ) -> None:
     """Set the sphere and the surface of body j of a contact.
 
@@ -48,6 +55,8 @@ def set_surface(
         Radius of the sphere of body i, 0 for a point [m].
     hollow
         Material outside the surface: a bore, a cup, a groove.
+    line
+        Hollow cone: contact along a circle, to which the law applies as a whole.
     """
     needed = {PLANE: 0, TORUS: 2}.get(NAMES[form], 1)
     given = np.atleast_1d(np.asarray(size, float))
@@ -55,7 +64,9 @@ def set_surface(
         raise ValueError(f"size: a {form} has {needed} sizes (limit above 0)")
     if NAMES[form] == CONE and given[0] >= 0.5 * np.pi:
         raise ValueError(f"size: half angle {given[0]:g} rad of the cone (limit below pi/2)")
-    record["form_j"], record["radius"] = NAMES[form], radius
+    if line and not (NAMES[form] == CONE and hollow):
+        raise ValueError("line contact of a sphere requires a hollow cone")
+    record["form_j"], record["radius"], record["stations"] = NAMES[form], radius, int(line)
     record["size_j"][:needed] = given
     record["sense"] = -1.0 if hollow else 1.0
     record["margin"] = np.inf
@@ -138,6 +149,8 @@ def point_surface(rec, ctl, fr, kk):
         b["side"] = 1.0
         if b["form_j"] == TRIANGLES:
             _on_triangles(b, c, f, g, kk)
+        elif b["stations"] > 0:
+            circle_of_contact(b, c, f, g, kk)
         else:
             _on_analytic(b, c, f, g, kk)
         finish(b, ctl, 0)

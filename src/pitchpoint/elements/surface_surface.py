@@ -8,8 +8,8 @@ tube radius is zero) is in the plane z = 0. For spheres use the kind point_surfa
   tilted; the law is for the whole line; flat ends;
 * cone on a plane: line contact along its flank, as a cylinder;
 * ring on a plane: contact at the lowest point of the circle;
-* ring on a cylinder, cone or ring, also in a hollow one; cone on a cylinder or cone: contact points of swept
-  balls (elements/contacts/swept.py);
+* ring on a cylinder, cone or ring, also in a hollow one; ring around a sphere; cone on a cylinder or cone:
+  contact points of swept balls (elements/contacts/swept.py);
 * crossed cylinders: one contact point, on the common normal of the axes, which must not be parallel; round
   ends;
 * triangles: contact at the centroid of every face that is inside the other body, weighted with half of the
@@ -148,7 +148,7 @@ def set_ring_on_surface(
     hollow: bool = False,
     line: bool = False,
 ) -> None:
-    """Set the contact of a ring of body i with a cylinder, cone or torus of body j.
+    """Set the contact of a ring of body i with a cylinder, cone, torus or sphere of body j.
 
     Parameters
     ----------

@@ -145,9 +145,12 @@ def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
     if origin is None:
         return None
     if kind == "coupling":
-        ends = parts.couplings[link].bodies
-        there = ends[1] if ends[0] == here else ends[0]
-        place = origin
+        coupling = parts.couplings[link]
+        first, second = coupling.bodies
+        there = second if first == here else first
+        step = coupling.position[2] if first == here else -coupling.position[2]
+        way = step * body_frame(parts, first)[1][:, 2]
+        place = (origin[0] + float(way[0]), origin[1] + float(way[1]), origin[2] + float(way[2]))
     else:
         mesh = parts.meshes[link]
         bodies = [parts.body_of(g) for g in mesh.gears]

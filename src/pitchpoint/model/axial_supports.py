@@ -15,7 +15,6 @@ from pitchpoint.model.frames import GROUND, body_frame, split
 from pitchpoint.model.rings import ring_bodies, rings_of
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.body import Body
     from pitchpoint.model.model import Model
 
 AXIAL = 1e-9
@@ -58,8 +57,8 @@ def without_axial_support(model: Model) -> Iterator[AxialSupport]:
     """
     if model.others:
         return
-    on_pins = {name for name, body in model.bodies.items() if _moves_on_its_bearings(model, body)}
-    held = _held_otherwise(model, on_pins)
+    on_pins = on_bearings_only(model)
+    held = held_otherwise(model, on_pins)
     bearings = _bearings(model, on_pins)
     for name, body in model.bodies.items():
         free = body.moves == "free" or name in on_pins
@@ -92,12 +91,16 @@ def _bearings(model: Model, on_pins: Collection[str]) -> dict[str, dict[str, tup
     return found
 
 
-def _moves_on_its_bearings(model: Model, body: Body) -> bool:
-    """Whether the joint of a body leaves all directions to its bearings."""
-    return body.joint is not None and model.joints[body.joint].type == "shaft"
+def on_bearings_only(model: Model) -> set[str]:
+    """Bodies whose joints leave all directions to their bearings, such as planets with `motion: free`."""
+    return {
+        name
+        for name, body in model.bodies.items()
+        if body.joint is not None and model.joints[body.joint].type == "shaft"
+    }
 
 
-def _held_otherwise(model: Model, on_pins: Collection[str]) -> set[str]:
+def held_otherwise(model: Model, on_pins: Collection[str]) -> set[str]:
     """Bodies that other elements than their bearings may hold along their axis, housings included.
 
     `on_pins`: bodies that their joints do not hold.
@@ -141,7 +144,7 @@ def _is_loaded(model: Model, name: str) -> bool:
     for load in model.loads.values():
         if load.body == name and load.force is not None and _pushes(load, z):
             return True
-    return bool(model.bodies[name].bevel_gears) or _is_pushed_by_teeth(model, name)
+    return bool(model.bodies[name].bevel_gears) or is_pushed_by_teeth(model, name)
 
 
 def _pushes(load: Any, z: Any) -> bool:
@@ -153,7 +156,7 @@ def _pushes(load: Any, z: Any) -> bool:
     return bool(abs(along) > AXIAL * np.linalg.norm(force))
 
 
-def _is_pushed_by_teeth(model: Model, name: str) -> bool:
+def is_pushed_by_teeth(model: Model, name: str) -> bool:
     """Whether cylindrical gears push a body along its axis, and do not hold it at the same time.
 
     Spur gears push a shaft as it bends: the normal of tilted flanks has an axial component.

@@ -27,7 +27,8 @@ PARALLEL = 1e-6
 
 
 def orient(parts: Parts) -> None:
-    """Determine the axes of every body: as given, or those of the bodies that its gears mesh with."""
+    """Determine the axes of every body: as given, or those of the bodies that its gears mesh with, or those
+    of a body that it is coupled with."""
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, orientation=body.axes)
     mates: dict[str, list[str]] = {}
@@ -49,6 +50,24 @@ def orient(parts: Parts) -> None:
             if parts.bodies[there].orientation is None:
                 parts.bodies[there] = replace(parts.bodies[there], orientation=parts.bodies[here].orientation)
                 queue.append(there)
+        if not queue:  # gears require parallel axes, couplings do not
+            queue.extend(_orient_coupled(parts))
+
+
+def _orient_coupled(parts: Parts) -> list[str]:
+    """Give one body without axes those of the body that it is coupled with; list it, if there is one.
+
+    Fixed bodies keep the axes of the world, to which their markers refer.
+    """
+    for coupling in parts.couplings.values():
+        for here, there in (coupling.bodies, coupling.bodies[::-1]):
+            if not {here, there} <= parts.bodies.keys() or parts.bodies[there].motion == "fixed":
+                continue
+            axes = parts.bodies[here].orientation
+            if axes is not None and parts.bodies[there].orientation is None:
+                parts.bodies[there] = replace(parts.bodies[there], orientation=axes)
+                return [there]
+    return []
 
 
 def ends_of(parts: Parts, mesh: Mesh) -> tuple[str | None, str | None]:

@@ -58,8 +58,9 @@ def rings_of(machine: Any, part: Ringed) -> tuple[Ring, Ring]:
     """Inner and outer ring of a bearing as assembled.
 
     A ring on ground has the position and axes of the other ring, wherever its shaft is. So has a ring on a
-    body without marker that carries the body of the other ring by a joint, such as a planet carrier. The
-    rings of a bearing with `body` coincide; they have the axes of this body.
+    body without marker that carries the body of the other ring by a joint, such as a planet carrier; the
+    position of the bearing is along the axis from there. The rings of a bearing with `body` coincide; they
+    have the axes of this body.
 
     Parameters
     ----------
@@ -77,7 +78,9 @@ def rings_of(machine: Any, part: Ringed) -> tuple[Ring, Ring]:
     places = [place_of(machine, end) for end in (one, two)]
     turned = [axes_of(machine, end) for end in (one, two)]
     if (k := following(machine, part)) is not None:
-        places[k], turned[k] = places[1 - k], turned[1 - k]
+        turned[k] = turned[1 - k]
+        held = places[1 - k]
+        places = 2 * [None if held is None else held + turned[k][:, 2] * part.position[2]]
     inner, outer = (
         Ring(split(end)[0], place, place, axes)
         for end, place, axes in zip((one, two), places, turned, strict=True)

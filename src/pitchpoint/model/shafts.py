@@ -163,6 +163,10 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
         for name, part in getattr(machine, group).items():
             if part.body in found:
                 found[part.body].append(((group, name, "position"), part.position[2]))
+            for end in getattr(part, "ends", None) or ():
+                shaft, marker = split(end)
+                if shaft in found and part.position[2] != 0.0 and not marker:
+                    found[shaft].append(((group, name, "position"), part.position[2]))
     for group in SEATED:
         for name, part in getattr(machine, group).items():
             shaft = "" if part.housing is None else split(part.housing)[0]

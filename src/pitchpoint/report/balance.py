@@ -77,7 +77,7 @@ def balancing_torques(model: Model, progress: Progress = silent) -> dict[str, di
 
 
 def _of(model: Model, name: str) -> dict[str, Any]:
-    from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
+    from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
     from pitchpoint.solvers.initial_state.start import prepare_start
     from pitchpoint.solvers.mean_balance import balanced_words
     from pitchpoint.solvers.speed_drift import instability

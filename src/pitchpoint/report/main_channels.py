@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 RESULTANTS = ("radial", "axial")
 """Components of a bearing force that represent all others."""
 MESH = ("mesh_force", "transmission_error", "contact_state")
-CONNECTIONS = ("torque", "coupling_force", "tension", "contact_force", "slip_speed")
+CONNECTIONS = ("torque", "holding_torque", "coupling_force", "tension", "contact_force", "slip_speed")
 OTHERS = ("deflection", "mesh_stiffness", "speed", "displacement", "friction_power")
 """Quantities drawn if a machine has no main channels but speeds."""
 FEW = 12

@@ -19,9 +19,13 @@ The sources are
   mode (`tooth_response`), which differs with torques that follow a tilting axis. A component with the share q
   of V, such as a bearing, responds with sqrt(q) times the response of the machine, which is the geometric
   mean of its deflection over e and of its force over k e;
+* shuttling force of a mesh under load (`tooth_wave`): its centre of force moves across the face width and
+  tilts the gears. Mesh orders act with the transmission errors and shuttling forces of their harmonic, in
+  their sizes and phases at this load: f = p, with the energy E = (sum k |e|^2 + that of the static
+  deflection by shuttling)/4, and X = |p^H z|^2/(16 E);
 * eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
-  unfavourable one, as are the phases of several meshes of one frequency, whose energies X add up;
+  unfavourable one, as are the phases of several meshes in sidebands and run-out, whose energies X add up;
 * torque M on a body of the moment of inertia J: its acceleration is J |phi''| = M T_r/((T + V) zeta) with the
   kinetic energy T_r of its rotation;
 * ripple of a driven body: that of the elements between it and the machine, as for a transmission error.
@@ -47,6 +51,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.campbell import Campbell
+from pitchpoint.solvers.cycle_means import nearest, observed_phases
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.mode_energies import (
@@ -59,15 +64,18 @@ from pitchpoint.solvers.mode_energies import (
     whirl_words,
 )
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.tooth_response import tooth_response
+from pitchpoint.solvers.tooth_response import Phases, Source, errors_of, teeth_of, tooth_response
 from pitchpoint.solvers.unstable_modes import UNDAMPED
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
+SHUTTLING = "shuttling force"
 UNBALANCE, MISALIGNMENT = "unbalance", "misalignment"
 TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
-BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN, DRIVEN)
+BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
 ROTATION = WAYS.index("rotation")
+AHEAD = 1e-3
+"""Rotation of the reference body that shows in which direction the phases move [rad]."""
 ROUNDING = 1e-12
 """Share of the energy up to which nothing is excited."""
 ROUNDS, EXACT = 6, 1e-9
@@ -78,11 +86,30 @@ DAMPED = 0.012 / (2.0 * np.pi)
 RANKING = (
     "ranked by the response of the machine at resonance: root of the energy of its vibration over that of "
     f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
-    "where the order acts, such as tooth deflection over transmission error; an unbalance acts on the "
-    "forward whirl of a mode only, and several meshes have their most unfavourable phases (pitchpoint "
-    "frequencies lists the motion that each harmonic excites in planetary sets)"
+    "where the order acts, such as tooth deflection over transmission error; mesh orders act with the "
+    "transmission errors and shuttling forces of all their meshes under the load of the scenario, in phase; "
+    "an unbalance acts on the forward whirl of a mode only, and sidebands have their most unfavourable phases"
 )
 """How crossings are ranked, for outputs."""
+
+
+@dataclass(frozen=True)
+class ByTeeth:
+    """A mode excited by teeth.
+
+    Parameters
+    ----------
+    energy
+        Twice the strain energy where the excitation acts, as z^H K z.
+    gain
+        Amplification times damping ratio.
+    shuttles
+        Whether shuttling forces drive it more than transmission errors.
+    """
+
+    energy: float
+    gain: float
+    shuttles: bool
 
 
 @dataclass(frozen=True)
@@ -104,11 +131,12 @@ class CriticalSpeed:
     whirl
         Whirl of the mode at this speed.
     source
-        What drives the mode: unbalance, misalignment, run-out, transmission error, pulsating torque, ripple
-        of the drive, bearing fault, given order.
+        What drives the mode: unbalance, misalignment, run-out, transmission error, shuttling force, pulsating
+        torque, ripple of the drive, bearing fault, given order.
     participation
-        Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, run-out,
-        bearing fault) of the mode where the order acts, 0 to 1; of meshes that of the mean tooth deflection.
+        Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, shuttling
+        force, run-out, bearing fault) of the mode where the order acts, 0 to 1; of transmission errors that
+        of the mean tooth deflection.
     amplification
         Amplification at resonance, see the module; infinite without damping or if the mode is unstable.
     response
@@ -140,22 +168,56 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         return ()
     _, _, speeds, values, shapes = zip(*solved, strict=True)
     z, senses = np.array(shapes), senses_of(found.motions, found.rates)
-    turning, gains = np.zeros(len(z)), np.zeros(len(z))
+    turning = np.zeros(len(z))
+    phases = mesh_phases(found)
+    sources = {order: _source(found, order, phases) for order in orders}
+    by_teeth: list[ByTeeth | None] = []
     for k, (order, _, speed, value, shape) in enumerate(solved):
         at = found.modes.at(speed)
         turning[k] = gyroscopic_terms(z[k : k + 1], at.D)[0]
         near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
-        own = [found.motions.laws[name] for name in order.meshes]
-        gains[k] = tooth_response(at, own, value, shape, near)
+        source = sources[order]
+        if source is None:
+            by_teeth.append(None)
+            continue
+        gain = tooth_response(at, source, value, shape, near)
+        by_teeth.append(ByTeeth(source.energy(shape), gain, source.shuttles(shape)))
     energies = energies_of(
         found.motions, z, np.array(values), turning, np.sign(np.array(speeds))[:, None] * senses
     )
     words = whirl_words(energies)
     listed = [
-        _critical(found, order, mode, speed, value, (energies, k, words[k], gains[k]))
+        _critical(found, order, mode, speed, value, (energies, k, words[k], by_teeth[k]))
         for k, (order, mode, speed, value, _) in enumerate(solved)
     ]
     return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
+
+
+def _source(found: Campbell, order: Order, phases: Phases) -> Source | None:
+    """Excitation by the meshes of an order.
+
+    Mesh orders have the phases of the meshes to each other; sidebands, whose phases depend on what modulates
+    them, and run-out have the most unfavourable ones.
+    """
+    own = {name: found.motions.laws[name] for name in order.meshes}
+    known = found.modes.modes
+    if order.kind not in (MESH, SIDEBAND):
+        return errors_of(own.values())
+    at_rest = known.whole or (known.omega, known.shapes)
+    return teeth_of(own, order.harmonic, at_rest, phases if order.kind == MESH else None)
+
+
+def mesh_phases(found: Campbell) -> Phases:
+    """Phase of the loaded flank of each mesh at the operating point, and whether it grows."""
+    system, state = found.motions.system, found.motions.state
+    moved = state.copy()
+    moved.q += AHEAD * found.rates
+    names = list(found.motions.laws)
+    seen = []
+    for at in (state, moved):
+        observed = observed_phases(system, at, range(len(names)))
+        seen.append({m: phase[-1 if contact < 0.0 else 1] for m, (contact, phase) in observed})
+    return {name: (seen[0][m], nearest(seen[1][m] - seen[0][m]) > 0.0) for m, name in enumerate(names)}
 
 
 def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: int) -> list[tuple[int, int]]:
@@ -204,17 +266,22 @@ def _critical(
     mode: int,
     speed: float,
     value: complex,
-    about: tuple[Energies, int, str, float],
+    about: tuple[Energies, int, str, ByTeeth | None],
 ) -> CriticalSpeed:
-    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, `tooth_response`."""
-    energies, k, whirl, of_teeth = about
+    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, excited by teeth."""
+    energies, k, whirl, teeth = about
     ratio = float(ratio_of(np.array([value]))[0])
     ratio = ratio if abs(ratio) > UNDAMPED else 0.0
     source, share = driven_by(found.motions, energies, k, order)
-    share = min(share, 1.0) if share > ROUNDING else 0.0
     strain = float(energies.strain_ratio[k])  # V/T
     size = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)  # X/(T + V)
-    size = of_teeth if source in (ERROR, RUN_OUT) and share > 0.0 else size
+    if source in (ERROR, RUN_OUT):
+        whole = float(energies.whole_strain[k])
+        share = teeth.energy / whole if teeth is not None and whole > 0.0 else 0.0
+        size = teeth.gain if teeth is not None else 0.0
+        source = SHUTTLING if teeth is not None and teeth.shuttles else source
+    share = min(share, 1.0) if share > ROUNDING else 0.0
+    size = size if share > 0.0 else 0.0
     gain = size / ratio if ratio > 0.0 else np.inf if size > 0.0 else 0.0
     return CriticalSpeed(
         speed=speed,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean damping and stiffness of meshes over the mesh cycle; unloaded meshes are set to first contact.
+"""Meshes over their cycle: mean damping and stiffness, and forces; unloaded meshes are set to first contact.
 
 The mesh cycle is traversed by shifting the path of contact while all bodies are fixed: every mesh of a train
 has its own mean, independent of the periods of the others. Independent meshes are evaluated simultaneously.
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements.mesh import record as mesh
 from pitchpoint.elements.mesh.tooth_pairs import MAX_SPLIT
 from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
-from pitchpoint.solvers.element_tangents import tangents
+from pitchpoint.solvers.element_tangents import residual_of, tangents
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.unloaded_flanks import shift_into_contact
 from pitchpoint.system import evaluate
@@ -33,7 +33,9 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 
-_GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(3)
+GAUSS = 3
+"""Quadrature phases between two kinks."""
+_GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(GAUSS)
 _MOVED = ("xi_0", "xi_b", "u0")
 """Fields of a mesh record that define its position in the cycle."""
 
@@ -118,10 +120,33 @@ class _Cycle:
     blocks: Block
 
 
+@dataclass(frozen=True)
+class CycleMean:
+    """A mesh over its cycle.
+
+    Parameters
+    ----------
+    damping, stiffness
+        Mean blocks, shape (number of blocks, 6, 6), in the order of `element_batches.blocks_of`.
+    phases, weights
+        Phases of the loaded flank and their weights in the mean, see `cycle_nodes`, shape (n,); none if the
+        mesh is unloaded.
+    places, forces
+        Coordinates of the equilibrium and generalised forces of the mesh at these phases, shape (n, nd).
+    """
+
+    damping: Array
+    stiffness: Array
+    phases: Array
+    weights: Array
+    places: Array
+    forces: Array
+
+
 def cycle_means(
     system: System, state: State, held: tuple[int, ...], loose: Collection[str], rates: Array
-) -> dict[int, tuple[Array, Array]]:
-    """Mean damping and stiffness blocks of every mesh over its cycle; the other meshes stay at their phase.
+) -> dict[int, CycleMean]:
+    """Every mesh over its cycle, by index of the mesh; the other meshes stay at their phase.
 
     Parameters
     ----------
@@ -133,12 +158,6 @@ def cycle_means(
         Names of the unloaded meshes, which are set to first contact.
     rates
         Rates of the speed-dependent loads of the meshes.
-
-    Returns
-    -------
-    dict
-        By mesh index: damping and stiffness, shape (number of blocks, 6, 6) each, in the order of
-        `element_batches.blocks_of`.
     """
     names, places = mesh_names(system), mesh_places(system)
     free = [m for m in range(len(names)) if names[m] in loose]
@@ -148,7 +167,7 @@ def cycle_means(
     batches += independent_batches(
         loaded, [{int(machine[int(mesh_record(system, m)[e])]) for e in "ij"} - {0} for m in loaded]
     )
-    found: dict[int, tuple[Array, Array]] = {}
+    found: dict[int, CycleMean] = {}
     for batch in batches:
         found |= _means_together(system, state, held, batch, names[batch[0]] in loose, rates)
     return found
@@ -156,12 +175,13 @@ def cycle_means(
 
 def _means_together(
     system: System, state: State, held: tuple[int, ...], batch: Sequence[int], loose: bool, rates: Array
-) -> dict[int, tuple[Array, Array]]:
-    """Means of independent meshes, evaluated simultaneously."""
+) -> dict[int, CycleMean]:
+    """Cycles of independent meshes, evaluated simultaneously."""
     cycles = {m: _cycle(system, m, values) for m, values in observed_phases(system, state, batch)}
     records = mesh_records(system)
     kept = {m: records[m].copy() for m in batch}
     total = {m: np.zeros((2, len(c.blocks.places), 6, 6)) for m, c in cycles.items()}
+    seen: dict[int, list[tuple[Array, Array]]] = {m: [] for m in batch}
     at = state
     try:
         for step in range(max(c.phases.size for c in cycles.values())):
@@ -179,11 +199,25 @@ def _means_together(
             both = tangents(system, at, _records(system, active))
             for m, cycle in active.items():
                 total[m] += cycle.weights[step] * np.array([x[cycle.blocks.places] for x in both])
+                if not loose:
+                    force = -residual_of(system, at, _records(system, [m]))
+                    seen[m].append((at.q, force))
     finally:
         for m in batch:
             _put_back(records[m], kept[m])
         evaluate.residual(system, state)
-    return {m: (x[0], x[1]) for m, x in total.items()}
+    nd = system.sizes["nd"]
+    return {
+        m: CycleMean(
+            total[m][0],
+            total[m][1],
+            cycles[m].phases[: len(rows)],
+            cycles[m].weights[: len(rows)],
+            np.array([q for q, _ in rows]).reshape(-1, nd),
+            np.array([force for _, force in rows]).reshape(-1, nd),
+        )
+        for m, rows in seen.items()
+    }
 
 
 def _put_back(record: np.void, kept: np.void) -> None:

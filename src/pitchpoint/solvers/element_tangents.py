@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import FORCE, JOINT, MESH, TORQUE
 from pitchpoint.elements.signal import set_constant
+from pitchpoint.solvers.eigen import symmetric
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import TABLES, kind_of_row
 from pitchpoint.system.system import State, System
@@ -123,6 +124,14 @@ def tangents(
     return damping - bare_damping, stiffness - bare_stiffness
 
 
+def residual_of(system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]) -> Array:
+    """Part of some records in the residual, their negative generalised forces, shape (nd,)."""
+    with switched(system, on):
+        own = evaluate.residual(system, state)
+    with switched(system, {}):
+        return own - evaluate.residual(system, state)
+
+
 def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
     """Blocks of the matrix of the bodies alone, without any element."""
     with switched(system, {}):
@@ -141,12 +150,28 @@ def massive_kinds(system: System, state: State) -> tuple[str, ...]:
     return tuple(found)
 
 
-def inertial_stiffness(system: System, state: State, still: State) -> Array:
-    """Centrifugal stiffness of a steady rotation, of bodies and massive elements."""
+def inertial_stiffness(system: System, state: State, still: State, rigid: Array) -> Array:
+    """Centrifugal stiffness of a steady rotation, of bodies and massive elements; symmetric, shape (nd, nd).
+
+    Parameters
+    ----------
+    system, state, still
+        The system, the operating point, and the same position at rest.
+    rigid
+        Unconstrained rigid rotations, shape (r, nd). They do no work against it: the centrifugal force of an
+        unbalance passes through the axis and rotates with the body. The part of the tangent that rotates this
+        force is not symmetric, and half of it would be a stiffness of the rotation.
+    """
     on = dict.fromkeys(massive_kinds(system, still), slice(None))
     with switched(system, on):
         turning = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
-        return turning - evaluate.matrix(system, still, 0.0, 0.0, 1.0)
+        found = symmetric(turning - evaluate.matrix(system, still, 0.0, 0.0, 1.0))
+    if not len(rigid):
+        return found
+    weighted = rigid @ evaluate.matrix(system, still, 1.0, 0.0, 0.0)
+    within = np.linalg.solve(weighted @ rigid.T, weighted)
+    out = found @ rigid.T @ within
+    return np.asarray(found - out - out.T + within.T @ (rigid @ out))
 
 
 def element_names(system: System, kind: str) -> tuple[str, ...]:

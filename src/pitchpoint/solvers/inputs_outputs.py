@@ -9,7 +9,7 @@ Inputs: a coordinate (`BODY.spin`), a force or moment on a body in world axes (`
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,32 +45,27 @@ class Input:
     name, unit
         Name and unit.
     force, rate, turning
-        Shape (nd,); `turning` is complex.
+        Shape (nd,), real or complex; `turning` is complex.
     follows
         Motion of the coordinates equivalent to a transmission error of the flanks (`mesh_law`), or zeros,
         shape (nd,).
     mesh
         Index of the mesh of a transmission error, -1 for other inputs.
     direct
-        Whether outputs contain the transmission error itself, in addition to its rate.
+        Transmission error per unit that outputs contain in addition to its rate.
     speed
         Speed of the body of an unbalance about its axis [rad/s], for the rates of the analysis; else None.
     """
 
     name: str
     unit: str
-    force: Array
-    rate: Array
+    force: NDArray[np.inexact]
+    rate: NDArray[np.inexact]
     turning: NDArray[np.complex128]
-    follows: Array
+    follows: NDArray[np.inexact]
     mesh: int = -1
-    direct: bool = True
+    direct: complex = 1.0
     speed: float | None = None
-
-    def parts(self) -> tuple[Input, Input]:
-        """A transmission error through the stiffness of its mesh, and one through its dampers."""
-        none = np.zeros_like(self.force)
-        return replace(self, rate=none, follows=none), replace(self, force=none, direct=False)
 
     def at(self, omega: float) -> NDArray[np.complex128]:
         """Generalised forces at a circular frequency [rad/s], shape (nd,)."""

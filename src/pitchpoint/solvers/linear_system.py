@@ -161,11 +161,11 @@ def linearise(
     at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v)
     D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, stopped, 0.0, 1.0, 0.0)
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, stopped, 0.0, 0.0, 1.0)
-    if state.v.any():
-        at_rest = _turning(own, state, stopped, at_rest)
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
+    if state.v.any():
+        at_rest = _turning(own, state, stopped, at_rest, rigid)
     return Linearised(
         own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at
     )
@@ -228,9 +228,9 @@ def _of_one_position(system: System, state: State) -> tuple[str, ...]:
     return tuple(notes)
 
 
-def _turning(system: System, state: State, stopped: State, at_rest: Parts) -> Parts:
+def _turning(system: System, state: State, stopped: State, at_rest: Parts, rigid: Array) -> Parts:
     """Add the centrifugal stiffness of a steady rotation as one more part."""
-    more = symmetric(inertial_stiffness(system, state, stopped))
+    more = inertial_stiffness(system, state, stopped, rigid)
     if np.abs(more).max(initial=0.0) <= NONE * np.abs(at_rest.K).max(initial=0.0):
         return at_rest
     return replace(

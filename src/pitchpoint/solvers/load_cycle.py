@@ -268,32 +268,6 @@ def pulsating_loads(system: System, state: State, motions: Array) -> list[Pulsat
     return found
 
 
-def pulsation(system: System, state: State, held: Sequence[int], cycle: LoadCycle | None) -> Array:
-    """Pulsating torques at a state less their means, reduced to the held spins [N m], shape (len(held),).
-
-    Parameters
-    ----------
-    system, state
-        The system of a roll, and a position of it.
-    held
-        Held spins.
-    cycle
-        Mean torques that the balancing torques balance, if any.
-    """
-    total = np.zeros(len(held))
-    if cycle is None:
-        return total
-    evaluate.residual(system, state)
-    motions = rotations(system, held)
-    for k, mean in cycle.means.items():
-        record = system.records[LOAD][k]
-        if int(record["form"]) == CONSTANT:
-            continue
-        angle, _, row = relative_turn(system, state, record)
-        total += (float(values_of(record, state.t, np.array([angle]), 0.0)[0]) - mean) * (row @ motions)
-    return total
-
-
 def relative_turn(system: System, state: State, record: np.void) -> tuple[float, float, Array]:
     """Angle [rad] and speed [rad/s] of the body of a load relative to its reaction; the speed per rate.
 

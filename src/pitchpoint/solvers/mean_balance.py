@@ -20,8 +20,9 @@ from pitchpoint.elements.kind import MESH
 from pitchpoint.elements.mesh.record import SURFACE
 from pitchpoint.elements.signal import TWO_PI
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, balancing_loads
+from pitchpoint.solvers.equilibrium.solve import NOW
 from pitchpoint.solvers.gear_trains import mesh_rates
 from pitchpoint.solvers.load_cycle import LoadCycle
 from pitchpoint.system.system import State, System

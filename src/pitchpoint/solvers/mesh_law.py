@@ -27,9 +27,11 @@ from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record, one_m
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.stiffness_parts import Parts
+    from pitchpoint.solvers.tooth_wave import ToothWave
     from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,8 @@ class MeshLaw:
         K s and D s [N/m, N s/m]; zero without a gear that can rotate.
     force, force_by_rate
         Force along the base tangent by coordinates and rates: rows s^T K and s^T D.
+    wave
+        Excitation over the mesh cycle; None if the mesh is unloaded or evaluated at one phase.
     """
 
     travel: Array
@@ -54,13 +58,36 @@ class MeshLaw:
     damping: Array
     force: Array
     force_by_rate: Array
+    wave: ToothWave | None = None
 
     @property
     def mean(self) -> float:
         """Stiffness k = s^T K s against the mean deflection of the teeth over the face [N/m]."""
         return float(self.force @ self.turn)
 
-    def deflection_energy(self, shapes: NDArray[np.complex128]) -> Array:
+    def excitation(self, count: int, phase: float = 0.0, forward: bool = True) -> tuple[Complex, Complex]:
+        """Transmission error e and shuttling forces c of the harmonics 1 to `count` over the cycle.
+
+        Complex amplitudes over the time in which the mesh moves from a phase of the loaded flank, `forward`
+        if this phase grows; K s e + c are the forces of `tooth_wave`. Zero for unloaded meshes.
+
+        Returns
+        -------
+        e
+            [m], shape (count,).
+        c
+            Shape (count, nd).
+        """
+        forces = np.zeros((count, self.turn.size), complex)
+        if self.wave is None or not self.mean > 0.0:
+            return np.zeros(count, complex), forces
+        turned = np.exp(2j * np.pi * phase * np.arange(1, count + 1))[:, None]
+        forces[:, self.wave.places] = self.wave.harmonics(count) * turned
+        forces = forces if forward else forces.conj()
+        e = np.asarray(forces @ self.turn / self.mean, np.complex128)
+        return e, forces - np.outer(e, self.stiffness)
+
+    def deflection_energy(self, shapes: Complex) -> Array:
         """Twice the strain energy k |u|^2 of the mean deflection u = F/k of the teeth, shape (n,).
 
         A uniform flank error excites and causes this deflection. Flanks that tilt against each other have
@@ -88,6 +115,7 @@ def mesh_law(system: System, parts: Parts, k: int) -> MeshLaw:
         _times(D, turn),
         _times(Share(K.places, K.matrix.T), turn),
         _times(Share(D.places, D.matrix.T), turn),
+        parts.waves.get(name),
     )
 
 

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forced response to the transmission errors of the meshes: from flanks to bearings and housing, by order.
+"""Forced response to the excitation by the meshes: from flanks to bearings and housing, by order.
 
-The loaded transmission error of each mesh, from a slow roll under the load of the scenario, excites the
-linear system as a displacement between its flanks. Its harmonics at all speeds give the response by mesh
-order.
+The loaded transmission error of each mesh and the moving centre of its force (`mesh_excitation`) excite the
+linear system. Their harmonics at all speeds give the response by mesh order.
 """
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,19 +16,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import SolverError, join_notes
-from pitchpoint.core.progress import Progress, report_step, silent
-from pitchpoint.core.status import INCONSISTENT, OK
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.model.tooth_errors import periods_of_errors
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.inputs_outputs import check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import linearise, rates_of
+from pitchpoint.solvers.mesh_excitation import mesh_excitation
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.operating_point import scenario_named
-from pitchpoint.solvers.quasistatic.roll import roll_through
-from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -113,7 +108,7 @@ def find_mesh_response(
     points: int = 64,
     progress: Progress = silent,
 ) -> MeshResponse:
-    """Response to the loaded transmission error of every mesh, over the speed of a body.
+    """Response to the loaded transmission error and moving force of every mesh, over the speed of a body.
 
     Parameters
     ----------
@@ -144,12 +139,13 @@ def find_mesh_response(
 
     Notes
     -----
-    y(i omega) = H_K(i omega) e(i omega) + H_D(i omega) e_f(i omega), omega = h z n: H_K and H_D are the
-    responses to a transmission error through the mean mesh stiffness and through the dampers
-    (`frequency_response`), e the loaded transmission error at constant torque, e_f the error of the flanks.
-    At low speed the gears follow e. Valid while the flanks stay in contact and the dynamic mesh force is
-    small against the mean force, since the variation of the stiffness then excites with the static
-    deflection; near parametric resonances and after contact loss run a time response. Errors of different
+    y(i omega) = H(i omega) p(i omega) + H_D(i omega) e_f(i omega), omega = h z n: H is the response to
+    generalised forces, H_D that to a transmission error through the dampers (`frequency_response`), p the
+    excitation at constant torque and e_f the error of the flanks (`mesh_excitation`). At low speed the
+    gears follow the loaded transmission error. Valid while the flanks stay in contact and the dynamic mesh
+    force is small against the mean force, since the variation of the stiffness then excites with the static
+    deflection; near parametric resonances and after contact loss run a time response. Excitations of
+    different
     meshes have the phases of the initial position.
     """
     displacements, powers = zip(*(motion_of(name) for name in outputs), strict=True)
@@ -165,12 +161,15 @@ def find_mesh_response(
     if not orders:
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
     outs = find_outputs(linear, displacements)
-    errors, notes = [], list(linear.notes)
+    excitations, notes = [], list(linear.notes)
     for mesh in orders:
-        found, more = loaded_error(system, scenario, mesh, harmonics, points, along=rates)
-        errors.append(found)
-        notes += [n for n in more if n not in notes]
-    ins = [port.parts() for port in find_inputs(linear, [f"transmission_error[{m}]" for m in orders])]
+        excitations.append(mesh_excitation(system, scenario, linear, mesh, harmonics, points, along=rates))
+        notes += [n for n in excitations[-1].notes if n not in notes]
+    ports = find_inputs(linear, [f"transmission_error[{m}]" for m in orders])
+    ins = [
+        [found.inputs(port, h) for h in range(harmonics)]
+        for found, port in zip(excitations, ports, strict=True)
+    ]
     response = np.zeros((turning.size, len(orders), harmonics, len(outputs)), complex)
     rise = np.array(powers)
     for s, speed in enumerate(turning):
@@ -179,8 +178,8 @@ def find_mesh_response(
         for m, order in enumerate(orders.values()):
             for h in range(1, harmonics + 1):
                 omega = abs(speed) * h * order
-                per_unit = respond(at, matrices, at.basis, ins[m], outs, omega)
-                response[s, m, h - 1] = (per_unit @ errors[m][:, h - 1]) * (1j * omega) ** rise
+                found = respond(at, matrices, at.basis, ins[m][h - 1], outs, omega)
+                response[s, m, h - 1] = found.sum(axis=1) * (1j * omega) ** rise
         progress(s + 1, turning.size, "speeds")
     modes = find_modes(system, scenario, linear=linear)
     return MeshResponse(
@@ -189,7 +188,7 @@ def find_mesh_response(
         tuple(m for m in orders for _ in range(harmonics)),
         tuple(h for _ in orders for h in range(1, harmonics + 1)),
         np.array([h * o for o in orders.values() for h in range(1, harmonics + 1)]),
-        np.concatenate([loaded for loaded, _ in errors]),
+        np.concatenate([found.error for found in excitations]),
         response.reshape(turning.size, -1, len(outputs)),
         tuple(outputs),
         tuple(f"{u}{('', '/s', '/s^2')[p]}" for u, p in zip(outs.units, powers, strict=True)),
@@ -197,83 +196,6 @@ def find_mesh_response(
         modes.names,
         tuple(notes),
     )
-
-
-def loaded_error(
-    system: System,
-    scenario: Scenario | str | None,
-    mesh: str,
-    harmonics: int,
-    points: int,
-    along: Array | None = None,
-) -> tuple[Complex, tuple[str, ...]]:
-    """Harmonics of the errors of a mesh [m], complex peak amplitudes, shape (2, harmonics), and notes.
-
-    The loaded transmission error, which acts through the stiffness, and the error of its flanks, whose rate
-    the dampers feel: teeth of varying stiffness move without moving the flanks. Both are means over all tooth
-    pairs (`rolled_periods`), so that eccentric gears and single teeth do not count as orders of the mesh. The
-    roll goes in the direction of the rates `along`, by default those of the scenario.
-    """
-    chosen, k = scenario_named(system, scenario), mesh_names(system).index(mesh)
-    flanks: list[float] = []
-
-    def look(own: System, _: Array) -> None:
-        """Keep the error of the flanks."""
-        flanks.append(float(mesh_record(own, k)["now"]["e_t"]))
-
-    at, share = (
-        ((0,), np.ones(1)) if system.model is None else rolled_periods(*periods_of_errors(system.model, mesh))
-    )
-    roll = roll_through(
-        system, chosen, points, mesh=mesh, others=False, look=look, at=at, along=along, progress=_of_roll
-    )
-    if roll.status != OK:
-        raise SolverError(f"slow roll of {mesh}: {roll.sentence}", roll.status)
-    curve = roll.rows[:-1, system.layout.channel(f"transmission_error[{mesh}]")]
-    mean = share @ np.array([curve, flanks[: curve.size]]).reshape(2, -1, points)
-    series = 2.0 * np.fft.rfft(mean) / points
-    return series[:, 1 : harmonics + 1], roll.notes
-
-
-def _of_roll(done: float, total: float, note: str = "") -> None:
-    """Report the progress of a roll, which comes before the speeds."""
-    report_step(f"{note}, {100.0 * done / total:.0f} %")
-
-
-def rolled_periods(n_1: int, n_2: int) -> tuple[tuple[int, ...], Array]:
-    """Periods of a mesh whose weighted mean is that over all pairs of teeth, and their weights.
-
-    Parameters
-    ----------
-    n_1, n_2
-        Periods after which the errors of gear 1 and of gear 2 repeat.
-
-    Notes
-    -----
-    With errors of both gears the mean is that over the hunting period of lcm(n_1, n_2) periods for
-    e = f(psi) + f_1(psi, tooth of gear 1) + f_2(psi, tooth of gear 2): the mean over the teeth of gear 1 that
-    meet one tooth of gear 2, plus that over the teeth of gear 2 that meet one tooth of gear 1, less the pair
-    that is in both. Products of errors of both gears are neglected. Tooth numbers with a common divisor g
-    have g such sets of pairs.
-
-    Examples
-    --------
-    >>> rolled_periods(1, 3)
-    ((0, 1, 2), array([0.33333333, 0.33333333, 0.33333333]))
-    >>> rolled_periods(2, 3)[0]
-    (0, 3, 2, 4)
-    """
-    if min(n_1, n_2) == 1:
-        n = max(n_1, n_2)
-        return tuple(range(n)), np.full(n, 1.0 / n)
-    share: dict[int, float] = {}
-    g = math.gcd(n_1, n_2)
-    for r in range(g):
-        for own, step in ((n_1, n_2), (n_2, n_1)):
-            for k in range(own // g):
-                share[r + k * step] = share.get(r + k * step, 0.0) + 1.0 / own
-        share[r] -= 1.0 / g
-    return tuple(share), np.array(list(share.values()))
 
 
 def solve_mesh_response(
@@ -287,7 +209,7 @@ def solve_mesh_response(
     points: int = 64,
     progress: Progress = silent,
 ) -> xr.Dataset:
-    """Response to the loaded transmission errors as a dataset; parameters as in `find_mesh_response`.
+    """Response to the excitation by the meshes as a dataset; parameters as in `find_mesh_response`.
 
     Returns
     -------
@@ -311,7 +233,7 @@ def mesh_response_dataset(system: System, found: MeshResponse, **attrs: Any) -> 
 
     dims = ("speed", "order", "output")
     data = {
-        "response": (dims, found.response, {"long_name": "response to the loaded transmission error"}),
+        "response": (dims, found.response, {"long_name": "response to the excitation by the meshes"}),
         "amplitude": (dims, np.abs(found.response), {"long_name": "peak amplitude"}),
         "frequency": (dims[:2], found.frequency, {"units": "Hz", "long_name": "excitation frequency"}),
         "error": ("order", np.abs(found.error), {"units": "m", "long_name": "loaded transmission error"}),

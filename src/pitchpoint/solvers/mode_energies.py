@@ -107,6 +107,8 @@ class Energies:
     ----------
     strain
         Share of each component in the strain energy, shape (n, components); zero for rigid modes.
+    whole_strain
+        Sum of z^H K z over all components, shape (n,).
     teeth
         Share of the mean deflection of the teeth of each mesh in the strain energy, a part of that of the
         mesh, shape (n, meshes), in the order of `Motions.laws`.
@@ -122,6 +124,7 @@ class Energies:
     """
 
     strain: Array
+    whole_strain: Array
     teeth: Array
     kinetic: Array
     strain_ratio: Array
@@ -189,6 +192,7 @@ def energies_of(
     ahead, back = _whirls(groups, twist, wrench, senses)
     return Energies(
         strain=np.divide(strain, total[:, None], out=np.zeros_like(strain), where=total[:, None] != 0.0),
+        whole_strain=total,
         teeth=np.divide(teeth, total[:, None], out=np.zeros_like(teeth), where=total[:, None] != 0.0),
         kinetic=kinetic / whole[:, None, None],
         strain_ratio=total / inertia,

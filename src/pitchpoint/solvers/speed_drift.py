@@ -15,7 +15,7 @@ from pitchpoint.core.formula.periods import phases_of
 from pitchpoint.core.units import format_quantity
 from pitchpoint.elements.kind import CLUTCH, MESH
 from pitchpoint.model.components.law import FormulaLaw, Law, PythonLaw, TableLaw
-from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import free_motions, spins_of_train
 from pitchpoint.solvers.speed_stability import REMEDY, UnstableSpeed, unstable_speed

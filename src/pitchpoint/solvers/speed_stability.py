@@ -22,8 +22,8 @@ from pitchpoint.elements.kind import CLUTCH
 from pitchpoint.elements.signal import CONSTANT
 from pitchpoint.elements.torque import slopes_of
 from pitchpoint.solvers.element_tangents import without_friction
+from pitchpoint.solvers.equilibrium.balancing import LOAD
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import free_motions
 from pitchpoint.solvers.load_cycle import pulsating_loads, relative_turn

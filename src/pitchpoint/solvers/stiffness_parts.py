@@ -18,6 +18,7 @@ from pitchpoint.elements.kind import FRICTION, MESH, MOTION
 from pitchpoint.solvers.cycle_means import cycle_means
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.element_tangents import Share, bare_blocks, element_names, share_of
+from pitchpoint.solvers.tooth_wave import ToothWave, tooth_wave
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_places
 from pitchpoint.system.system import State, System
@@ -50,6 +51,9 @@ class Parts:
         Their contributions to K.
     damping
         Contributions of the meshes to D, by name of the element.
+    waves
+        Excitation by the varying stiffness and errors of the meshes that carry load, over their cycle, by
+        name of the element.
     """
 
     M: Array
@@ -60,6 +64,7 @@ class Parts:
     bodies: NDArray[np.int64]
     shares: tuple[Share, ...]
     damping: Mapping[str, Share]
+    waves: Mapping[str, ToothWave]
 
 
 def element_list(system: System) -> list[tuple[str, int, str]]:
@@ -120,14 +125,17 @@ def split(
     means = cycle_means(system, state, held, touched, under) if mean else {}
     numbers = {place: m for m, place in enumerate(mesh_places(system))}
     damping: dict[str, Share] = {}
+    waves: dict[str, ToothWave] = {}
     at_phase = stiffness_by_element(system, state, [(kind, k) for kind, k, _ in listed])
     for e, ((kind, k, name), (blocks, d, own)) in enumerate(zip(listed, at_phase, strict=True)):
         described = registry.find(kind)
         if described.role == MESH and mean:
-            D_mean, K_mean = means[numbers[kind, k]]
-            D[blocks.places] += D_mean - d
-            K[blocks.places] += K_mean - own
-            d, own = D_mean, K_mean
+            cycle = means[numbers[kind, k]]
+            D[blocks.places] += cycle.damping - d
+            K[blocks.places] += cycle.stiffness - own
+            d, own = cycle.damping, cycle.stiffness
+            if cycle.phases.size:
+                waves[name] = tooth_wave(share_of_blocks(system, blocks, own), cycle)
         if described.role == MESH:
             damping[name] = share_of_blocks(system, blocks, d)
         if described.main or np.abs(own).max(initial=0.0) > least:
@@ -138,8 +146,8 @@ def split(
         found.append((ROTATION, "guided motion", (0, 0), share_of(evaluate.dense(system, bare))))
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)
-    whole = [evaluate.dense(system, blocks) for blocks in (M, D, K)]
-    return Parts(whole[0], whole[1], whole[2], tuple(names), tuple(kinds), ends, tuple(shares), damping)
+    M, D, K = (evaluate.dense(system, blocks) for blocks in (M, D, K))
+    return Parts(M, D, K, tuple(names), tuple(kinds), ends, tuple(shares), damping, waves)
 
 
 def _ends(record: np.void) -> tuple[int, int]:

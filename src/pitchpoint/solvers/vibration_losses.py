@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import MESH
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.unknowns import rest_matrix
 from pitchpoint.solvers.gear_trains import mesh_orders, rigid_rotations
 from pitchpoint.solvers.time_summary import Memory

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import note
 from pitchpoint.core.units import format_quantity
 from pitchpoint.core.words import listed
-from pitchpoint.solvers.equilibrium.solve import LOAD, balancing_loads
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.gear_trains import driven_coordinates, held_spins
 from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.load_cycle import load_cycle

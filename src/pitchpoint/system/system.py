@@ -66,6 +66,13 @@ class State:
         """Independent copy."""
         return replace(self, **{name: x.copy() for name, x in vars(self).items() if name != "t"})
 
+    def unwrapped(self, system: System) -> NDArray[np.float64]:
+        """Coordinates with the whole turns of the spins, shape (nd,)."""
+        q = self.q.copy()
+        for spin, body in system.program["spins"]:
+            q[spin] += 2.0 * np.pi * self.turns[body]
+        return q
+
 
 @dataclass(frozen=True)
 class System:

@@ -14,6 +14,8 @@ LETTER = {"pp-halo": 8.4, "pp-small": 7.0}
 """Mean width of a letter by style [pixels]."""
 STEPS, SHORT, STEP = 400, 40, 2.0
 """Maximum number of the trial shifts up and down, of those to avoid lines, and their length [pixels]."""
+FAR = 1e6
+"""Distance beyond all drawings [pixels]."""
 MARGIN = 2.0
 """Minimum distance of labels [pixels]."""
 
@@ -81,6 +83,11 @@ def placed(
         found[k] = near or _first(label, taken, STEPS) or label
         taken.append(found[k].box)
     return [found[k] for k in range(len(labels))]
+
+
+def outside(height: float) -> list[Rectangle]:
+    """Rectangles above and below a plot of some height [pixels], in which labels would be cut off."""
+    return [(-FAR, -FAR, FAR, 0.0), (-FAR, height, FAR, FAR)]
 
 
 def _first(label: Label, others: Sequence[Rectangle], steps: int) -> Label | None:

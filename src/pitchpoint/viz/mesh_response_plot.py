@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.levels import level, reference_of
 from pitchpoint.viz import theme
+from pitchpoint.viz.label_placement import Label, outside, placed
 from pitchpoint.viz.quantities import Array, channel_label, scale
 
 if TYPE_CHECKING:
@@ -18,8 +20,14 @@ if TYPE_CHECKING:
 
 ROW, GAP, TOP, BOTTOM = 330, 80, 60, 50
 """Height of a row, gap between rows, and margins [pixels]."""
-MAX_LABELS = 4
-"""Resonances with a label per order."""
+MAX_LABELS, MOST = 4, 12
+"""Resonances with a label, per order and in one plot."""
+WIDTH = 330.0
+"""Width of the axis of the order cuts where the picture is smallest [pixels]."""
+BASELINE, BELOW, ABOVE = 5.0, 0.04, 0.12
+"""Distance of the baseline of a label above its peak [pixels]; room below and above the curves [-]."""
+LEADER = 14.0
+"""Shift of a label from which a line connects it to its peak [pixels]."""
 
 
 def plot_mesh_response(
@@ -82,7 +90,7 @@ def plot_mesh_response(
                 xaxis=f"x{left}",
                 yaxis=f"y{left}",
             )
-            _label_peaks(figure, omega * turning.factor, decibels[:, k], hertz[:, k], left)
+        _label_peaks(figure, omega * turning.factor, decibels, hertz, left)
         _add_map(figure, (omega * turning.factor, hertz * pitch.factor, decibels), right, ends)
         for k, order in enumerate(orders):
             figure.add_annotation(
@@ -154,18 +162,64 @@ def _add_map(figure: go.Figure, data: tuple[Array, Array, Array], number: int, e
 
 
 def _label_peaks(figure: go.Figure, speed: Array, decibels: Array, frequency: Array, number: int) -> None:
-    """Mark the highest resonances of a curve with their frequency."""
-    for k in peaks(decibels)[:MAX_LABELS]:
+    """Mark the highest resonances of all curves of a plot with their frequencies, in their colours.
+
+    Labels cover neither each other nor, where a short shift is enough, a curve.
+    """
+    known = decibels[np.isfinite(decibels)]
+    low, high = float(known.min(initial=np.inf)), float(known.max(initial=-np.inf))
+    if not (np.ptp(speed) > 0.0 and high > low):
+        return
+    low, high = low - BELOW * (high - low), high + ABOVE * (high - low)
+    suffix = "" if number == 1 else str(number)
+    figure.layout[f"xaxis{suffix}"].range = [float(speed.min()), float(speed.max())]
+    figure.layout[f"yaxis{suffix}"].range = [low, high]
+    across = WIDTH * (speed - speed.min()) / np.ptp(speed)
+    down = ROW * (high - decibels) / (high - low)
+    few = max(1, min(MAX_LABELS, MOST // decibels.shape[1]))
+    marks = [(order, k) for order in range(decibels.shape[1]) for k in peaks(decibels[:, order])[:few]]
+    wanted = [
+        _label(float(across[k]), float(down[k, order]) - BASELINE, f"{frequency[k, order]:.0f} Hz")
+        for order, k in marks
+    ]
+    curves = [box for one in down.T for box in _along(across, one)]
+    for (order, k), first, label in zip(marks, wanted, placed(wanted, outside(ROW), curves), strict=True):
+        colour = theme.SERIES[order % len(theme.SERIES)]
+        moved = abs(label.y - first.y) >= LEADER
         figure.add_annotation(
             x=float(speed[k]),
-            y=float(decibels[k]),
-            xref=f"x{number}",
-            yref=f"y{number}",
-            text=f"{frequency[k]:.0f} Hz",
-            showarrow=False,
-            yshift=9,
-            font={"size": 10, "color": theme.LIGHT["soft"]},
+            y=float(decibels[k, order]),
+            xref=f"x{suffix}",
+            yref=f"y{suffix}",
+            text=label.lines[0][0],
+            font={"size": 10, "color": colour},
+            xanchor={"start": "left", "middle": "center", "end": "right"}[label.anchor],
+            showarrow=moved,
+            # from the baseline to the middle of the text
+            **(
+                {"ax": 0, "ay": label.y - 4.0 - float(down[k, order])} | {"arrowhead": 0, "arrowwidth": 0.8}
+                if moved
+                else {"yshift": float(down[k, order]) - label.y + 4.0}
+            ),
+            arrowcolor=colour,
         )
+
+
+def _label(x: float, y: float, words: str) -> Label:
+    """Label centred above a peak; at the ends of the axis to one side of it."""
+    label = Label(x, y, "middle", ((words, "pp-small"),))
+    left, _, right, _ = label.box
+    return replace(label, anchor="start" if left < 0.0 else "end" if right > WIDTH else "middle")
+
+
+def _along(x: Array, y: Array) -> list[tuple[float, float, float, float]]:
+    """Rectangles along a curve [pixels]."""
+    pieces = zip(x[:-1], x[1:], y[:-1], y[1:], strict=True)
+    return [
+        (float(a), float(min(c, d)), float(b), float(max(c, d)))
+        for a, b, c, d in pieces
+        if np.isfinite(c) and np.isfinite(d)
+    ]
 
 
 def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:

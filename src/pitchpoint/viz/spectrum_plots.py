@@ -14,7 +14,13 @@ from pitchpoint.analysis.spectra import Spectrum, largest_peaks
 from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
-from pitchpoint.viz.frequency_marks import GAP, LETTER, NARROW, mark_curves, mark_frequencies
+from pitchpoint.viz.frequency_marks import (
+    GAP,
+    LETTER,
+    NARROW,
+    mark_curves,
+    mark_frequencies,
+)
 from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:
@@ -23,6 +29,8 @@ if TYPE_CHECKING:
 MAP_COLUMNS, MAP_ROWS = 360, 300
 HARMONICS = 3
 """Number of harmonics of a mesh frequency that are marked in a spectrum."""
+MAP_HARMONICS = 5
+"""The same in a map over orders, whose axis ends with the content."""
 
 
 @dataclass(frozen=True)
@@ -119,10 +127,10 @@ def plot_order_map(
     data: OrderMap, *, unit: str, quantity: str = "amplitude", shafts: Shafts | None = None
 ) -> go.Figure:
     """Map of the amplitude over order and speed of a run-up, in decibels below the maximum."""
-    # maps are drawn over speed; a run that is not monotonic is drawn over time
-    steady = bool(np.all(np.diff(data.speed) > 0.0) or np.all(np.diff(data.speed) < 0.0))
-    axis = scale("rad/s", data.speed) if steady else scale("s", data.time)
-    vertical = (data.speed if steady else data.time) * axis.factor
+    # run-ups are drawn over the speed, other records over time
+    over_speed = data.is_run_up
+    axis = scale("rad/s", data.speed) if over_speed else scale("s", data.time)
+    vertical = (data.speed if over_speed else data.time) * axis.factor
     speed = f"speed of {shafts.chosen}" if shafts else "speed"
     # order 0 is the mean: it would set the scale of the whole map
     figure = amplitude_map(
@@ -130,13 +138,13 @@ def plot_order_map(
         vertical,
         data.amplitude[:, 1:],
         _order_title(shafts),
-        axis.title(speed if steady else "time"),
+        axis.title(speed if over_speed else "time"),
         unit,
         quantity,
     )
     if shafts is not None:
-        mark_frequencies(figure, shafts.meshes, over_map=True)
-    _offer(figure, shafts, over_speed=steady)
+        mark_frequencies(figure, shafts.meshes, harmonics=MAP_HARMONICS, over_map=True)
+    _offer(figure, shafts, over_speed=over_speed)
     return figure
 
 
@@ -182,7 +190,8 @@ def plot_time_frequency(
         quantity,
     )
     curves = {name: hertz * pitch.factor for name, hertz in (meshes or {}).items()}
-    mark_curves(figure, data.time * clock.factor, curves, float(data.frequency[-1]) * pitch.factor)
+    top = float(data.frequency[-1]) * pitch.factor
+    mark_curves(figure, data.time * clock.factor, curves, top, harmonics=HARMONICS)
     return figure
 
 

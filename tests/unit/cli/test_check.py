@@ -40,6 +40,14 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert capsys.readouterr().out == ""
 
 
+def test_the_first_line_counts_the_warnings(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, "parameters: {a: 1 mm}\n" + TORSION)
+    assert run_command(["check", file]) == 0
+    captured = capsys.readouterr()
+    assert captured.err.count("warning:") == 1
+    assert "no errors, 1 warning" in captured.out and "no problems" not in captured.out
+
+
 def test_gears_alone_are_a_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     found = json_of(["check", written(tmp_path, ISO_EX1)], capsys)
     assert found["bodies"] == {}

@@ -163,7 +163,6 @@ def test_tangents_balance_and_loss(joint):
     light = machine(f"{JOINTS[joint]}, {SOFT}", gravity="[0, 0, 0]")
     light.records["joint_friction"]["c_r"] = 0.0
     light.records["joint_friction"]["c_a"] = 0.0
-    light.records["joint_friction"]["c_t"] = 0.0
     state = light.initial_state()
     state.v[:] = 0.7 * rng.normal(size=state.v.size)
     wanted = differences(light, state, "v", 1e-6)

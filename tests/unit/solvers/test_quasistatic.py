@@ -72,7 +72,7 @@ def test_transmission_error_of_a_torsional_pair(sign):
     shift = sign * 0.5 * 200.0 / R_B1 / 4e8 / (2 * math.pi * R_B1 / 30)
     assert unloaded == pytest.approx(sign * 5e-5 + e, abs=2 * math.pi * 3e-6 * abs(shift))
     assert roll.meshes["stage"].tangent_stiffness == pytest.approx(k, rel=1e-9)
-    assert np.abs(roll.reaction).max() < 1e-6
+    assert max((np.abs(torque).max() for torque in roll.holding.values()), default=0.0) < 1e-6
 
 
 @pytest.mark.parametrize("beta", ["", "17 deg"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from pitchpoint.analysis.orders import order_map
 from pitchpoint.analysis.spectra import amplitude_spectrum
@@ -12,8 +13,10 @@ from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import theme
 from pitchpoint.viz.mesh_cycle_plot import plot_load_sharing, plot_mesh_stiffness, plot_transmission_error
 from pitchpoint.viz.quantities import Channel, channels, number, scale
+from pitchpoint.viz.report.build import TimeRun
+from pitchpoint.viz.report.spectra import spectrum_section
 from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
-from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
+from pitchpoint.viz.spectrum_plots import Shafts, plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import quantity_table
 from tests.support.report_data import cycle, sweep
@@ -184,7 +187,8 @@ def test_mesh_frequencies_are_curves_with_names_in_a_map_over_time(way: float) -
     meshes = {"stage_1": 10.0 * at, "stage_2": 11.0 * at, "twin": 11.0 * at, "beyond": 400.0 * at}
     figure = plot_time_frequency(data, unit="N", meshes=meshes)
     curves = {t.name: t for t in figure.data if t.type == "scatter"}
-    assert set(curves) == {"stage_1", "stage_2, twin"}
+    first = {"stage_1", "stage_2, twin"}
+    assert set(curves) == first | {f"{k} × {name}" for k in (2, 3) for name in first}
     assert titles(figure) == ("time [ms]", "frequency [Hz]")
     # the ridge half-way through the map is at the curves
     cells = figure.data[0]
@@ -193,13 +197,14 @@ def test_mesh_frequencies_are_curves_with_names_in_a_map_over_time(way: float) -
     low, high = (float(np.interp(cells.x[len(cells.x) // 2], 1e3 * TIME, f * speed)) for f in (9.0, 12.0))
     assert low < ridge < high
     names = [a for a in figure.layout.annotations if a.name == "frequency"]
-    assert [a.text for a in names] == ["stage_1", "stage_2, twin"]
+    assert [a.text for a in names] == list(curves)
     top = float(data.frequency[-1])
     for height in (260.0, 350.0):  # on paper and on the screen
         middles = []
         for a in names:
             middles.append(height * (1.0 - a.y / top) + a.ay)
-            assert 7.0 <= middles[-1] <= height and a.xanchor == ("right" if way > 0.0 else "left")
+            assert 7.0 <= middles[-1] <= height
+            assert a.text not in first or a.xanchor == ("right" if way > 0.0 else "left")
         assert abs(middles[1] - middles[0]) >= 14.0
 
 
@@ -217,6 +222,38 @@ def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:
     # lines of the shorter frames at the ends are wider
     column = np.asarray(orders.data[0].z, dtype=float).mean(axis=0)
     assert float(orders.data[0].x[column.argmax()]) == 10.0
+
+
+def test_harmonics_of_a_mesh_are_named_in_an_order_map_where_there_is_room() -> None:
+    angle = 2 * np.pi * (20 * TIME + 500 * TIME**2)
+    data = order_map(np.sin(10 * angle), angle, TIME, highest_order=40, revolutions=2)
+    meshes = {"stage": 10.0, "fast": 19.5}
+    figure = plot_order_map(data, unit="N", shafts=Shafts("in", {}, meshes))
+    assert sorted(line.x0 for line in figure.layout.shapes) == [10.0, 19.5, 20.0, 30.0, 39.0, 40.0]
+    names = {a.text: a for a in figure.layout.annotations if a.name == "frequency"}
+    assert {"stage", "fast", "3 × stage"} <= set(names)
+    # below the name of the other mesh there is no line of text, so 2 x stage is not named
+    assert "2 × stage" not in names
+    assert {a.yshift for a in names.values()} == {0}
+
+
+def test_a_record_over_time_is_not_called_a_run_up() -> None:
+    """Speed with ripple: the caption speaks of time, and the axis ends with the orders of the mesh."""
+    time = np.linspace(0.0, 4.0, 40_001)
+    angle = 2 * np.pi * (10.0 * time - 0.4 * np.cos(4.0 * time))
+    channels = {
+        "angle[a]": ((("time",), angle, {"units": "rad"})),
+        "mesh_force[m]": ((("time",), 100.0 * np.cos(20 * angle), {"units": "N"})),
+    }
+    data = xr.Dataset(channels, coords={"time": time})
+    run = TimeRun(data=data, mesh_frequencies={"m": 200.0})
+    section = spectrum_section({"": run}, 160.0, {"m": "a"}, ("mesh_force[m]",))
+    html = "".join(section.parts)
+    drawn = section.figures["order_map[mesh_force[m]]"]
+    assert drawn.layout.yaxis.title.text == "time [s]"
+    assert 60.0 < max(drawn.data[0].x) < 65.0
+    assert "orders are vertical lines, also where the speed changes" in html
+    assert "hyperbolas" not in html and "slower" not in html
 
 
 def test_sweep_is_green_upwards_and_red_downwards() -> None:

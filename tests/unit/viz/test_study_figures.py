@@ -61,7 +61,7 @@ def test_marks_stand_at_the_frequencies_and_their_harmonics() -> None:
     spectrum = amplitude_spectrum(np.sin(2 * np.pi * 100.0 * t), 1000.0)
     figure = plot_spectrum({"x": spectrum}, unit="N", highest=250.0, labels=0)
     mark_frequencies(figure, {"mesh": 100.0, "near": 105.0, "beyond": 300.0}, harmonics=4)
-    assert [line.x0 for line in figure.layout.shapes] == [100.0, 200.0, 105.0, 210.0]
+    assert sorted(line.x0 for line in figure.layout.shapes) == [100.0, 105.0, 200.0, 210.0]
     names = {a.text: a for a in figure.layout.annotations}
     assert set(names) == {"mesh", "near"}
     # names that would overlap are below each other
@@ -92,6 +92,38 @@ def test_responses_are_named_in_words() -> None:
         f"radial bearing force, output_low by {cause}"
         for cause in ("force x, shaft.2", "moment z, shaft", "transmission error, stage")
     ]
+
+
+def test_labels_of_resonances_are_apart_and_have_the_colour_of_their_order() -> None:
+    """Orders 2 and 3 meet modes at 1000 and 1520 Hz near the same speed."""
+    speed = np.linspace(20.0, 420.0, 801)
+    hertz = speed[:, None] * np.array([4.0, 8.0, 12.0])
+    modes = np.array([1000.0, 1520.0])
+    size = (1.0 / np.abs(1.0 - (hertz[..., None] / modes) ** 2 + 0.02j)).sum(axis=2)
+    figure = plot_mesh_response(
+        speed, hertz, size[..., None], ["1 × m", "2 × m", "3 × m"], ["mesh_force[m]"], ["N"], shaft="in"
+    )
+    labels = [a for a in figure.layout.annotations if a.text.endswith(" Hz")]
+    assert len(labels) >= 5
+    lines = {t.name: t.line.color for t in figure.data if t.mode == "lines"}
+    xaxis, yaxis = figure.layout.xaxis, figure.layout.yaxis
+    boxes = []
+    for label in labels:
+        rpm = label.x
+        order = int(
+            np.argmin([abs(float(label.text[:-3]) - f * rpm * math.pi / 30.0) for f in (4.0, 8.0, 12.0)])
+        )
+        assert label.font.color == lines[f"{order + 1} × m"]
+        # in the smallest picture: an axis of 330 by 330 pixels and letters of 6 pixels
+        x = 330.0 * (label.x - xaxis.range[0]) / (xaxis.range[1] - xaxis.range[0])
+        y = 330.0 * (label.y - yaxis.range[0]) / (yaxis.range[1] - yaxis.range[0])
+        y += -label.ay if label.showarrow else label.yshift
+        x -= {"left": 0.0, "center": 0.5, "right": 1.0}[label.xanchor] * 6.0 * len(label.text)
+        boxes.append((x, x + 6.0 * len(label.text), y - 5.0, y + 5.0))
+    for k, (left, right, low, high) in enumerate(boxes):
+        assert left >= -1.0 and right <= 331.0
+        for a, b, c, d in boxes[:k]:
+            assert right < a or b < left or high < c or d < low
 
 
 def test_missing_part_of_a_flank_is_where_the_level_is_positive() -> None:

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.checks.seats import seat_of
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 
@@ -68,10 +69,12 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     shapes = {contact.first.shape, contact.second.shape}
     for part, key in (one, two):
         check_file(part, (*at, key), report)
-    if contact.line and shapes != {"cylinder"} and not ("torus" in shapes and shapes <= set(ORDER[:3])):
+    around = "torus" in shapes and shapes <= set(ORDER[:3]) or seat_of(contact) is not None
+    if contact.line and shapes != {"cylinder"} and not (around and not contact.permanent):
         report.problem(
             (*at, "line"),
-            "has no effect: it is for two cylinders, or a torus on a cylinder, cone or torus",
+            "has no effect: it is for two cylinders, a torus on a cylinder, cone or torus, or a sphere in a "
+            "hollow cone or in the hole of a torus",
             remedy="remove it",
         )
     if contact.permanent:
@@ -80,6 +83,8 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
         for part, key in (one, two):
             _sizes(part, SIZES[part.shape], (*at, key), report)
+        if shapes == {"sphere", "cylinder"} and contact.first.hollow != contact.second.hollow:
+            _bore(contact, at, report)
         return
     one, two = sorted((one, two), key=lambda part: (ORDER.index(part[0].shape), part[0].hollow))
     pair = (one[0].shape, two[0].shape)
@@ -205,7 +210,7 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
 
 
 def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:
-    """Check that the cylinder in a bore is smaller than the bore."""
+    """Check that the cylinder or sphere in a bore is smaller than the bore."""
     pin, bore = contact.first, contact.second
     if pin.hollow:
         pin, bore = bore, pin

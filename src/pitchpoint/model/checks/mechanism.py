@@ -67,6 +67,9 @@ def check_mechanism(parts: Parts, report: Reader) -> None:
 
 def _floating(parts: Parts, report: Reader) -> None:
     for name in parts.mechanism.floating:
+        stage = parts.planetary_stages.get(parts.bodies[name].stage or "")
+        if stage is not None and stage.carrier in parts.mechanism.floating:
+            continue  # planets float with their carrier
         joints = [n for n, j in parts.joints.items() if name in {split(e)[0] for e in j.bodies}]
         if joints and all(parts.joints[n].cut for n in joints):
             message = f"floats: {' and '.join(joints)} have cut: true and carry no body"

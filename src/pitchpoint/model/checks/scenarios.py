@@ -158,6 +158,8 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     """Report non-zero speeds in gear trains that are locked by contradicting ratios or fixed bodies."""
+    if parts.mechanism.floating:  # reported already: their speeds are unknown
+        return
     turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
     turned |= {b: (*at, "drive", b) for b in scenario.drive}
     if scenario.sweep is not None:

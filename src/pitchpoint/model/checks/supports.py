@@ -14,7 +14,7 @@ from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.frames import GROUND, Array, body_frame, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.rings import ring_bodies, rings_of
+from pitchpoint.model.rings import following, ring_bodies, rings_of
 from pitchpoint.model.shafts import SEATED
 
 if TYPE_CHECKING:
@@ -26,6 +26,10 @@ HOUSED = 1e-3
 """Maximum distance of a bearing from its housing marker [m]; a smaller distance is a rigid arm."""
 TILTED = math.radians(5.0)
 """Maximum angle between the axes of two rings [rad]."""
+INCLINED = math.radians(45.0)
+"""Maximum angle between the axes of bodies on a torsional coupling [rad], as of constant-velocity joints."""
+ON_PINS = ("revolute", "planar", "shaft")
+"""Joints of planets on their pins."""
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they coincide: round-off of positions computed from meshes."""
 
@@ -37,7 +41,7 @@ def check_positions(parts: Parts, report: Reader) -> None:
             x, y, z = part.position
             if x == 0.0 and y == 0.0:
                 continue
-            body = part.bodies[0] if group == "couplings" else part.body
+            body = part.bodies[0] if group == "couplings" else part.body or "the bearing"
             shown = ", ".join(f"{v * 1e3:.6g}" for v in part.position)
             report.problem(
                 (group, name, "position"),
@@ -79,11 +83,14 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
     if part.body not in parts.bodies or not (body in parts.bodies or is_beam(parts, body)):
         return
     owner, there = parts.bodies[str(part.body)], place_of(parts, str(part.housing))
-    if owner.origin is None or there is None or not marker:
+    if owner.origin is None or there is None:
         return
     center = np.array(owner.origin) + body_frame(parts, str(part.body))[1] @ [0.0, 0.0, part.position[2]]
-    apart = float(np.linalg.norm(center - there))
     limit = HOUSED * max(1.0, float(np.abs(center).max()))
+    if not marker:
+        _off_the_pin(parts, at, part, center, limit, report)
+        return
+    apart = float(np.linalg.norm(center - there))
     if apart > limit:
         report.problem(
             (*at, "housing"),
@@ -94,17 +101,59 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
         )
 
 
+def _off_the_pin(
+    parts: Parts, at: Place, part: Bearing | Ringed, center: Array, limit: float, report: Reader
+) -> None:
+    """Check that a bearing between two bodies is on the axis of the joint by which one carries the other."""
+    one, two = str(part.body), split(str(part.housing))[0]
+    held = _held_by_joint(parts, (one, two))
+    if held is None:
+        return
+    origin, axes = body_frame(parts, held)
+    apart = 0.0 if origin is None else float(np.linalg.norm(np.cross(axes[:, 2], center - origin)))
+    if apart > limit:
+        carrier = two if held == one else one
+        report.problem(
+            (*at, "body"),
+            f"names {one}, whose axis is {apart * 1e3:.6g} mm away from that of {held} on its pin",
+            limit=f"{limit * 1e3:.4g} mm",
+            remedy=f"write body: {held}, housing: {carrier}"
+            if isinstance(part, Bearing)
+            else f"write ends: {_pinned(held, carrier, held == two)} instead of body and housing; the "
+            "position is then along the pin",
+        )
+
+
+def _pinned(held: str, carrier: str, outer: bool) -> str:
+    """Ends of a bearing of a body on its carrier, which contains the outer ring if `outer`."""
+    return f"[{carrier}, {held}]" if outer else f"[{held}, {carrier}]"
+
+
+def _held_by_joint(parts: Parts, bodies: tuple[str, str]) -> str | None:
+    """Body with gears that the other one carries by a joint about its axis, a planet; None without one."""
+    for held, carrier in (bodies, bodies[::-1]):
+        seat = parts.mechanism.seats.get(held)
+        joint = None if seat is None or seat.parent != carrier else seat.joint
+        if joint is not None and parts.joints[joint].type in ON_PINS and parts.bodies[held].gears:
+            return held
+    return None
+
+
 def check_couplings(parts: Parts, report: Reader) -> None:
-    """Check that couplings with lateral stiffness are coaxial: otherwise their forces would not be
-    conservative."""
+    """Check the angle between the axes of coupled bodies, and that couplings with lateral stiffness are
+    coaxial: otherwise their forces would not be conservative."""
     for name, coupling in parts.couplings.items():
         bodies = [parts.bodies.get(b) for b in coupling.bodies]
-        if None in bodies or all(b.moves in ("torsion", "fixed") for b in bodies if b is not None):
+        if None in bodies or any(("bodies", b, "axes") in report.tainted for b in coupling.bodies):
             continue
-        places = [b.origin for b in bodies if b is not None and b.origin is not None]
-        if len(places) < 2 or not _holds_sideways(coupling):
+        sideways = any(b.moves not in ("torsion", "fixed") for b in bodies if b is not None)
+        if not (sideways and _holds_sideways(coupling)):
+            _inclined(parts, name, coupling.bodies, report)
             continue
         if _tilted(parts, "couplings", name, coupling.bodies, report):
+            continue
+        places = [b.origin for b in bodies if b is not None and b.origin is not None]
+        if len(places) < 2:
             continue
         z = body_frame(parts, coupling.bodies[0])[1][:, 2]
         apart = float(np.linalg.norm(np.cross(z, np.subtract(places[1], places[0]))))
@@ -117,6 +166,33 @@ def check_couplings(parts: Parts, report: Reader) -> None:
                 limit=f"{COAXIAL * 1e3:g} mm",
                 remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
             )
+
+
+def _inclined(parts: Parts, name: str, bodies: tuple[str, str], report: Reader) -> None:
+    """Report a torsional coupling of axes at an angle that no constant-velocity joint transmits."""
+    frames = [body_frame(parts, b)[1] for b in bodies]
+    z, other = (f[:, 2] for f in frames)
+    angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), float(z @ other))
+    if angle <= INCLINED:
+        return
+    fixed = [b for b in bodies if parts.bodies[b].motion == "fixed"]
+    one, two = bodies
+    if fixed:
+        moved = one if fixed[0] == two else two
+        remedy = (
+            f"give {fixed[0]} the z axis of {moved}, or use an element of torsion_springs with {moved} only"
+        )
+    elif math.pi - angle <= INCLINED:
+        remedy = f"reverse the z axis of {one} or {two}: coupled bodies have z axes in the same direction"
+    else:
+        remedy = f"give {one} and {two} the same z axis, or connect them by bevel gears or a ratio"
+    report.problem(
+        ("couplings", name, "bodies"),
+        f"have z axes {math.degrees(angle):.6g} deg apart",
+        value=f"{one} and {two}",
+        limit=f"{math.degrees(INCLINED):.3g} deg",
+        remedy=remedy,
+    )
 
 
 def check_turning(parts: Parts, report: Reader) -> None:
@@ -149,10 +225,17 @@ def check_rings(parts: Parts, report: Reader) -> None:
             named = {(group, name), *(("bodies", body) for body in ring_bodies(bearing))}
             if bearing.ends is None or named & report.tainted:
                 continue
+            if any(bearing.position) and following(parts, bearing) is None:
+                report.problem(
+                    (group, name, "position"),
+                    f"does not apply to rings on {bearing.ends[0]} and {bearing.ends[1]}",
+                    remedy="remove it, and give the positions of the rings by markers",
+                )
+                continue
             inner, outer = rings_of(parts, bearing)
             if inner.place is None or outer.place is None:
                 continue
-            if _apart((group, name, "ends"), bearing.ends, (inner.place, outer.place), report):
+            if _apart(parts, (group, name, "ends"), bearing.ends, (inner.place, outer.place), report):
                 continue
             z, other = inner.axes[:, 2], outer.axes[:, 2]
             angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
@@ -166,7 +249,9 @@ def check_rings(parts: Parts, report: Reader) -> None:
                 )
 
 
-def _apart(at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader) -> bool:
+def _apart(
+    parts: Parts, at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader
+) -> bool:
     """Whether the rings of a bearing have different initial positions; reports the problem."""
     distance = float(np.linalg.norm(places[0] - places[1]))
     limit = HOUSED * max(1.0, *(float(np.abs(p).max()) for p in places))
@@ -177,17 +262,34 @@ def _apart(at: Place, ends: tuple[str, str], places: tuple[Array, Array], report
         f"are {distance * 1e3:.6g} mm apart in the initial position",
         value=" and ".join(ends),
         limit=f"{limit * 1e3:.4g} mm",
-        remedy="correct the positions of the bodies or markers" + _placed(ends),
+        remedy=_placed(parts, ends, places, limit),
     )
     return True
 
 
-def _placed(ends: tuple[str, str]) -> str:
-    """Remedy for rings on origins of bodies, which need not be on the axis of the bearing."""
+def _placed(parts: Parts, ends: tuple[str, str], places: tuple[Array, Array], limit: float) -> str:
+    """Remedy for rings that are apart: on a planet and its pin, or on a shaft in a housing without marker."""
+    correct = "correct the positions of the bodies or markers"
+    bodies = (split(ends[0])[0], split(ends[1])[0])
+    held = _held_by_joint(parts, bodies)
+    if held is not None:
+        k = bodies.index(held)
+        origin, axes = body_frame(parts, held)
+        along = 0.0 if origin is None else float(axes[:, 2] @ (places[1 - k] - origin))
+        return (
+            f"{correct}, or write ends: {_pinned(held, bodies[1 - k], k == 1)}, "
+            f"position: [0, 0, {along * 1e3:.6g} mm]: the position is on the pin, from {held}"
+        )
     if split(ends[1])[1] or GROUND in ends:
-        return ""
-    body = split(ends[0])[0]
-    return f", or write body: {body}, position: [0, 0, z], housing: {ends[1]} instead of ends"
+        return correct
+    origin, axes = body_frame(parts, bodies[0])
+    if origin is None or float(np.linalg.norm(np.cross(axes[:, 2], places[0] - origin))) > limit:
+        return correct
+    z = float(axes[:, 2] @ (places[0] - origin))
+    return (
+        f"{correct}, or write body: {bodies[0]}, position: [0, 0, {z * 1e3:.6g} mm], housing: {ends[1]} "
+        "instead of ends"
+    )
 
 
 def _holds_sideways(coupling: Coupling) -> bool:

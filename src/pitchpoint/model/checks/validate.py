@@ -21,6 +21,7 @@ from pitchpoint.model.checks.phasing import check_phasing
 from pitchpoint.model.checks.planetary_stages import check_pin_errors, check_planets, check_spacing
 from pitchpoint.model.checks.references import check_carriers, check_places, check_references
 from pitchpoint.model.checks.scenarios import check_scenarios
+from pitchpoint.model.checks.seats import check_seats
 from pitchpoint.model.checks.signal_places import check_signal_places
 from pitchpoint.model.checks.signals import check_signals
 from pitchpoint.model.checks.solids import check_directions, check_solids
@@ -68,6 +69,7 @@ CHECKS = (
     check_flank_contacts,
     check_shaft_places,
     check_mechanism,
+    check_seats,
     check_carried_meshes,
     check_signal_places,
     check_beams,

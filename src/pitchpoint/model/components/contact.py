@@ -211,7 +211,8 @@ class SurfaceContact(Component):
     )
     line: bool = boolean(
         "two cylinders: line contact, the law applies to the whole length of the shorter cylinder; otherwise "
-        "point contact where they cross; torus on a cylinder, cone or torus: law for the whole ring",
+        "point contact where they cross; torus on a cylinder, cone or torus: law for the whole ring; sphere "
+        "in a hollow cone or in the hole of a torus: law for the whole circle",
         False,
     )
     stations: int = integer("Gauss points per segment of the contact line", 8, minimum=1, maximum=8)

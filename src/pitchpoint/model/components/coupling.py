@@ -14,12 +14,14 @@ from pitchpoint.model.keys import component, key, quantities
 class Coupling(Component):
     """Linear spring and damper in six directions between two bodies on one axis.
 
-    Bodies on different axes can be coupled in torsion only, or if neither has lateral motion.
+    Bodies on different axes can be coupled in torsion only, or if neither has lateral motion. With inclined
+    axes the coupling transmits torque like a constant-velocity joint.
     """
 
     bodies: tuple[str, str] = key(
         "names",
-        "names of the two bodies; a body without position takes that of the other",
+        "names of the two bodies; a body without position is located at the coupling, one without axes takes "
+        "those of the other",
         length=(2, 2),
         names="bodies",
     )

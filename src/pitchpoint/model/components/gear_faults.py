@@ -18,7 +18,10 @@ class Eccentricity(Component):
 
     form: ClassVar[str] = "eccentricity"
     amount: float = quantity(
-        "length", "distance between the axes, half the runout; scaled by severity", minimum=0.0
+        "length",
+        "distance between the axes, half the runout; scaled by severity",
+        minimum=0.0,
+        sample="0.02 mm",
     )
     phase: float = quantity("angle", "direction of the offset, measured from the centre of tooth 0", 0.0)
     severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
@@ -29,7 +32,9 @@ class Wobble(Component):
     """Wobbling gear: tooth axis tilted relative to the axis of rotation, about the middle of the face."""
 
     form: ClassVar[str] = "wobble"
-    amount: float = quantity("angle", "angle between the axes; scaled by severity", minimum=0.0, maximum=0.1)
+    amount: float = quantity(
+        "angle", "angle between the axes; scaled by severity", minimum=0.0, maximum=0.1, sample="0.05 deg"
+    )
     phase: float = quantity(
         "angle", "direction of the tilt towards positive z, measured from the centre of tooth 0", 0.0
     )

@@ -20,7 +20,9 @@ SHAPES = ("linear", "parabolic")
 class Relief(Component):
     """Relief of the flank towards the tip or root."""
 
-    amount: float = quantity("length", "material removed at the end of the flank, normal to it", minimum=0.0)
+    amount: float = quantity(
+        "length", "material removed at the end of the flank, normal to it", minimum=0.0, sample="20 um"
+    )
     start_diameter: float | None = positive(
         "length", "diameter where the relief starts", None, one_of="extent"
     )
@@ -35,7 +37,7 @@ class EndRelief(Component):
     """Relief of the flank towards both ends of the face width."""
 
     amount: float = quantity(
-        "length", "material removed at the end of the tooth, normal to the flank", minimum=0.0
+        "length", "material removed at the end of the tooth, normal to the flank", minimum=0.0, sample="20 um"
     )
     length: float = positive("length", "length of the relief from each end")
     shape: str = choice(SHAPES, "shape of the relief curve", "linear")
@@ -89,7 +91,7 @@ class Modifications(Component):
 class Runout(Component):
     """Eccentricity of the teeth against the axis of rotation."""
 
-    amount: float = quantity("length", "runout, twice the eccentricity", minimum=0.0)
+    amount: float = quantity("length", "runout, twice the eccentricity", minimum=0.0, sample="20 um")
     phase: float = quantity(
         "angle", "direction of the eccentricity, measured from the centre of tooth 0", 0.0
     )

@@ -20,7 +20,10 @@ RINGS = (
     "on ground, or on the carrier of the other body, is where the other ring is. Instead of body"
 )
 BODY = "body whose shaft is in the bearing, instead of ends"
-POSITION = "centre of the bearing relative to the origin of body, on its axis: [0, 0, z]"
+POSITION = (
+    "centre of the bearing relative to the origin of body, on its axis: [0, 0, z]. With ends, for a ring on "
+    "the carrier or on ground: relative to the other end"
+)
 HOUSING = "housing instead of ground: BODY, or BODY.MARKER at the bearing, such as a node of an elastic body"
 
 

@@ -78,7 +78,9 @@ class PitchError(Component):
     form: ClassVar[str] = "pitch_error"
     tooth: int = _tooth()
     amount: float = quantity(
-        "length", "displacement of the tooth on the reference circle, counter-clockwise positive"
+        "length",
+        "displacement of the tooth on the reference circle, counter-clockwise positive",
+        sample="10 um",
     )
     severity: float = _severity("scales the amount")
 

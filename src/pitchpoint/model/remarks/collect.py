@@ -23,7 +23,7 @@ from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameter
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
-from pitchpoint.model.remarks.supports import axially_free
+from pitchpoint.model.remarks.supports import axially_free, tilting
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -256,6 +256,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *bores_off_their_shafts(model),
         *gears_thinner_than_their_shafts(model),
         *axially_free(model),
+        *tilting(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import ring_bodies
+from pitchpoint.model.tilt_supports import without_tilt_support
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -80,7 +81,7 @@ def axially_free(model: Model) -> Iterator[Message]:
     for body, bearings, side in without_axial_support(model):
         where = f"{'shafts' if body in model.shafts else 'bodies'}.{body}"
         one = len(bearings) == 1
-        these = f"{' and '.join([', '.join(bearings[:-1])] * (not one) + [bearings[-1]])}"
+        these = _listed(bearings)
         if side == 0:
             yield remark(
                 where,
@@ -97,6 +98,30 @@ def axially_free(model: Model) -> Iterator[Message]:
             "turn one of the bearings around (axial_force_absorption), or add one, unless all axial loads "
             f"are in {held}",
         )
+
+
+def tilting(model: Model) -> Iterator[Message]:
+    """Bodies with helical gears that only their teeth hold against tilting; planets of a stage together."""
+    found: dict[str, dict[str, tuple[str, ...]]] = {}
+    for body, bearings in without_tilt_support(model):
+        stage = model.bodies[body].stage
+        own = f"{'shafts' if body in model.shafts else 'bodies'}.{body}"
+        found.setdefault(f"planetary_stages.{stage}" if stage else own, {})[body] = bearings
+    for where, parts in found.items():
+        all_bearings = [name for names in parts.values() for name in names]
+        support = "supports" if len(all_bearings) == 1 else "support"
+        yield remark(
+            where,
+            f"the axial forces of its helical gears tilt {_listed(list(parts))}; {_listed(all_bearings)}, at "
+            f"one position{' each' if len(parts) > 1 else ''}, {support} little or nothing of this moment, "
+            "so that the teeth do",
+            "use two bearings at a distance along the axis",
+        )
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Names with commas and `and`."""
+    return " and ".join([", ".join(names[:-1])] * (len(names) > 1) + [names[-1]])
 
 
 def _preloaded(part: RollingBearing | PlainBearing) -> bool:

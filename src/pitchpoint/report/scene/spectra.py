@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.orders import highest_resolved_order, one_way, order_map, tracked_spectrum
-from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.orders import highest_resolved_order, order_map, tracked_spectrum
+from pitchpoint.analysis.sampled import SignalError, one_way
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz.run_record import MAP_TURNS, ORDER_TURNS, settled_part, turns_of, uniform

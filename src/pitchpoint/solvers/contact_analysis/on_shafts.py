@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-    from pitchpoint.system.system import System
+    from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
@@ -248,7 +248,7 @@ def _analyse_together(
     began = time.perf_counter()
     seen: dict[str, list[tuple[np.void, float]]] = {name: [] for name in group}
 
-    def look(own: System, row: Array) -> None:
+    def look(own: System, _: State, row: Array) -> None:
         """Keep the meshes at a position of the roll."""
         names = mesh_names(own)
         for name, kept in seen.items():

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.constraints.assembly import REDUNDANT, close_loops, loop_rows
-from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, slopes, step_on
+from pitchpoint.solvers.equilibrium.approach import Contacts
+from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, slopes
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source
@@ -79,7 +80,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     """
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     holds = loop_rows(system)
-    here = _closed(system, state, kept, drawn=True)
+    here, contacts = _closed(system, state, kept, drawn=True), Contacts.of(system)
     mu = FIRST
     for count in range(MAX_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
@@ -97,8 +98,9 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         inverse = np.linalg.pinv(K + mu * M)
         y = -inverse @ left
         size = float(np.abs(Z @ y).max(initial=0.0))
-        trial = step_on(system, here, free, Z @ y * min(1.0, LONGEST / size if size > 0.0 else 1.0))
+        part = min(1.0, LONGEST / size if size > 0.0 else 1.0)
         try:
+            trial = contacts.step_on(system, here, free, Z @ y * part)
             trial = _closed(system, trial, kept)
             H, S, _ = _balanced(system, trial, free, holds)
         except SolverError:

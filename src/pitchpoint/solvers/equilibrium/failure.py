@@ -14,6 +14,7 @@ from pitchpoint.elements import registry
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
 from pitchpoint.model.rings import ring_bodies
+from pitchpoint.solvers.equilibrium.approach import line_and_open_contacts
 from pitchpoint.solvers.equilibrium.force_jumps import Rest
 from pitchpoint.solvers.equilibrium.unknowns import inverse_of
 from pitchpoint.solvers.unloaded_flanks import close_backlash
@@ -71,7 +72,7 @@ def reason(
         Coordinate farthest from its goal.
     """
     if names := unconstrained(system, begin, free):
-        return f"no equilibrium: {advice(names)}{_line_of(system, names[0])}", True
+        return f"no equilibrium: {advice(names)}{line_and_open_contacts(system, begin, names[0])}", True
     name, words = run_away(system, found.state)
     if name:
         return f"no equilibrium: {words}{_line_of(system, name)}", True

@@ -29,8 +29,8 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.elements import torque
-from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.equilibrium.approach import Contacts
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import broken_tooth, reason
@@ -50,7 +50,6 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     SOFTENING,
     inverse_of,
     rest_matrix,
-    step_on,
     unsettled_states,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
@@ -62,7 +61,6 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     import xarray as xr
 
-LOAD = torque.KIND.name
 MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""
@@ -189,7 +187,7 @@ def _pseudo_time(
     unloaded = evaluate.residual(system, begin)
     loads = float(np.abs(unloaded * weight).max(initial=0.0))
     wanted = max(tolerance * float(np.abs(R * weight).max(initial=0.0)), NEGLIGIBLE * loads)
-    tangent, started = Tangent(system, state), time.monotonic()
+    tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu, floats = FIRST, False
@@ -218,8 +216,8 @@ def _pseudo_time(
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
-        trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:
+            trial = contacts.step_on(system, state, free, step * (LONGEST / turn if turn > LONGEST else 1.0))
             new = evaluate.residual(system, trial)
         except SolverError:
             mu *= 16.0
@@ -278,13 +276,6 @@ def _wrapped(system: System, state: State) -> State:
     return state
 
 
-def balancing_loads(system: System) -> list[int]:
-    """Record indices of the balancing torques of the model."""
-    loads = {} if system.model is None else system.model.loads
-    torques = [load.torque for load in loads.values() if load.torque is not None]
-    return [k for k, torque in enumerate(torques) if isinstance(torque, Balance)]
-
-
 def balance_torques(
     system: System,
     state: State,
@@ -321,8 +312,7 @@ def balance_torques(
     wanted = balancing_loads(system)
     if not wanted:
         return system, (), list(held)
-    acting = system.records[LOAD]["i"]  # for a shaft: the station of the torque
-    spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
+    spins = balancing_spins(system)
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, centred(system, state, let_go), let_go)
     reaction = _mean_reaction(system, found, *instants)

@@ -16,8 +16,9 @@ import numpy as np
 from pitchpoint.elements import friction_clutch, torque
 from pitchpoint.elements.friction_clutch import BRISTLE
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.equilibrium.balancing import balancing_loads
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import Equilibrium, balancing_loads, find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import Equilibrium, find_equilibrium
 from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON

@@ -18,9 +18,10 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.equilibrium.solve import NOW, Equilibrium, balance_torques
 from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix
 from pitchpoint.solvers.gear_trains import (
     driven_coordinates,

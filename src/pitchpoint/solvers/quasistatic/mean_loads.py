@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mean torques of a slow roll: loads that repeat over the angle count with their mean over it.
 
-A slow roll is the limit of zero speed. Work then decides as in a run: a torque that balances the loads at one
-position does not balance them over the revolution (decision 0029). Loads over time count at the start.
+A slow roll is the limit of zero speed. It starts with the balancing torques of a run at low speed, constant
+torques whose work balances over the revolution (decision 0029), and names them; from there they follow the
+loads (`holding`). Loads over time count at the start.
 """
 
 from __future__ import annotations

@@ -1,41 +1,41 @@
 # SPDX-License-Identifier: Apache-2.0
 """Notes on the loads of a slow roll: unloaded meshes, loads that do not balance, neglected friction.
 
-The rotated body is held in a slow roll, so unbalanced loads do not change a speed: the holding torque
-balances them, and a mesh may be unloaded or loaded on its other flank.
+A body without drive and balancing torque is held in a slow roll, so unbalanced loads do not change a speed:
+the holding torque balances them, and a mesh may be unloaded or loaded on its other flank.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pitchpoint.core.errors import Message, note
+from pitchpoint.core.words import listed
 from pitchpoint.multibody.bodies import spin_of
-from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
+from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
+from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.solvers.initial_state.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.solvers.load_cycle import LoadCycle
     from pitchpoint.system.system import System
 
 
-def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[Message, ...]:
+def load_notes(system: System, holding: Mapping[str, Array], rows: Array) -> tuple[Message, ...]:
     """Notes on meshes without load, and on torques that are balanced by held bodies only.
 
     Parameters
     ----------
     system
         The system of the roll.
-    held
-        Held spins; the first one is that of the rotated body.
-    reaction
-        Mean holding torques [N m], shape (1, len(held)): pulsating torques that are balanced in the mean
-        leave the alternating part to the holding torques.
+    holding
+        Holding torques [N m] of bodies without drive and balancing torque, by body, shape (n,).
     rows
         All channels, shape (n, no).
     """
@@ -43,14 +43,8 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
         return ()  # a roll without loads is for the flank geometry only
     torques = load_torques(system, rows[0])
     least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
-    driven = driven_coordinates(system)
-    left = {
-        spin: -float(torque)
-        for spin, torque in zip(held, reaction[0], strict=True)
-        if spin not in driven and abs(torque) > least
-    }
-    names = {spin: system.layout.coordinates[spin].rsplit(".", 1)[0] for spin in left}
-    over = [f"{torque:.4g} N m on {names[spin]}" for spin, torque in left.items()]
+    left = {body: -torque for body, torque in holding.items() if np.abs(torque).max() > least}
+    over = [f"{_range(torque, least)} on {body}" for body, torque in left.items()]
     empty = [
         mesh
         for mesh, record in zip(mesh_names(system), mesh_records(system), strict=True)
@@ -81,7 +75,7 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
                 remedy="set one torque to `balance` if this is not intended",
             )
         )
-    return (*found, *(same for spin in left if (same := _same_way(system, spin, torques))))
+    return (*found, *(same for body in left if (same := _same_way(system, body, torques))))
 
 
 def _relieved(model: Model, empty: Sequence[str]) -> tuple[dict[str, list[str]], list[str]]:
@@ -122,9 +116,41 @@ def load_torques(system: System, row: Array) -> dict[str, float]:
     return {name: float(row[known[f"torque[{name}]"]]) for name in loads if f"torque[{name}]" in known}
 
 
-def _same_way(system: System, spin: int, torques: dict[str, float]) -> Message | None:
+def balance_notes(system: System, cycle: LoadCycle | None, rows: Array) -> tuple[str, ...]:
+    """Notes on balancing torques that follow pulsating loads.
+
+    Parameters
+    ----------
+    system
+        The system with the mean balancing torques.
+    cycle
+        Mean torques of the pulsating loads, if there are any.
+    rows
+        All channels, shape (n, no).
+    """
+    if cycle is None or not len(rows):
+        return ()
+    names, records = system.names[LOAD], system.records[LOAD]
+    loads, found = listed([names[k] for k in cycle.means]), []
+    for k in balancing_loads(system):
+        torque, mean = rows[:, system.layout.channel(f"torque[{names[k]}]")], float(records[k]["value"])
+        if np.abs(torque - mean).max() > IMBALANCE * abs(torque).max():
+            found.append(
+                f"{names[k]} balances {loads} at every position, with {_range(torque, 0.0)}, and its mean "
+                f"over the whole cycle of the loads is {mean:.4g} N m"
+            )
+    return tuple(found)
+
+
+def _range(values: Array, least: float) -> str:
+    """A torque [N m], or its range if it varies."""
+    lowest, highest = float(values.min()), float(values.max())
+    return f"{values[0]:.4g} N m" if highest - lowest <= least else f"{lowest:.4g} to {highest:.4g} N m"
+
+
+def _same_way(system: System, body: str, torques: dict[str, float]) -> Message | None:
     """Note if all torques on a train act in the same direction: the other flanks are then loaded."""
-    rates = rotations(system, (spin,))[:, 0]
+    rates = rotations(system, (system.spin(body),))[:, 0]
     loads = system.model.loads if system.model is not None else {}
     powers = {
         name: torque * float(np.sign(rates[system.spin(loads[name].body)]))

@@ -12,8 +12,10 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.constraints.assembly import close_loops
+from pitchpoint.solvers.equilibrium.balancing import balancing_spins
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.gear_trains import (
+    complete,
     driven_coordinates,
     exchange,
     held_spins,
@@ -44,11 +46,15 @@ def held_in_roll(system: System, mesh: int, state: State) -> tuple[int, ...]:
     Arguments: the system, the index of the mesh, and the state at the start.
 
     A held gear between the drive and the loads would take the load off the meshes on the side of the drive.
+    Bodies with a balancing torque are held in the other trains.
     """
-    spin, driving = turned_gear(system, mesh)[0], held_spins(system)
+    spin, driving, driven = turned_gear(system, mesh)[0], held_spins(system), driven_coordinates(system)
+    if is_looped(system):
+        return (spin, *(h for h in exchange(system, driving, spin, state) if h != spin))
+    driving = complete(system, driven, (*balancing_spins(system), *driving))
     held = exchange(system, driving, spin, state)
-    freed = [h for h in driving if h not in held and h in driven_coordinates(system)]
-    if len(freed) == 1 and not is_looped(system) and rotations(system, freed)[spin, 0] != 0.0:
+    freed = [h for h in driving if h not in held and h in driven]
+    if len(freed) == 1 and rotations(system, freed)[spin, 0] != 0.0:
         return (*freed, *(h for h in driving if h not in freed))
     return (spin, *(h for h in held if h != spin))
 

@@ -3,7 +3,7 @@
 
 One spin is advanced in equal angular steps, with the equilibrium of all other coordinates under the loads at
 each step. Speeds are zero: inertia, damping and (smoothed Coulomb) friction forces vanish, so the result is
-the limit of the dynamics for vanishing speed.
+the limit of the dynamics for vanishing speed. Drives and balancing torques follow the loads (`holding`).
 
 The unloaded transmission error is that for vanishing torque with the flanks in contact and undeformed
 bearings: the kinematic error of the flanks (modifications, deviations, prescribed error) and half the
@@ -33,10 +33,10 @@ from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders, rotations
-from pitchpoint.solvers.load_cycle import pulsation
 from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.quasistatic.holding import Holding
 from pitchpoint.solvers.quasistatic.loads import loads_at_speed
-from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
+from pitchpoint.solvers.quasistatic.notes import balance_notes, friction_notes, load_notes
 from pitchpoint.solvers.quasistatic.path import (
     held_in_roll,
     periods_per_turn,
@@ -48,7 +48,7 @@ from pitchpoint.solvers.quasistatic.unloaded_mesh import tangent_stiffness, unlo
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
-from pitchpoint.system.system import System
+from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -98,8 +98,8 @@ class Roll:
         All channels, shape (n, no), in the order of the channels of the system.
     meshes
         Results by mesh.
-    reaction
-        Holding torque of the rotated spin [N m], shape (n,).
+    holding
+        Holding torques [N m], shape (n,), by body, of held bodies without drive and balancing torque.
     notes
         Notes for the user.
     status, sentence
@@ -112,7 +112,7 @@ class Roll:
     position: Array
     rows: Array
     meshes: dict[str, MeshRoll]
-    reaction: Array
+    holding: dict[str, Array]
     notes: tuple[str, ...] = ()
     status: int = OK
     sentence: str = ""
@@ -156,16 +156,16 @@ def roll_through(
     mesh: str | None = None,
     others: bool = True,
     progress: Progress = silent,
-    look: Callable[[System, Array], None] | None = None,
+    look: Callable[[System, State, Array], None] | None = None,
     at: Sequence[int] | None = None,
     along: Array | None = None,
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
     Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
-    evaluated system and its channels. `at`: numbers of the rolled periods, counted from the initial position,
-    instead of the first ones. `along`: rates of the coordinates in whose direction the roll goes; default:
-    the speeds of the scenario.
+    evaluated system, its state and its channels. `at`: numbers of the rolled periods, counted from the
+    initial position, instead of the first ones. `along`: rates of the coordinates in whose direction
+    the roll goes; default: the speeds of the scenario.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -192,16 +192,15 @@ def roll_through(
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
-    ripple = pulsation(own, state, held, point.cycle)
+    owners = Holding.of(own, held)
     done, status, text = 0, OK, sentence(OK)
     try:
         for s in range(n):
-            found = find_equilibrium(own, state, held)
-            state = found.state
-            rows[s] = found.observe(own)
+            found = owners.equilibrium(own, state)
+            state, reaction[s] = found.state, found.reaction
+            rows[s] = owners.observe(own, found)
             if look is not None:
-                look(own, rows[s])
-            reaction[s] = found.reaction
+                look(own, state, rows[s])
             for m in observed:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
@@ -214,22 +213,22 @@ def roll_through(
         status, text = INTERRUPTED, sentence(INTERRUPTED)
     except SolverError as error:
         status, text = error.status, f"{error} (after {done} of {n} points)"
-    rows = rows[:done]
+    rows, holding = rows[:done], owners.others(reaction[:done])
     curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in observed}
     meshes = _mesh_rolls(own, rows, curves, rates, (spin, k))
-    position = np.arange(done) / points
     spans = {
         c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
         for c, column in zip(own.layout.channels, rows.T, strict=True)
     }
     notes = (
         *([f"the slow roll has the loads at {point.at}"] if point.at else []),
-        *load_notes(own, held, reaction[:1] + ripple, rows),
+        *load_notes(own, holding, rows),
+        *balance_notes(point.system, point.cycle, rows),
         *friction_notes(system),
         *deep_contacts(own.model, [spans]),
     )
     after = math.lcm(*periods_of_errors(system.model, mesh))
-    return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text, after)
+    return Roll(mesh, np.arange(done) / points, rows, meshes, holding, notes, status, text, after)
 
 
 def _mesh_rolls(
@@ -380,6 +379,8 @@ def tables(system: System, roll: Roll) -> list[Table]:
     found = [
         Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)
     ]
+    words = "torque that holds the body"
+    found += [Table(f"holding_torque[{body}]", held, "N m", words) for body, held in roll.holding.items()]
     for name, mesh in roll.meshes.items():
         loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
         without = "transmission error without load"

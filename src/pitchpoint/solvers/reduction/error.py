@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.constraints.free_directions import free_directions
-from pitchpoint.solvers.eigen import symmetric, undamped
+from pitchpoint.solvers.eigen import undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.linear_system import SPARSE
@@ -107,7 +107,7 @@ def _frequencies(system: System, state: State, rigid: Array, limit: float) -> Ar
     stopped.v[:] = 0.0
     M, K = (evaluate.matrix(system, stopped, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
     if state.v.any():
-        K = K + symmetric(inertial_stiffness(system, state, stopped))
+        K = K + inertial_stiffness(system, state, stopped, rigid)
     basis = free_directions(system, stopped)
     if not isinstance(basis, np.ndarray):
         count = FIRST

@@ -46,9 +46,10 @@ def bearing_bank(places: Places) -> Bank:
         row["D"] = damping_matrix(model, part, ends)
         row["B"] = axes
         if len(ends) == 2:
-            along = float((marker - origin[1]) @ axes[:, 2])
+            way = body_frame(model, ends[1])[1][:, 2]
+            along = float((marker - origin[1]) @ way)
             row["j"], row["zj"] = seat_at(model, ends[1], along)
-            row["d0"] = axes.T @ (marker - origin[1]) - [0.0, 0.0, along]
+            row["d0"] = axes.T @ (marker - origin[1] - along * way)
             row["B"] = seat_frame(model, model.mechanism.seats[ends[1]])[1].T @ axes
         else:
             row["d0"] = axes.T @ marker

@@ -102,10 +102,10 @@ def surface_banks(places: Places) -> tuple[Bank, Bank, Bank]:
     for name, part in places.model.surface_contacts.items():
         where = f"surface_contacts.{name}"
         first, second, ends = part.first, part.second, part.ends
-        if not _in_order(first, second):
+        if not _in_order(first, second, part.line):
             first, second, ends = second, first, (ends[1], ends[0])
         row = _marked(ends, places.end)
-        which = 2 if part.permanent else 0 if _is_ball(first) else 1
+        which = 2 if part.permanent else 0 if _has_ball(first, second, part.line) else 1
         if which == 1:
             _pair(row, pools[1], first, second, part, where)
         else:
@@ -172,6 +172,12 @@ def _is_ball(part: ContactSurface) -> bool:
     return part.shape == "sphere" and not part.hollow
 
 
+def _has_ball(first: ContactSurface, second: ContactSurface, line: bool) -> bool:
+    """Whether a sphere touches the other surface; a ring all around a sphere is a contact of the ring."""
+    around = line and "torus" in (first.shape, second.shape)
+    return (_is_ball(first) or _is_ball(second)) and not around
+
+
 def _marked(ends: tuple[str, str], end: End) -> np.void:
     """New record with bodies and markers."""
     row: np.void = element.new_records(1)[0]
@@ -229,7 +235,7 @@ def _ball(
         return
     try:
         given = _sizes(other, where)[: 1 if other.shape == "cylinder" else 2]
-        point_surface.set_surface(row, other.shape, given, radius, other.hollow)
+        point_surface.set_surface(row, other.shape, given, radius, other.hollow, part.line)
     except ValueError as fault:
         raise CompileError(f"{where}: {fault}") from None
 
@@ -292,13 +298,13 @@ def _on_triangles(
         raise CompileError(f"{where}: {fault}") from None
 
 
-def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
+def _in_order(first: ContactSurface, second: ContactSurface, line: bool) -> bool:
     """Whether the surfaces are in the order that the element kinds require.
 
     Spheres first, triangles before simple shapes, these in the order of `ORDER`, a plate before the plane,
     the inner before the hollow one, the shorter of two cylinders or cones before the longer one.
     """
-    if _is_ball(first) or _is_ball(second):
+    if _has_ball(first, second, line):
         return _is_ball(first)
     if "triangles" in (first.shape, second.shape):
         return first.shape == "triangles"

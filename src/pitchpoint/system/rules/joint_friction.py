@@ -102,8 +102,7 @@ def _law(row: Any, joint: Joint) -> None:
     row["c_a"] = 1.0 if form == element.PLATE else part.shoulder_radius
     if form == element.THREAD:
         row["lead"] = (joint.lead or 0.0) / (2.0 * math.pi)
-        size = math.hypot(row["radius"], row["lead"])
-        row["c_a"], row["c_t"] = row["radius"] / size, row["lead"] / (row["radius"] * size)
+        row["c_a"] = math.hypot(row["radius"], row["lead"]) / row["radius"]
     row["c_m"] = 2.0 * arm / part.length if part.length is not None else 0.0
     row["preload"] = part.preload * arm
     row["mu"], row["ratio"] = part.coefficient, part.static_ratio

@@ -28,7 +28,7 @@ def mark_rings(places: Places, row: Any, part: Ringed) -> tuple[Array, Array]:
     part
         The bearing.
     """
-    if part.ends is None:
+    if part.ends is None or any(part.position):
         inner, outer = rings_of(places.model, part)
         _put(places, row, "ij", (inner, outer))
         return inner.axes, outer.axes

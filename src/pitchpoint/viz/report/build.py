@@ -249,7 +249,8 @@ class TimeRun:
     angle
         Angle channel of the reference shaft of orders; default: shaft of gear 1 of each mesh.
     highest_order
-        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 10.
+        End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 10. Without
+        it, maps end at their last significant order, after three orders of the fastest mesh.
     mesh_frequencies
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     groups

@@ -32,8 +32,8 @@ def response_section(responses: Mapping[str, xr.Dataset]) -> Section:
         if "order" in data.dims:
             section.add_figure(
                 _mesh_response(data),
-                "Response to the loaded transmission error of every mesh by order: levels over the speed, "
-                "dotted: natural frequencies.",
+                "Response to transmission error and shuttling force of every mesh under load: levels over the"
+                " speed, dotted: natural frequencies.",
                 name="response",
             )
             continue

@@ -11,8 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.analysis.orders import highest_resolved_order, one_way, order_map, tracked_spectrum
-from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.orders import (
+    OrderMap,
+    highest_resolved_order,
+    order_map,
+    tracked_spectrum,
+)
+from pitchpoint.analysis.sampled import SignalError, one_way
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import spectrum_plots
@@ -45,6 +50,10 @@ HARMONICS = 12.5
 """End of a frequency axis in mesh frequencies."""
 SET = "Meshes of "
 """Beginning of the title of the meshes of a planetary set."""
+SIGNIFICANT, BEYOND = 0.01, 1.05
+"""Smallest amplitude over the largest one of a map that its order axis contains, and the room behind [-]."""
+OVER_SPEED = "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas."
+OVER_TIME = "Amplitudes over order and time: orders are vertical lines, also where the speed changes."
 EQUAL = 5e-3
 """Relative difference of two mesh frequencies that is invisible in a spectrum."""
 
@@ -111,9 +120,10 @@ def spectrum_section(
                 part = slice(None) if _is_one_way(angle.values) else window
                 for c in channels_of:
                     whole = Channel(c.name, c.values[part], c.unit, c.long_name)
-                    _add_maps(section, whole, time[part], angle.values[part], orders, named)
+                    moment, turned = time[part], angle.values[part]
+                    _add_maps(section, whole, moment, turned, orders, named, fitted=not run.highest_order)
             else:
-                by_order = _order_spectrum(missing, signals, turns, orders, named)
+                by_order = _order_spectrum(missing, signals, time[window], turns, orders, named)
                 _add_spectrum(section, signals, time[window], run.mesh_frequencies, by_order)
         for reason, names in missing.items():
             section.add(f"<p>No order spectrum of {escape('; '.join(names))}: {escape(reason)}.</p>")
@@ -142,7 +152,7 @@ def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
     return {common_name(sorted(names, key=order.index)): frequency for names, frequency in found}
 
 
-def default_highest_order(teeth: Sequence[int]) -> float:
+def default_highest_order(teeth: Sequence[float]) -> float:
     """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame.
 
     Without teeth: orders of shafts and rolling bearings.
@@ -192,11 +202,16 @@ def _add_spectrum(
 
 
 def _order_spectrum(
-    missing: dict[str, list[str]], signals: Sequence[Channel], angle: Array, highest: float, shafts: Shafts
+    missing: dict[str, list[str]],
+    signals: Sequence[Channel],
+    time: Array,
+    angle: Array,
+    highest: float,
+    shafts: Shafts,
 ) -> go.Figure | None:
     """Order spectra; if there are none, the reason with the names of the channels is added to `missing`."""
     try:
-        _long_enough(angle, ORDER_TURNS)
+        _long_enough(angle, time, ORDER_TURNS)
         spectra = {c.label: tracked_spectrum(c.values, angle, highest_order=highest) for c in signals}
     except SignalError as reason:
         missing.setdefault(str(reason), []).extend(c.label for c in signals)
@@ -205,8 +220,26 @@ def _order_spectrum(
 
 
 def _add_maps(
-    section: Section, channel: Channel, time: Array, angle: Array, highest: float, shafts: Shafts
+    section: Section,
+    channel: Channel,
+    time: Array,
+    angle: Array,
+    highest: float,
+    shafts: Shafts,
+    *,
+    fitted: bool,
 ) -> None:
+    """Both maps of a channel; with `fitted`, the axes end with the content."""
+    tracked, reason = None, ""
+    if fitted:
+        highest = max(highest, default_highest_order(list(shafts.meshes.values())))
+    try:
+        _long_enough(angle, time, MAP_TURNS)
+        shown = min(highest, highest_resolved_order(angle))
+        tracked = order_map(channel.values, angle, time, highest_order=shown, revolutions=_frame(angle))
+        highest = map_end(tracked, shafts.meshes) if fitted else highest
+    except SignalError as refused:
+        reason = str(refused)
     values, rate = uniform(time, channel.values)
     top = min(0.5 * rate, highest * _top_speed(time, angle) / (2.0 * np.pi))
     data = time_frequency_map(values, rate, highest_frequency=top, start=float(time[0]))
@@ -218,28 +251,51 @@ def _add_maps(
             quantity=channel.label,
             meshes={name: order * turning for name, order in shafts.meshes.items()},
         ),
-        "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
+        "Amplitudes over time and frequency: orders follow the speed, resonances remain constant.",
         name=f"time_frequency[{channel.name}]",
     )
-    try:
-        _long_enough(angle, MAP_TURNS)
-        shown = min(highest, highest_resolved_order(angle))
-        tracked = order_map(channel.values, angle, time, highest_order=shown, revolutions=_frame(angle))
-    except SignalError as reason:
-        section.add(f"<p>No order map of {escape(channel.label)}: {escape(str(reason))}.</p>")
+    if tracked is None:
+        section.add(f"<p>No order map of {escape(channel.label)}: {escape(reason)}.</p>")
         return
+    inside = tracked.order <= highest
+    part = replace(tracked, order=tracked.order[inside], amplitude=tracked.amplitude[:, inside])
     section.add_figure(
-        spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label, shafts=shafts),
-        "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
+        spectrum_plots.plot_order_map(part, unit=channel.unit, quantity=channel.label, shafts=shafts),
+        OVER_SPEED if tracked.is_run_up else OVER_TIME,
         name=f"order_map[{channel.name}]",
     )
     for note in tracked.notes:
         section.add(f"<p>{escape(note[0].upper() + note[1:])}.</p>")
 
 
-def _long_enough(angle: Array, limit: float) -> None:
+def map_end(data: OrderMap, meshes: Mapping[str, float]) -> float:
+    """End of the order axis of a map: above its last significant line and three orders of the fastest mesh.
+
+    Parameters
+    ----------
+    data
+        The map.
+    meshes
+        Orders of the meshes by name.
+
+    Examples
+    --------
+    >>> order, none = np.arange(161.0), np.zeros(1)
+    >>> amplitude = 5.0 * (order == 20.0) + 0.5 * (order == 80.0)
+    >>> data = OrderMap(none, none, order, amplitude[None], none)
+    >>> map_end(data, {"m": 20.0}), map_end(data, {"m": 40.0})
+    (84.0, 128.0)
+    """
+    largest = data.amplitude[:, 1:].max(axis=0, initial=0.0)
+    lines = np.flatnonzero(largest >= SIGNIFICANT * largest.max(initial=0.0)) if largest.any() else [-1]
+    last = BEYOND * float(data.order[int(lines[-1]) + 1]) if lines[-1] >= 0 else 0.0
+    fastest = default_highest_order(list(meshes.values())) if meshes else 0.0
+    return float(min(data.order[-1], max(last, fastest) or np.inf))
+
+
+def _long_enough(angle: Array, time: Array, limit: float) -> None:
     """Reject angles with too few revolutions in one direction."""
-    turns = turns_of(one_way(angle))
+    turns = turns_of(one_way(angle, time))
     if turns < limit:
         raise SignalError(f"angle: {turns:.3g} revolutions (limit {limit:g}); use a longer record")
 
