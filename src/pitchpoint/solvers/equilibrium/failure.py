@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reasons why a system has no equilibrium: loaded unconstrained directions, and broken teeth."""
+"""Reasons why a system has no equilibrium: loaded unconstrained directions, broken teeth, clearance."""
 
 from __future__ import annotations
 
@@ -13,10 +13,15 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.elements import registry
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
+from pitchpoint.model.rings import ring_bodies
+from pitchpoint.solvers.equilibrium.approach import line_and_open_contacts
+from pitchpoint.solvers.equilibrium.force_jumps import Rest
+from pitchpoint.solvers.equilibrium.unknowns import inverse_of
 from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.system import evaluate
 from pitchpoint.system.remarks import DEEPEST
 from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -29,6 +34,10 @@ LOADED = 1e-6
 """Share of the loads in unconstrained directions from which these are reported as the reason."""
 SHARE = 0.5
 """Share of a coordinate in those directions, over the largest, from which it is listed."""
+SLACK = 1e-3
+"""Stiffness over that without clearance up to which a body is free within its clearance."""
+SLOWLY = 1.0
+"""Mass factor [1/s^2] of the step that shows where the residual moves the bodies."""
 STIFFNESS = {"x": "radial", "y": "radial", "z": "axial", "rx": "tilt", "ry": "tilt", "spin": "torsion"}
 FAR = 0.01
 """Axial displacement [m] from which a body has left its bearings."""
@@ -40,6 +49,83 @@ WORDS = {
 }
 NAMES = {"alpha": "rx", "beta": "ry"}
 """Names of coordinates in model files and channels."""
+
+
+def reason(
+    system: System, begin: State, free: NDArray[np.int64], found: Rest, steps: int, worst: int
+) -> tuple[str, bool]:
+    """Message on an iteration that did not converge, and whether a direction is unconstrained.
+
+    Parameters
+    ----------
+    system
+        The system.
+    begin
+        Initial state of the iteration.
+    free
+        Coordinates that are not held.
+    found
+        Last state of the iteration.
+    steps
+        Number of steps.
+    worst
+        Coordinate farthest from its goal.
+    """
+    if names := unconstrained(system, begin, free):
+        return f"no equilibrium: {advice(names)}{line_and_open_contacts(system, begin, names[0])}", True
+    name, words = run_away(system, found.state)
+    if name:
+        return f"no equilibrium: {words}{_line_of(system, name)}", True
+    size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"
+    where = coordinate_source(system, system.layout.coordinates[worst])
+    remedy = in_clearance(system, found.state, free) or "check loads and stiffness"
+    return f"no equilibrium found after {steps} steps: {size} are unbalanced on {where}; {remedy}", False
+
+
+def _line_of(system: System, name: str) -> str:
+    return coordinate_source(system, name).removeprefix(name)
+
+
+def in_clearance(system: System, state: State, free: NDArray[np.int64]) -> str:
+    """Message on a body that the residual moves freely within the clearance of its bearings, or ''.
+
+    Free: without the clearance the stiffness in this direction is more than `1/SLACK` times larger.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Last state of the iteration, which did not converge.
+    free
+        Coordinates that are not held.
+    """
+    if system.model is None:
+        return ""
+    own, weight = system.copy(), system.weight[free]
+    force = evaluate.residual(own, state)[free]
+    mass, stiffness = (
+        evaluate.matrix(own, state, *f, NEWTON)[np.ix_(free, free)] for f in ((1, 0, 0), (0, 0, 1))
+    )
+    moved = inverse_of(stiffness + SLOWLY * mass, np.sqrt(mass.diagonal()))(force)
+    for kind, records in own.records.items():
+        if (close := registry.find(kind).close) is not None:
+            close(records)
+    closed = evaluate.matrix(own, state, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
+    if abs(moved @ stiffness @ moved) > SLACK * (moved @ closed @ moved):
+        return ""
+    length = np.abs(moved * weight)
+    k = int(free[np.argmax(length)])
+    body = system.layout.coordinates[k].partition(".")[0]
+    bearings = [name for name, part in system.model.rolling_bearings.items() if body in ring_bodies(part)]
+    bearings += [name for name, part in system.model.plain_bearings.items() if body in ring_bodies(part)]
+    if not bearings:
+        return ""
+    return (
+        f"{body} moves freely within the clearance of {_listed(bearings)}, where almost no force holds it: "
+        "reduce the clearance (clearance: 0, axial_clearance: 0), or add a load that the bearing supports, "
+        "such as gravity"
+    )
 
 
 def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:

@@ -29,11 +29,12 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.solvers.equilibrium.approach import Contacts, line_and_open_contacts
+from pitchpoint.solvers.equilibrium.approach import Contacts
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
-from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, run_away, unconstrained
+from pitchpoint.solvers.equilibrium.failure import broken_tooth, reason
+from pitchpoint.solvers.equilibrium.floating import balanced_drift, floating_force
 from pitchpoint.solvers.equilibrium.force_jumps import (
     Rest,
     Surface,
@@ -46,6 +47,7 @@ from pitchpoint.solvers.equilibrium.geometric_stiffness import Tangent, resists
 from pitchpoint.solvers.equilibrium.unknowns import (
     GROWTH,
     ROUNDING,
+    SOFTENING,
     inverse_of,
     rest_matrix,
     unsettled_states,
@@ -54,7 +56,6 @@ from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, fre
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
-from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -163,20 +164,8 @@ def find_equilibrium(
     if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
-        if names := unconstrained(system, state, free):
-            where = line_and_open_contacts(system, state, names[0])
-            raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
-        name, words = run_away(system, found.state)
-        if name:
-            where = coordinate_source(system, name).removeprefix(name)
-            raise SolverError(f"no equilibrium: {words}{where}", SINGULAR, found.state)
-        size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"
-        raise SolverError(
-            f"no equilibrium found after {count} steps: {size} are unbalanced on "
-            f"{coordinate_source(system, system.layout.coordinates[worst])}; check loads and stiffness",
-            failure,
-            found.state,
-        )
+        words, singular = reason(system, state, free, found, count, worst)
+        raise SolverError(words, SINGULAR if singular else failure, found.state)
     other_sides = tuple(_wrapped(system, other) for other in found.other_sides)
     reaction = found.residual[list(kept)].copy()
     return Equilibrium(_wrapped(system, found.state), kept, reaction, count, other_sides, found.share)
@@ -201,7 +190,7 @@ def _pseudo_time(
     tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
-    mu = FIRST
+    mu, floats = FIRST, False
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
         # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
@@ -221,7 +210,9 @@ def _pseudo_time(
                 mu = FIRST
             continue
         inverse = inverse_of(pulled, root)
-        step = -inverse(R[free])
+        allowed = goal / weight[free]
+        drift = balanced_drift(R[free], mass, mu, inverse, allowed) if floats else None
+        step = -inverse(R[free] if drift is None else R[free] - drift)
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
@@ -231,10 +222,18 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
-        ratio = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
+        after = new[free] if drift is None else new[free] - floating_force(new[free], mass, mu, inverse)
+        ratio = float(np.linalg.norm(root * inverse(after)) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
+        if drift is None and ratio >= 0.9 and not beyond:
+            floats = balanced_drift(R[free], mass, mu, inverse, allowed) is not None
+            if floats:
+                continue
+        # a roller bearing turns to its next stable position, by forces that grow along the way
+        softens = float(np.abs(new * weight)[free].max(initial=0.0)) <= loads
+        growth = SOFTENING if softens else GROWTH
         # forces grow first on bodies that swing down from an unstable position
-        if ratio < 0.9 or ((ratio <= GROWTH or tangent.exact) and not beyond):
+        if ratio < 0.9 or ((ratio <= growth or tangent.exact) and not beyond):
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue

@@ -29,6 +29,9 @@ ROUNDING = 8 * 2.2e-16
 """Relative rounding error of a force, from forces or positions, for about eight terms per body."""
 GROWTH = 1.01
 """Factor by which the next step may exceed an accepted one: within backlash steps do not decrease."""
+SOFTENING = 2.0
+"""The same where the force along the step grows because its stiffness k is negative: the next step is
+mu/(mu + k/m) times this one, so the mass factor mu stays above 2 |k|/m."""
 LARGE = 300
 """Number of coordinates from which matrices are sparse (importing SciPy takes a fifth of a second)."""
 REGULAR = 1e13
