@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 
 NEGLIGIBLE = 1e-13
 """Entry of the mass matrix over the largest up to which it counts as zero."""
+STILL = 1e-9
+"""Speed over the highest speed up to which a rotation is at rest."""
 
 
 def without_friction(system: System, *, joints: bool = False) -> System:
@@ -158,20 +160,25 @@ def inertial_stiffness(system: System, state: State, still: State, rigid: Array)
     system, state, still
         The system, the operating point, and the same position at rest.
     rigid
-        Unconstrained rigid rotations, shape (r, nd). They do no work against it: the centrifugal force of an
-        unbalance passes through the axis and rotates with the body. The part of the tangent that rotates this
-        force is not symmetric, and half of it would be a stiffness of the rotation.
+        Unconstrained rigid rotations, shape (r, nd). Those with a speed do no work against it: the
+        centrifugal force of an unbalance passes through the axis and rotates with the body. The part of the
+        tangent that rotates this force is not symmetric, and half of it would be a stiffness of the rotation.
+        A pendulum on a rotor has no speed of its own, and this stiffness.
     """
     on = dict.fromkeys(massive_kinds(system, still), slice(None))
     with switched(system, on):
         turning = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
         found = symmetric(turning - evaluate.matrix(system, still, 0.0, 0.0, 1.0))
-    if not len(rigid):
+    mass = evaluate.matrix(system, still, 1.0, 0.0, 0.0)
+    weighted = rigid @ mass
+    speeds = np.linalg.solve(weighted @ rigid.T, weighted @ state.v)
+    turns = rigid[np.abs(speeds) > STILL * np.abs(speeds).max(initial=0.0)]
+    if not len(turns):
         return found
-    weighted = rigid @ evaluate.matrix(system, still, 1.0, 0.0, 0.0)
-    within = np.linalg.solve(weighted @ rigid.T, weighted)
-    out = found @ rigid.T @ within
-    return np.asarray(found - out - out.T + within.T @ (rigid @ out))
+    weighted = turns @ mass
+    within = np.linalg.solve(weighted @ turns.T, weighted)
+    out = found @ turns.T @ within
+    return np.asarray(found - out - out.T + within.T @ (turns @ out))
 
 
 def element_names(system: System, kind: str) -> tuple[str, ...]:

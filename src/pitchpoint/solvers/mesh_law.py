@@ -48,6 +48,8 @@ class MeshLaw:
         K s and D s [N/m, N s/m]; zero without a gear that can rotate.
     force, force_by_rate
         Force along the base tangent by coordinates and rates: rows s^T K and s^T D.
+    spins
+        Coordinates of the rotation of its gears.
     wave
         Excitation over the mesh cycle; None if the mesh is unloaded or evaluated at one phase.
     """
@@ -58,6 +60,7 @@ class MeshLaw:
     damping: Array
     force: Array
     force_by_rate: Array
+    spins: tuple[int, ...] = ()
     wave: ToothWave | None = None
 
     @property
@@ -85,7 +88,9 @@ class MeshLaw:
         forces[:, self.wave.places] = self.wave.harmonics(count) * turned
         forces = forces if forward else forces.conj()
         e = np.asarray(forces @ self.turn / self.mean, np.complex128)
-        return e, forces - np.outer(e, self.stiffness)
+        shuttling = forces - np.outer(e, self.stiffness)
+        shuttling[:, list(self.spins)] = 0.0  # r_b F is the torque on both gears
+        return e, shuttling
 
     def deflection_energy(self, shapes: Complex) -> Array:
         """Twice the strain energy k |u|^2 of the mean deflection u = F/k of the teeth, shape (n,).
@@ -104,7 +109,7 @@ class MeshLaw:
 
 def mesh_law(system: System, parts: Parts, k: int) -> MeshLaw:
     """Linear law of mesh number k in a linearisation by element."""
-    travel, turn = _rotation(system, k)
+    travel, turn, spins = _rotation(system, k)
     name = f"mesh {mesh_names(system)[k]}"
     K = parts.shares[parts.elements.index(name)]
     D = parts.damping[name]
@@ -115,6 +120,7 @@ def mesh_law(system: System, parts: Parts, k: int) -> MeshLaw:
         _times(D, turn),
         _times(Share(K.places, K.matrix.T), turn),
         _times(Share(D.places, D.matrix.T), turn),
+        spins,
         parts.waves.get(name),
     )
 
@@ -127,8 +133,8 @@ def stiffness_now(system: System, state: State, k: int, law: MeshLaw) -> float:
     return float(law.turn @ now @ law.turn)
 
 
-def _rotation(system: System, k: int) -> tuple[Array, Array]:
-    """Travel by rotation, and the rotation of one gear that changes the travel by 1 m."""
+def _rotation(system: System, k: int) -> tuple[Array, Array, tuple[int, ...]]:
+    """Travel by rotation, the rotation of one gear that changes the travel by 1 m, spins of both gears."""
     record = mesh_record(system, k)
     travel, turn = np.zeros(system.sizes["nd"]), np.zeros(system.sizes["nd"])
     for path in torque_paths(system):
@@ -139,7 +145,7 @@ def _rotation(system: System, k: int) -> tuple[Array, Array]:
     chosen = max(own, key=lambda spin: abs(travel[spin]), default=-1)
     if chosen >= 0 and travel[chosen] != 0.0:
         turn[chosen] = 1.0 / travel[chosen]
-    return travel, turn
+    return travel, turn, tuple(own)
 
 
 def _times(share: Share, vector: Array) -> Array:

@@ -93,7 +93,7 @@ bodies:
 joints:
   fly: {type: free, bodies: [ground, stone], speed: {alpha: 0.05, beta: 6.0, spin: 0.03}}
 scenarios:
-  on: {duration: 2 s, step: 1 ms, settle_time: 0 s}
+  on: {start: assembled, duration: 2 s, step: 1 ms, settle_time: 0 s}
 """
 
 

@@ -238,7 +238,7 @@ def test_a_ring_on_a_body_elsewhere_names_the_other_form():
     with pytest.raises(ModelError) as caught:
         loads_model(text + "  a: {ends: [rotor, frame], designation: 6308}\n")
     assert "are 100 mm apart in the initial position" in str(caught.value)
-    assert "or write body: rotor, position: [0, 0, z], housing: frame instead of ends" in str(caught.value)
+    assert "or write body: rotor, position: [0, 0, 0 mm], housing: frame instead of ends" in str(caught.value)
 
 
 def test_symbols_of_catalogues_in_python():

@@ -51,7 +51,7 @@ def world(name):
     return point if number == 0 else point + BODIES[number - 1].position
 
 
-PLACES = Places(end, world, lambda name: end(name)[2], {"m": 3}.__getitem__)
+PLACES = Places(end, world, lambda name: end(name)[2], {"m": 3}.__getitem__, tree=tuple(BODIES))
 
 
 def places(**sections):

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.solvers.time import run_time, solve_time
@@ -44,15 +45,18 @@ def test_penetration_of_either_flank_counts_from_the_backlash(low: float, high: 
 
 
 def test_results_of_all_kinds_say_it_once() -> None:
-    """A torque in the wrong unit: 150 kN m instead of 150 N m."""
+    """A torque in the wrong unit: 150 kN m instead of 150 N m, with which the sweep loses its speed."""
     text = TORSIONAL_PAIR.replace("150 N m", "150 kN m").replace("duration: 0.5 s", "duration: 1 ms")
     text = text.replace("points: 81", "points: 2").replace("direction: both", "direction: up")
     text = text.replace("settle_periods: 200, measure_periods: 50", "settle_periods: 1, measure_periods: 1")
     model = loads_model(text + "  roll: {quasi_static: {points: 4}}\n")
+    with pytest.raises(SolverError, match="the mean speed left the speed of the sweep") as caught:
+        sweep_speed(compile_model(model, "sweep"))
+    assert caught.value.partial is not None
     notes = [
+        caught.value.partial.attrs["notes"],
         solve_time(compile_model(model, "steady")).attrs["notes"],
         solve_quasistatic(compile_model(model, "roll")).attrs["notes"],
-        sweep_speed(compile_model(model, "sweep")).attrs["notes"],
         *cases_dataset(run_cases(model, [{}], "steady")).attrs["notes"],
     ]
     assert [note.count("the flank penetration reaches ") for note in notes] == [1, 1, 1, 1]
