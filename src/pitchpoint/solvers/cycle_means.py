@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements.mesh import record as mesh
 from pitchpoint.elements.mesh.tooth_pairs import MAX_SPLIT
 from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
-from pitchpoint.solvers.element_tangents import residual_of, tangents
+from pitchpoint.solvers.element_tangents import forces_and_tangents
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.unloaded_flanks import shift_into_contact
 from pitchpoint.system import evaluate
@@ -132,7 +132,8 @@ class CycleMean:
         Phases of the loaded flank and their weights in the mean, see `cycle_nodes`, shape (n,); none if the
         mesh is unloaded.
     places, forces
-        Coordinates of the equilibrium and generalised forces of the mesh at these phases, shape (n, nd).
+        Coordinates of the equilibrium at these phases, and generalised forces of this mesh and of others in
+        other machines, shape (n, nd).
     """
 
     damping: Array
@@ -196,11 +197,10 @@ def _means_together(
                 for m, (_, phase) in observed_phases(system, at, [*active]):
                     ahead = nearest(float(active[m].phases[step]) - phase[active[m].flank])
                     shift(records[m], active[m].flank * ahead)
-            both = tangents(system, at, _records(system, active))
+            force, *both = forces_and_tangents(system, at, _records(system, active))
             for m, cycle in active.items():
                 total[m] += cycle.weights[step] * np.array([x[cycle.blocks.places] for x in both])
                 if not loose:
-                    force = -residual_of(system, at, _records(system, [m]))
                     seen[m].append((at.q, force))
     finally:
         for m in batch:

@@ -117,21 +117,21 @@ def tangents(
     system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]
 ) -> tuple[Array, Array]:
     """Damping and stiffness matrix of some records, without the inertia of the bodies, as blocks."""
+    return forces_and_tangents(system, state, on)[1:]
+
+
+def forces_and_tangents(
+    system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]
+) -> tuple[Array, Array, Array]:
+    """Generalised forces (nd,) of some records, and their `tangents`."""
     found = []
     for what in (on, {}):
         with switched(system, what):
             damping = evaluate.blocks(system, state, 0.0, 1.0, 0.0)
-            found.append((damping, evaluate.blocks(system, state, 0.0, 0.0, 1.0)))
-    (damping, stiffness), (bare_damping, bare_stiffness) = found
-    return damping - bare_damping, stiffness - bare_stiffness
-
-
-def residual_of(system: System, state: State, on: Mapping[str, slice | NDArray[np.int64]]) -> Array:
-    """Part of some records in the residual, their negative generalised forces, shape (nd,)."""
-    with switched(system, on):
-        own = evaluate.residual(system, state)
-    with switched(system, {}):
-        return own - evaluate.residual(system, state)
+            stiffness = evaluate.blocks(system, state, 0.0, 0.0, 1.0)
+            found.append((system.workspace.R.copy(), damping, stiffness))
+    (own, damping, stiffness), (bare, bare_damping, bare_stiffness) = found
+    return bare - own, damping - bare_damping, stiffness - bare_stiffness
 
 
 def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -> Array:
