@@ -180,6 +180,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         if source is None:
             by_teeth.append(None)
             continue
+        source = source.reversed() if speed < 0.0 else source
         gain = tooth_response(at, source, value, shape, near)
         by_teeth.append(ByTeeth(source.energy(shape), gain, source.shuttles(shape)))
     energies = energies_of(
@@ -208,7 +209,7 @@ def _source(found: Campbell, order: Order, phases: Phases) -> Source | None:
 
 
 def mesh_phases(found: Campbell) -> Phases:
-    """Phase of the loaded flank of each mesh at the operating point, and whether it grows."""
+    """Phase of the loaded flank of each mesh at the operating point, and whether it grows with the angle."""
     system, state = found.motions.system, found.motions.state
     moved = state.copy()
     moved.q += AHEAD * found.rates

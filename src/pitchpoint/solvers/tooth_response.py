@@ -60,6 +60,10 @@ class Source:
     rows: Complex
     by_error: Complex
 
+    def reversed(self) -> Source:
+        """The excitations in the opposite direction of rotation."""
+        return Source(self.forces.conj(), self.rows.conj(), self.by_error.conj())
+
     def energy(self, shape: Complex) -> float:
         """Twice the strain energy of a shape where the excitations act, as z^H K z."""
         return float(np.linalg.norm(self.rows @ shape) ** 2)

@@ -285,3 +285,20 @@ def test_mesh_phases_of_planets_decide_which_modes_an_order_drives(
     for harmonic, motion in enumerate(excited_motion(teeth[0], planets, 2), 1):
         assert seen[harmonic]
         assert all(f" {motion} mode" in name for name in seen[harmonic]), seen
+
+
+def test_excitation_at_negative_speeds_is_that_of_the_mirrored_motion() -> None:
+    """Whirl and excitation change direction together: tilting modes have the same amplification.
+
+    A(-Omega) is the transpose of A(Omega) but for the torques, which follow the tilting axes and do not
+    change with the direction: 1 %.
+    """
+    system = built(drive(18.0))
+    found = []
+    for sign in (1.0, -1.0):
+        modes = follow_modes(system, sign * np.linspace(50.0, 11e3, 15) * RPM, "A", "run")
+        order = excitation_orders(system, modes.motions, modes.rates, ["mesh"])
+        rows = sorted((c.frequency, c.amplification) for c in critical_speeds(modes, order))
+        found.append(np.array(rows))
+    assert len(found[0]) > 5
+    assert found[1] == pytest.approx(found[0], rel=0.02)
