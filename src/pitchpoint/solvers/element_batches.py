@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import EVERYWHERE, SIGNAL
+from pitchpoint.elements.kind import EVERYWHERE, FORCE, SIGNAL, SINGLE, TORQUE
 from pitchpoint.solvers.element_tangents import Share, tangents
 from pitchpoint.solvers.null_space import connected
 from pitchpoint.system.system import State, System
@@ -91,6 +91,23 @@ def machines_of(system: System) -> NDArray[np.int64]:
     for number, members in enumerate(connected(rows, range(1, len(body))), start=1):
         found[members] = number
     return found
+
+
+def free_flying(system: System, loaded: bool = False) -> NDArray[np.int64]:
+    """Coordinates of bodies that are mounted on no other, carry none and are connected to none.
+
+    Without `loaded`, only of those on which no gravity, force or torque acts either.
+    """
+    body = system.program["body"]
+    mounted = (body["parent"] > 0) | (body["spinner"] > 0)
+    touched = {0, *np.flatnonzero(mounted).tolist(), *body["parent"].tolist(), *body["spinner"].tolist()}
+    for kind, records in system.records.items():
+        described = registry.find(kind)
+        load = described.scope == SINGLE or described.role in (FORCE, TORQUE)
+        if described.scope != EVERYWHERE and not (load and loaded):
+            touched.update(*(records[end].tolist() for end in described.ends))
+    alone = [record for b, record in enumerate(body) if b not in touched]
+    return np.array([d for r in alone for d in range(int(r["dof"]), int(r["dof"] + r["n"]))], np.int64)
 
 
 def stiffness_by_element(

@@ -179,14 +179,13 @@ class System:
         """State with the start values of the bodies, otherwise zero."""
         nd, nb = self.sizes["nd"], self.sizes["nb"]
         q, v, turns = np.zeros(nd), np.zeros(nd), np.zeros(nb, np.int64)
-        for b, body in enumerate(self.bodies, start=1):
-            record = self.program["body"][b]
-            first, spin = int(record["dof"]), int(record["spin"])
+        places = (self.program["body"][name][1:].tolist() for name in ("dof", "spin"))
+        for b, (body, first, spin) in enumerate(zip(self.bodies, *places, strict=True), start=1):
             q[first : first + len(body.start)] = body.start
             v[first : first + len(body.rate)] = body.rate
             if spin >= 0:
                 q[spin] += body.angle
-                turns[b] = int(np.round(q[spin] / TWO_PI))
+                turns[b] = round(q[spin] / TWO_PI)
                 q[spin] -= TWO_PI * turns[b]
         charts = np.tile(np.eye(3), (int(self.program["body"]["chart"].max()) + 1, 1, 1))
         return State(0.0, q, v, np.zeros(nd), np.zeros(self.sizes["nc"]), turns, charts)

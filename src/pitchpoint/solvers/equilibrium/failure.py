@@ -14,6 +14,7 @@ from pitchpoint.elements import registry
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
 from pitchpoint.model.rings import ring_bodies
+from pitchpoint.solvers.element_batches import free_flying
 from pitchpoint.solvers.equilibrium.approach import line_and_open_contacts
 from pitchpoint.solvers.equilibrium.force_jumps import Rest
 from pitchpoint.solvers.equilibrium.unknowns import inverse_of
@@ -72,7 +73,8 @@ def reason(
         Coordinate farthest from its goal.
     """
     if names := unconstrained(system, begin, free):
-        return f"no equilibrium: {advice(names)}{line_and_open_contacts(system, begin, names[0])}", True
+        where = line_and_open_contacts(system, begin, names[0])
+        return f"no equilibrium: {advice(names)}{where}{_in_flight(system, names)}", True
     name, words = run_away(system, found.state)
     if name:
         return f"no equilibrium: {words}{_line_of(system, name)}", True
@@ -183,6 +185,13 @@ def advice(names: tuple[str, ...]) -> str:
     kinds = dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names)
     bearing = "a bearing" if len(found) == 1 else "bearings"
     return f"nothing holds {held}: add {bearing} with {_listed(kinds)} stiffness"
+
+
+def _in_flight(system: System, names: tuple[str, ...]) -> str:
+    """How to start the unconstrained bodies if they are connected to no other, or ''."""
+    bodies = {system.layout.coordinates[k].rpartition(".")[0] for k in free_flying(system, loaded=True)}
+    flies = {name.rpartition(".")[0] for name in names} <= bodies
+    return "; `start: assembled` in the scenario starts a body in free flight" if flies else ""
 
 
 def run_away(system: System, state: State) -> tuple[str, str]:

@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.solvers.element_batches import free_flying
 from pitchpoint.solvers.equilibrium.approach import Contacts
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.centring import centred
@@ -154,6 +155,8 @@ def find_equilibrium(
     evaluate.prepare(system)
     idle = unsettled_states(system, state, free)
     free = np.setdiff1d(free, idle) if idle.size else free
+    if state.v.any():  # the inertia forces of a body that tumbles freely displace nothing
+        free = np.setdiff1d(free, free_flying(system))
     if is_looped(system):
         mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
         if words := broken_tooth(system, mechanism.state):

@@ -18,6 +18,7 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
+from pitchpoint.solvers.element_batches import free_flying
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
@@ -236,7 +237,7 @@ def _at_rest(
     state = centred(mean, state, {*fixed, *known})
     found, signal_notes = rest_of_controls(mean, state, fixed, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
-    notes = (*signal_notes, *_notes(mean, found, known), *remarks)
+    notes = (*signal_notes, *_notes(mean, found, {*known, *free_flying(mean)}), *remarks)
     if cycle is None:
         return mean, found, notes, None
     records = system.records[LOAD].copy()
