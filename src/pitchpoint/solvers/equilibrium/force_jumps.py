@@ -26,8 +26,9 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements.mesh.record import PHASE
+from pitchpoint.solvers.element_batches import blocks_of
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_record, shared_width
+from pitchpoint.system.meshes import mesh_places, mesh_record, shared_width
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -92,8 +93,13 @@ def crossed(system: System, one: State, two: State) -> list[Surface]:
 
 def slopes(system: System, state: State, surfaces: Sequence[Surface], free: Indices) -> Array:
     """Derivatives of the distances with respect to the free coordinates, shape (n, free)."""
+    places, layout = mesh_places(system), system.layout
+    nodes = {n for mesh in {s.mesh for s in surfaces} for n in blocks_of(system, *places[mesh]).nodes}
+    moving = {layout.node_dof[n] + k for n in nodes for k in range(layout.node_size[n])}
     found = np.zeros((len(surfaces), len(free)))
     for column, k in enumerate(free):
+        if k not in moving:
+            continue
         h = PROBE / system.weight[k]
         ends = []
         for sign in (1.0, -1.0):
@@ -238,7 +244,6 @@ def _rest_on(
             parts = np.concatenate(([1.0 - share.sum()], share))  # R_0 + share (R_k - R_0)
             rest = residuals @ parts
             K = np.tensordot(parts, stiffness, 1)
-            scale = float(np.abs(K).max())
             jump = (residuals[free, 1:] - residuals[free, :1]) * size[:, None]
             # the distance between the sides limits the accuracy of a state on a surface
             rounding = BESIDE * np.abs(stiffness @ back).max(axis=(0, 2))
@@ -246,15 +251,28 @@ def _rest_on(
                 return _aside(
                     Rest(sides[0], rest, tuple(sides[1:]), share), normal @ np.linalg.pinv(K) @ jump
                 )
-            matrix = np.block([[K, jump], [scale * normal, np.zeros((n, n))]])
-            values = scale * heights(system, state, chosen)
-            change = -np.linalg.pinv(matrix) @ np.concatenate((rest[free] * size, values))
+            change = _step(K, jump, normal, rest[free] * size, heights(system, state, chosen))
             if float(np.abs(change[: len(free)]).max()) > FARTHEST:
                 return None
             state, share = _moved(state, free, size * change[: len(free)]), share + change[len(free) :]
     except SolverError:
         pass
     return None
+
+
+def _step(K: Array, jump: Array, normal: Array, rest: Array, height: Array) -> Array:
+    """Newton step of position and shares: [[K, jump], [normal, 0]] step = -(rest, height).
+
+    Rows and columns are scaled alike: the pseudo-inverse would omit the shares beside a large stiffness.
+    """
+    n, nf = normal.shape
+    stiff, across = float(np.abs(K).max()), np.linalg.norm(normal, axis=1)
+    size = np.linalg.norm(jump, axis=0)
+    unit = np.divide(stiff, size, out=np.zeros(n), where=size > 0.0)
+    matrix = np.block([[K, jump * unit], [stiff * normal / across[:, None], np.zeros((n, n))]])
+    change = -np.linalg.pinv(matrix) @ np.concatenate((rest, stiff * height / across))
+    change[nf:] *= unit
+    return np.asarray(change)
 
 
 def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices, back: Array) -> State:
