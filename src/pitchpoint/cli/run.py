@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, quantity, scenario
 from pitchpoint.cli.output import emit_json, show, show_notes, shown
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.vary import base_model, vary_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -75,7 +75,6 @@ def run(
     The result file can be read during the run. Ctrl-C stops the run; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
         rattle_table,
@@ -89,7 +88,7 @@ def run(
     from pitchpoint.system.no_load import without_rounding
     from pitchpoint.viz.quantities import window_words
 
-    model = read_model(file, allow_code, quiet)
+    model = base_model(file, allow_code, quiet, vary)
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
