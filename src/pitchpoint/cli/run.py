@@ -179,6 +179,7 @@ def compute(
     from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
+    from pitchpoint.report.bearing_loads import loads_above_ratings
     from pitchpoint.solvers.time import loop_of, run_time
     from pitchpoint.system.channel_choice import chosen_channels
     from pitchpoint.system.compile import compile_model
@@ -202,7 +203,8 @@ def compute(
             done = run_time(system, chosen, sink=writer, progress=progress, start=start, channels=stored)
         if events:
             writer.append_events(done.events)
-        notes = (*done.notes, *step_notes(chosen, done.step))
+        high = loads_above_ratings(model, done.channels)
+        notes = (*done.notes, *step_notes(chosen, done.step), *high)
         statistics = {c.name: done.channels[c.name] for c in channels}
         status = how_a_status_ends(done.status)
         writer.finish(
