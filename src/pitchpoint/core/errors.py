@@ -100,7 +100,7 @@ class Message(str):
         sentence = f"{place}: " if place else ""
         sentence += text if value is None else f"{value} {text}"
         sentence += "" if limit is None else f" (limit {limit})"
-        sentence += "" if remedy is None else f"; {remedy}"
+        sentence += f"; {remedy}" if remedy else ""
         self = super().__new__(cls, sentence)
         self.where, self.text, self.value, self.limit = where, text, value, limit
         self.remedy, self.line, self.kind = remedy, None if line is None else int(line), kind
