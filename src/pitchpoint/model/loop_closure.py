@@ -78,11 +78,13 @@ def closing_places(parts: Parts, meshes: Mapping[str, Mesh], name: str) -> dict[
             return {}
         places[gear] = complex(origin[0], origin[1])
     around = [_between(meshes, pair) for pair in zip(loop, [*loop[1:], loop[0]], strict=True)]
-    first = min(range(len(loop)), key=lambda k: list(parts.gears).index(loop[k]))  # rather stays
+    order = list(parts.gears)
+    first = min(range(len(loop)), key=lambda k: order.index(loop[k]))  # rather stays
     turned = [[*loop[k:], *loop[:k]] for k in (*range(first, len(loop)), *range(first))]
     fours = [(one[0], one[-1], one[-2], one[-3]) for one in turned]
-    for a, b, c, d in sorted(fours, key=lambda four: abs(places[four[0]] - places[four[2]]) > SAME):
-        moving = (b,) if abs(places[a] - places[c]) <= SAME else (b, c)
+    alone = {b: abs(places[a] - places[c]) <= SAME for a, b, c, _ in fours}
+    for a, b, c, d in sorted(fours, key=lambda four: -order.index(four[1]) if alone[four[1]] else 1):
+        moving = (b,) if alone[b] else (b, c)
         if any(_is_bound(parts, meshes, gear, around) for gear in moving):
             continue
         found = _closed(parts, [meshes[m] for m in around], places, (a, b, c, d))
@@ -98,9 +100,8 @@ def _between(meshes: Mapping[str, Mesh], pair: tuple[str, str]) -> str:
 def _is_bound(parts: Parts, meshes: Mapping[str, Mesh], gear: str, loop: Sequence[str]) -> bool:
     """Whether a gear is a planet of a stage, or any gear on its body has a mesh outside the loop."""
     body = parts.bodies[str(parts.body_of(gear))]
-    return body.stage is not None or any(
-        n not in loop and {*m.gears} & {*body.gears} for n, m in meshes.items()
-    )
+    meets = any(n not in loop and {*m.gears} & {*body.gears} for n, m in meshes.items())
+    return body.stage is not None or meets
 
 
 def _closed(
