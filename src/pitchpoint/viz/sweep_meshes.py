@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Sequence
 
 from pitchpoint.analysis.mesh_sweep import MeshSweep
 from pitchpoint.viz.quantities import amount, number
-from pitchpoint.viz.tables import common_name
 
 MAX_MESHES = 10
 """Meshes or groups of equal meshes with own rows."""
 MAX_NAMED = 4
-"""Meshes or groups of equal meshes with an own sentence."""
+"""Meshes or groups of equal meshes with an own sentence, and names in one text."""
+RANGE = 4
+"""Consecutive numbers from which names are a range."""
 
 
 def mesh_rows(
@@ -38,7 +40,7 @@ def mesh_rows(
     first, *others = groups  # the swept mesh first
     ranked = [first, *sorted(others, key=lambda own: _severity(by_mesh[groups[own][0]]))]
     kept = set(ranked[:MAX_MESHES])
-    rows = [[common_name(meshes), *row] for own, meshes in groups.items() if own in kept for row in own]
+    rows = [[mesh_names(meshes), *row] for own, meshes in groups.items() if own in kept for row in own]
     rest = [mesh for own in ranked[MAX_MESHES:] for mesh in groups[own]]
     if not rest:
         return rows, ""
@@ -99,6 +101,42 @@ def contact_sentences(
     return sentences
 
 
+def mesh_names(meshes: Sequence[str]) -> str:
+    """Names of several meshes in one text; consecutive numbers, as of planets, as a range.
+
+    Examples
+    --------
+    >>> mesh_names([f"sun-planet_{k}" for k in range(1, 6)] + ["planet_1-ring", "planet_2-ring"])
+    'sun-planet_1 … sun-planet_5, planet_1-ring, planet_2-ring'
+    >>> mesh_names(["st1", "st2", "st4", "st5"]), mesh_names(["input", "idler", "cam", "pump", "oil", "fan"])
+    ('st1, st2, st4, st5', 'input, idler, cam, pump and 2 more')
+    """
+    runs: list[list[str]] = []
+    for mesh in meshes:
+        run = next((run for run in runs if _follows(run[-1], mesh)), None)
+        if run is None:
+            runs.append([mesh])
+        else:
+            run.append(mesh)
+    pieces = [piece for run in runs for piece in (run if len(run) < RANGE else [f"{run[0]} … {run[-1]}"])]
+    if len(pieces) <= MAX_NAMED + 1 or len(pieces) < len(meshes):
+        return ", ".join(pieces)
+    return f"{', '.join(pieces[:MAX_NAMED])} and {len(meshes) - MAX_NAMED} more"
+
+
+def _follows(before: str, mesh: str) -> bool:
+    """Whether a name is another one with the next number.
+
+    Examples
+    --------
+    >>> _follows("planet_1-ring", "planet_2-ring"), _follows("st2", "st4"), _follows("a", "b")
+    (True, False, False)
+    """
+    numbers = [re.findall(r"\d+", name) for name in (before, mesh)]
+    alike = re.sub(r"\d+", "#", before) == re.sub(r"\d+", "#", mesh) and len(numbers[0]) == 1
+    return alike and int(numbers[1][0]) == int(numbers[0][0]) + 1
+
+
 def percent(share: float) -> str:
     """Share of the time in per cent; a dash if it is not known.
 
@@ -136,7 +174,7 @@ def jump_words(found: Sequence[MeshSweep]) -> str:
         if one.jumps:
             texts.setdefault(", ".join(amount(f, "Hz") for f in one.jumps), []).append(one.mesh)
     named = len(found) > 1
-    words = [f"{text} ({common_name(meshes)})" if named else text for text, meshes in texts.items()]
+    words = [f"{text} ({mesh_names(meshes)})" if named else text for text, meshes in texts.items()]
     return ", ".join(words) or "none"
 
 
@@ -165,6 +203,6 @@ def _by_mesh(found: Sequence[MeshSweep]) -> dict[str, list[MeshSweep]]:
 
 def _of(meshes: Sequence[str]) -> str:
     """Meshes after "flanks"; nothing for a result of one mesh without name."""
-    if len(meshes) > 1 and len(meshes) < 4:
-        return f" of {', '.join(meshes[:-1])} and {meshes[-1]}"
-    return f" of {common_name(meshes)}" if meshes[0] else ""
+    if len(meshes) == 2:
+        return f" of {meshes[0]} and {meshes[1]}"
+    return f" of {mesh_names(meshes)}" if meshes[0] else ""

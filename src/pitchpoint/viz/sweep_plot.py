@@ -16,7 +16,7 @@ from pitchpoint.analysis.jumps import branch, sweep_jumps
 from pitchpoint.analysis.mesh_sweep import points_of_mesh, swept_meshes
 from pitchpoint.viz import theme
 from pitchpoint.viz.quantities import Array, Scale, channel_scale, number, scale
-from pitchpoint.viz.tables import common_name
+from pitchpoint.viz.sweep_meshes import mesh_names
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -138,7 +138,7 @@ def plot_meshes(
         for direction, (frequency, level) in own.items():
             dash = "solid" if direction == "up" or single else "dot"
             line = {"color": theme.SWEEP[direction][0] if single else colour, "width": 1.6, "dash": dash}
-            name = f"speed {direction}" if single else f"{common_name(names)}, {direction}"
+            name = f"speed {direction}" if single else f"{mesh_names(names)}, {direction}"
             figure.add_scatter(
                 x=frequency * pitch.factor, y=level * shown.factor, mode="lines", name=name, line=line
             )

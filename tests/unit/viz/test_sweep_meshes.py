@@ -59,6 +59,13 @@ def test_equal_meshes_of_planets_have_common_rows_and_curves():
     ]
 
 
+def test_curves_of_sun_and_ring_meshes_have_both_names():
+    names = {name.format(k): 0.0 for name in ("sun-planet_{}", "planet_{}-ring") for k in range(1, 5)}
+    figure, _ = plot_meshes(points(names), "mesh_force")
+    both = "sun-planet_1 … sun-planet_4, planet_1-ring … planet_4-ring"
+    assert [line.name for line in figure.data] == [f"{both}, up", f"{both}, down"]
+
+
 def test_of_many_meshes_the_swept_one_and_the_worst_are_listed():
     names = {f"m{k}": 0.01 * k for k in range(20)}
     rows, note = mesh_rows(mesh_sweeps(points(names)), cells)
