@@ -22,6 +22,11 @@ ROUND_OFF = 1e-9
 def swept_meshes(points: Sequence[Point]) -> list[str]:
     """Names of the meshes with results, the swept mesh first; one empty name for points without `meshes`.
 
+    Parameters
+    ----------
+    points
+        Points in the order of the sweep.
+
     Examples
     --------
     >>> swept_meshes([{"meshes": {"b": {}, "a": {}}}]), swept_meshes([{"mesh_frequency": 5.0}])
@@ -35,6 +40,13 @@ def points_of_mesh(points: Sequence[Point], mesh: str) -> list[dict[str, Any]]:
 
     The mesh force has the further statistic `magnitude`: the largest magnitude, also of forces on the back
     flank, which are negative.
+
+    Parameters
+    ----------
+    points
+        Points in the order of the sweep as of `sweep.speed.SweepSummary` or `io.sweep_store.read_sweep`.
+    mesh
+        Name of the mesh.
 
     Examples
     --------

@@ -109,6 +109,9 @@ def test_every_mesh_has_its_contact_numbers_over_mesh(system, data):
         for p in found.points:
             at = {"direction": p["direction"], "mesh_frequency": p["mesh_frequency"]}
             assert data[f"{name}[st2]"].sel(at).values == p["meshes"]["st2"][name]
+    for mesh in ("st1", "st2"):  # contact is state 1 or -1: its share is the mean square of the state
+        mean, rms = (data[f"contact_state[{mesh}]"].sel(statistic=s).values for s in ("mean", "rms"))
+        np.testing.assert_allclose(data[f"contact_loss_share[{mesh}]"], 1.0 - mean**2 - rms**2, atol=1e-12)
     assert data["contact_loss_share"].values.max() == 0.0
     assert data["contact_loss_share[st2]"].values.min(axis=1) == pytest.approx([0.0, 0.0])
     assert data["contact_loss_share[st2]"].attrs["units"] == "1"
