@@ -202,7 +202,7 @@ def _by_mesh(found: Sequence[MeshSweep]) -> dict[str, list[MeshSweep]]:
 
 
 def _of(meshes: Sequence[str]) -> str:
-    """Meshes after "flanks"; nothing for a result of one mesh without name."""
+    """Meshes after "flanks"; results of earlier versions have the swept mesh without its name."""
     if len(meshes) == 2:
         return f" of {meshes[0]} and {meshes[1]}"
-    return f" of {mesh_names(meshes)}" if meshes[0] else ""
+    return f" of {mesh_names(meshes) or 'the swept mesh'}"
