@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.analysis.mesh_sweep import points_of_mesh, swept_meshes
 from pitchpoint.cli.output import NOTHING, emit_json, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import say_bare
 from pitchpoint.cli.vary import varied
@@ -140,13 +141,19 @@ def compute(
 
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
     """Channels with statistics in the table, meshes with contact numbers, and the size of the sweeps."""
+    from pitchpoint.sweep.speed import plan_sweep
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.meshes import mesh_names
     from pitchpoint.system.planet_loads import factor_quantities
 
     if scenario.sweep is not None:
         both = scenario.sweep.direction == "both"
         directions = ["up", "down"] if both else [scenario.sweep.direction]
-        return factor_quantities(model), {"directions": directions, "n_points": scenario.sweep.points}
+        system = compile_model(model, scenario)
+        swept = plan_sweep(system, scenario).mesh
+        meshes = [swept, *(name for name in mesh_names(system) if name != swept)]
+        sizes = {"directions": directions, "n_points": scenario.sweep.points}
+        return factor_quantities(model), {**sizes, "meshes": meshes}
     channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
     channels += factor_quantities(model)
     if scenario.kind == "quasi_static":
@@ -265,9 +272,9 @@ def factor_cells(result: CaseResult, stages: Sequence[str]) -> list[str]:
 
 
 def meshes_of(result: CaseResult) -> list[str]:
-    """Names of the meshes of a case; a sweep has one unnamed mesh."""
+    """Names of the meshes of a case, of a sweep the swept mesh first."""
     if result.points:
-        return [""]
+        return swept_meshes(result.points)
     return [n[len("deflection[") : -1] for n in result.channels if n.startswith("deflection[")]
 
 
@@ -281,9 +288,10 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
 
         return roll.mesh_cells(result.channels, mesh)
     if result.points:
-        rms = max(p["deflection"]["rms"] for p in result.points)
-        force = max((greatest(p["mesh_force"]) for p in result.points), key=abs)
-        contact = [max(p[name] for p in result.points) for name in CONTACT]
+        points = points_of_mesh(result.points, mesh)
+        rms = max(p["deflection"]["rms"] for p in points)
+        force = max((greatest(p["mesh_force"]) for p in points), key=abs)
+        contact = [max(p[name] for p in points) for name in CONTACT]
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = greatest(result.channels[f"mesh_force[{mesh}]"])

@@ -11,12 +11,12 @@ from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import emit_json, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
 from pitchpoint.cli.vary import base_model, vary_option
-from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import is_factor, stage_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from pitchpoint.analysis.mesh_sweep import MeshSweep
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Sweep
 
@@ -126,10 +126,13 @@ def compute(
 
 
 def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
-    """Print jumps, and the points with the maximum response of the swept mesh.
+    """Print jumps and the maximum response of every mesh, the swept mesh first.
 
     The points of a sweep defined by speeds are labelled with the speed of the swept body, with its sign.
     """
+    from pitchpoint.analysis.mesh_sweep import mesh_sweeps
+    from pitchpoint.viz.sweep_meshes import closing_words, contact_sentences, mesh_rows, percent
+
     per_speed = None
     if sweep is not None and sweep.speed is not None:
         per_speed = max((p["mesh_frequency"] / p["speed"] for p in summary["points"]), key=abs)
@@ -141,30 +144,43 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
         return shown(frequency / per_speed, "angular_speed", 5)
 
     points = summary["points"]
+    found = mesh_sweeps(points)
     factors = [name for name in points[0] if is_factor(name)]
-    rattles = any(p["impact_rate"] > 0.0 for p in points)
-    rows = []
-    for direction in dict.fromkeys(p["direction"] for p in points):
-        here = [p for p in points if p["direction"] == direction]
-        top = max(here, key=lambda p: p["deflection"]["rms"])
-        lost = max(here, key=lambda p: p["contact_loss_share"])
-        jumps = [j["mesh_frequency"] for j in summary["jumps"] if j["direction"] == direction]
-        ends = [place(p["mesh_frequency"]) for p in (here[0], here[-1])]
-        rows.append(
-            [
-                f"{direction}, {ends[0]} to {ends[1]}",
-                str(len(here)),
-                shown(top["deflection"]["rms"], "length", 4),
-                place(top["mesh_frequency"]),
-                shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
-                f"{100.0 * lost['contact_loss_share']:.1f} %",
-                *([f"{1e3 * max(p['closing_speed_max'] for p in here):.4g} mm/s"] if rattles else []),
-                *(largest(p.get(name) for p in here) for name in factors),
-                ", ".join(place(f) for f in jumps) or "none",
-            ]
-        )
+    rattles = any(one.closing > 0.0 for one in found)
+    several = len({one.mesh for one in found}) > 1
+    here = {one.direction: [p for p in points if p["direction"] == one.direction] for one in found}
+    ranges = {
+        d: " to ".join(place(p["mesh_frequency"]) for p in (own[0], own[-1])) for d, own in here.items()
+    }
+    k_gamma = {d: [largest(p.get(name) for p in own) for name in factors] for d, own in here.items()}
+
+    def cells(one: MeshSweep) -> list[str]:
+        """Cells of one mesh in one direction; of a single mesh also the range and the load factors."""
+        d = one.direction
+        return [
+            *([d] if several else [f"{d}, {ranges[d]}", str(one.points)]),
+            shown(one.rms, "length", 4),
+            place(one.rms_at),
+            shown(one.force, "force", 5),
+            percent(one.loss),
+            *([closing_words(one.closing)] if rattles else []),
+            *([] if several else k_gamma[d]),
+            ", ".join(place(f) for f in one.jumps) or "none",
+        ]
+
     first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
-    columns = [first, "points", "maximum rms of deflection", "at", "maximum mesh force"]
-    columns += ["maximum contact loss", *["maximum closing speed"] * rattles]
-    columns += [*(f"maximum K_γ {stage_of(name)}" for name in factors), "jumps at"]
-    table(f"{title}, mesh {summary['mesh']}", columns, rows)
+    columns = ["maximum rms of deflection", "at", "maximum mesh force", "maximum contact loss"]
+    columns += ["maximum closing speed"] * rattles
+    words = [f"maximum K_γ {stage_of(name)}" for name in factors]
+    rows, note = mesh_rows(found, cells)
+    if not several:
+        heads = [first, "points", *columns, *words, "jumps at"]
+        table(f"{title}, mesh {summary['mesh']}", heads, [row[1:] for row in rows])
+        return
+    head = f"{title}, swept mesh {summary['mesh']}, {first}"
+    head += "".join(f", {d} {text}" for d, text in ranges.items())
+    table(head, ["mesh", "direction", *columns, "jumps at"], rows, [note] if note else [], keys=2)
+    for k, word in enumerate(words):
+        show(f"{word}: {', '.join(f'{values[k]} {d}' for d, values in k_gamma.items())}")
+    for sentence in contact_sentences(found, place):
+        show(sentence)

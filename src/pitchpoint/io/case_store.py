@@ -5,13 +5,23 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from pitchpoint.core.load_sharing import factor_row, is_factor
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.container import Header
-from pitchpoint.io.reading import open_table
-from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
+from pitchpoint.io.reading import header_in, open_table
+from pitchpoint.io.sweep_store import (
+    CONTACTS,
+    QUANTITIES,
+    STATISTICS,
+    SWEPT,
+    contact_quantities,
+    results_of_meshes,
+    statistics_row,
+    stored_meshes,
+)
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
 LETTERS = 500
@@ -32,7 +42,7 @@ class CaseWriter(TableWriter):
         Name, SI unit and description of the channels with stored statistics, and of the mesh load factors of
         planetary stages, which are single numbers.
     meshes
-        Meshes of a time response, with stored contact numbers.
+        Meshes with stored contact numbers, of speed sweeps also with statistics; the swept mesh first.
     directions, n_points
         Of speed sweeps: their directions and the number of speeds; no points for other scenarios.
     """
@@ -62,7 +72,11 @@ class CaseWriter(TableWriter):
                 for name, unit, words in channels
                 for at in [("case", "direction", "point") if n_points else ("case",)]
             ),
-            *(Quantity(f"{n}[{m}]", ("case",), unit, words) for m in meshes for n, unit, words in RATTLE),
+            *(
+                Quantity(f"{n}[{m}]", ("case",), unit, words)
+                for m in ([] if n_points else meshes)
+                for n, unit, words in RATTLE
+            ),
             Quantity("case_status", ("case",), "1", "status of the case; 1 is success", dtype="i4"),
             Quantity("case_sentence", ("case", "letter"), "", "status of the case in words", dtype="S1"),
             Quantity("wall_s", ("case",), "s", "wall time of the case"),
@@ -73,9 +87,16 @@ class CaseWriter(TableWriter):
             quantities += [
                 Quantity("speed", at, "rad/s", "speed of the swept body"),
                 Quantity("mesh_frequency", at, "Hz", "mesh frequency"),
-                *(Quantity(name, (*at, "statistic"), unit, words) for name, unit, words in QUANTITIES),
+                *(
+                    Quantity(f"{name}{of}", (*at, "statistic"), unit, words)
+                    for of in ("", *(f"[{m}]" for m in meshes))
+                    for name, unit, words in QUANTITIES
+                ),
                 *(Quantity(name, at, unit, words) for name, unit, words in CONTACTS),
+                *contact_quantities(meshes, at),
             ]
+            if meshes:
+                header = replace(header, options={**header.options, SWEPT: meshes[0]})
         texts = {f"given[{p}]": list(v) for p, v in values.items()}
         super().__init__(path, header, axes, quantities, texts=texts)
 
@@ -87,7 +108,7 @@ class CaseWriter(TableWriter):
         for name, row in result.channels.items():
             if name in self._channels:
                 self.fill(name, k, row["mean"] if is_factor(name) else [row[s] for s in STATISTICS])
-        for mesh in self._meshes:
+        for mesh in () if self._directions else self._meshes:
             state = result.channels.get(f"contact_state[{mesh}]", {})
             for name, _, _ in RATTLE:
                 if name in state:
@@ -102,6 +123,14 @@ class CaseWriter(TableWriter):
                         self.fill(name, (k, d, i), point[name])
                 for name, _, _ in QUANTITIES:
                     self.fill(name, (k, d, i), [point[name][s] for s in STATISTICS])
+                for mesh in self._meshes:
+                    row = point["meshes"].get(mesh, {})
+                    for name, _, _ in CONTACTS:
+                        if name in row:
+                            self.fill(f"{name}[{mesh}]", (k, d, i), row[name])
+                    for name, _, _ in QUANTITIES:
+                        if name in row:
+                            self.fill(f"{name}[{mesh}]", (k, d, i), [row[name][s] for s in STATISTICS])
         self.fill("case_sentence", k, _letters(result.sentence))
         self.fill("wall_s", k, result.wall_s)
         self.complete("case_status", k, result.status)
@@ -132,8 +161,8 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
     factors = {n: v[...] for n, v in file.items() if is_factor(n)}
     swept = "mesh_frequency" in file
     directions = _texts(file["direction"][...]) if swept else []
-    names = ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *(n for n, _, _ in QUANTITIES))
-    points = {n: file[n][...] for n in (*names, *factors) if n in file} if swept else {}
+    points = {n: v[...] for n, v in file.items() if v.ndim >= 3} if swept else {}
+    first = header_in(file["case_status"].file)["options"].get(SWEPT, "")
     found = []
     for k, code in enumerate(status):
         if code < 0:
@@ -154,17 +183,29 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
                 "status": int(code),
                 "sentence": sentences[k],
                 "channels": channels,
-                "points": points_of(points, directions, k),
+                "points": points_of(points, directions, k, first),
             }
         )
     return found
 
 
-def points_of(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> list[dict[str, Any]]:
-    """Points of the sweep of one case in the order of computation, from tables by case, direction and point.
+def points_of(
+    tables: Mapping[str, Any], directions: Sequence[str], case: int, swept: str = ""
+) -> list[dict[str, Any]]:
+    """Points of the sweep of one case in the order of computation.
 
-    No directions: no points.
+    Parameters
+    ----------
+    tables
+        Tables by case, direction and point.
+    directions
+        No directions: no points.
+    case
+        Number of the case.
+    swept
+        Swept mesh; without it, as of files of earlier versions, the points have no `meshes`.
     """
+    meshes = stored_meshes(list(tables), swept) if swept else []
     found = []
     for d, direction in enumerate(directions):
         frequencies = tables["mesh_frequency"][case, d]
@@ -172,13 +213,15 @@ def points_of(tables: Mapping[str, Any], directions: Sequence[str], case: int) -
         for i in order:
             if not frequencies[i] > 0.0:
                 continue
+            at = (case, d, i)
             point: dict[str, Any] = {"direction": direction}
             for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *filter(is_factor, tables)):
                 if name in tables:  # files of earlier versions have fewer
-                    point[name] = float(tables[name][case, d, i])
+                    point[name] = float(tables[name][at])
             for name, unit, _ in QUANTITIES:
-                values = tables[name][case, d, i]
-                point[name] = {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, values, strict=True)}
+                point[name] = statistics_row(tables[name][at], unit)
+            if meshes:
+                point["meshes"] = results_of_meshes(meshes, tables, at)
             found.append(point)
     return found
 

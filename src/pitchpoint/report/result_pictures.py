@@ -86,11 +86,13 @@ def quasi_static_figures(data: xr.Dataset) -> Figures:
 
 
 def sweep_figures(data: xr.Dataset) -> Figures:
-    """Resonance curves with jumps, and contact loss."""
+    """Resonance curves with jumps, contact loss and closing speeds, of all meshes and of each."""
     from pitchpoint.report.study_data import sweep_of
-    from pitchpoint.viz.report.sections import sweep_section
+    from pitchpoint.viz.report.sweeps import sweep_section
+    from pitchpoint.viz.sweep_plot import plots_of_each
 
-    return sweep_section({"": sweep_of(data)}).figures
+    sweep = sweep_of(data)
+    return {**sweep_section({"": sweep}).figures, **plots_of_each(sweep["points"], sweep["jumps"])}
 
 
 def cases_figures(data: xr.Dataset) -> Figures:

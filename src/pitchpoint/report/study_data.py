@@ -13,7 +13,16 @@ from pitchpoint.core.load_sharing import factor_row, is_factor
 from pitchpoint.io.case_store import points_of, read_cases
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.reading import read_header
-from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS, read_sweep
+from pitchpoint.io.sweep_store import (
+    CONTACTS,
+    QUANTITIES,
+    STATISTICS,
+    SWEPT,
+    read_sweep,
+    results_of_meshes,
+    statistics_row,
+    stored_meshes,
+)
 from pitchpoint.viz.report.build import CaseTable
 
 if TYPE_CHECKING:
@@ -29,23 +38,26 @@ def sweep_of(data: xr.Dataset) -> dict[str, Any]:
 
     if "deflection_rms" not in data:
         return read_sweep(_file_of(data))
+    swept = str(data.attrs.get(SWEPT, ""))  # datasets of earlier versions do not name it
+    tables = {str(name): variable.values for name, variable in data.data_vars.items()}
+    meshes = stored_meshes(list(tables), swept) if swept else []
+    frequencies = data["mesh_frequency"].values
     points: list[dict[str, Any]] = []
-    for direction in data["direction"].values:
-        one = data.sel(direction=direction)
-        frequencies = one["mesh_frequency"].values
+    for k, direction in enumerate(data["direction"].values):
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
         for i in order:
             known = ("speed", *(name for name, _, _ in CONTACTS))
-            values = {name: float(one[name].values[i]) for name in known if name in one}
+            values = {name: float(tables[name][k, i]) for name in known if name in tables}
             if not np.isfinite(values["speed"]):
                 continue
             point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}
-            for name, _, _ in QUANTITIES:
-                row = {key: float(one[f"{name}_{key}"].values[i]) for key in ("mean", "rms", "min", "max")}
-                point[name] = {"unit": str(one[f"{name}_rms"].attrs.get("units", "")), **row}
+            for name, unit, _ in QUANTITIES:
+                point[name] = statistics_row((tables[f"{name}_{key}"][k, i] for key in STATISTICS), unit)
+            if meshes:
+                point["meshes"] = results_of_meshes(meshes, tables, (k, i))
             points.append(point | values)
     jumps = [{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)]
-    return {"points": points, "jumps": jumps}
+    return {"mesh": swept, "points": points, "jumps": jumps}
 
 
 def case_table(data: xr.Dataset) -> CaseTable:
@@ -82,7 +94,7 @@ def case_table(data: xr.Dataset) -> CaseTable:
                 "status": int(data["status"].values[k]),
                 "sentence": str(sentences[k]) if k < len(sentences) else "",
                 "channels": {n: r for n, r in rows.items() if math.isfinite(float(r["mean"]))},
-                "points": points_of(swept, directions, k),
+                "points": points_of(swept, directions, k, str(data.attrs.get(SWEPT, ""))),
             }
         )
     return CaseTable(cases=cases, units=units)

@@ -17,12 +17,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.analysis.mesh_sweep import swept_meshes
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
 from pitchpoint.core.load_sharing import is_factor
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
 from pitchpoint.io.contact_numbers import RATTLE
-from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS, SWEPT
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores
 
@@ -256,7 +257,9 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         All channels over `case` and `statistic` (mean, rms, min, max); the contact numbers of each mesh, such
         as `impact_rate[stage]`, status and changed values (by path) over `case`. For speed sweeps over
         `case`, `direction`, `point` and `statistic`, with speed, mesh_frequency and the contact numbers of
-        every point. Missing values are NaN. The attributes contain message and notes of every case.
+        every point, those of the swept mesh without name, and of every mesh, as
+        `contact_loss_share[stage]`. Missing values are NaN. The attributes contain message and notes of every
+        case.
     """
     import xarray as xr
 
@@ -282,15 +285,19 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         coords["direction"] = directions
         for name, (values, unit) in tables.items():
             dims = ("case", "direction", "point", "statistic")[: np.ndim(values)]
-            data[name] = (dims, values, {"units": unit, "long_name": name.replace("_", " ")})
+            long_name = name.partition("[")[0].replace("_", " ")
+            data[name] = (dims, values, {"units": unit, "long_name": long_name})
     data["status"] = ("case", [r.status for r in results], {"long_name": "status of the case; 1: no error"})
     for path in paths_of(results):
         entries, unit = column(results, path)
         coords[path] = ("case", entries, {"units": unit} if unit else {})
-    attrs = {
+    attrs: dict[str, Any] = {
         "sentences": [r.sentence for r in results],
         "notes": [join_notes(r.notes) for r in results],
     }
+    swept = next((swept_meshes(r.points)[0] for r in results if r.points), "")
+    if swept:
+        attrs[SWEPT] = swept
     return xr.Dataset(data, coords=coords, attrs=attrs)
 
 
@@ -310,7 +317,7 @@ def contact_tables(results: Sequence[CaseResult]) -> list[tuple[str, list[float]
 
 
 def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tuple[np.ndarray, str]]]:
-    """Sweep points of all cases as tables: directions, and (values, unit) by name.
+    """Sweep points of all cases as tables: directions, and (values, unit) by name, also of every mesh.
 
     `QUANTITIES` have the shape (case, direction, point, statistic), all others (case, direction, point).
     """
@@ -320,8 +327,11 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
         default=0,
     )
     shape = (len(results), len(directions), most)
-    tables = {name: (np.full((*shape, 4), np.nan), unit) for name, unit, _ in QUANTITIES}
-    scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **{name: unit for name, unit, _ in CONTACTS}}
+    meshes = list(dict.fromkeys(m for r in results for m in swept_meshes(r.points)))
+    owners = ("", *(f"[{mesh}]" for mesh in meshes if mesh))
+    tables = {f"{n}{of}": (np.full((*shape, 4), np.nan), unit) for of in owners for n, unit, _ in QUANTITIES}
+    scalars = {"speed": "rad/s", "mesh_frequency": "Hz"}
+    scalars |= {f"{name}{of}": unit for of in owners for name, unit, _ in CONTACTS}
     scalars |= {name: "1" for r in results for p in r.points for name in p if is_factor(name)}
     tables |= {name: (np.full(shape, np.nan), unit) for name, unit in scalars.items()}
     for c, result in enumerate(results):
@@ -330,10 +340,16 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
                 (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
             )
             for k, point in enumerate(here):
-                for name, _, _ in QUANTITIES:
-                    tables[name][0][c, d, k] = [point[name][s] for s in STATISTICS]
-                for name in scalars:
-                    tables[name][0][c, d, k] = point.get(name, np.nan)
+                by_mesh = {
+                    f"{name}[{mesh}]": value
+                    for mesh, own in point.get("meshes", {}).items()
+                    for name, value in own.items()
+                }
+                for name, value in {**point, **by_mesh}.items():
+                    if name in scalars:
+                        tables[name][0][c, d, k] = value
+                    elif name in tables:
+                        tables[name][0][c, d, k] = [value[s] for s in STATISTICS]
     return directions, tables
 
 

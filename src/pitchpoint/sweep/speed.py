@@ -23,9 +23,9 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OFF_SPEED, OK
 from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
+from pitchpoint.io.sweep_store import STATISTICS, SWEPT
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
-from pitchpoint.solvers.contact_counts import new_counts, read_counts
+from pitchpoint.solvers.contact_counts import new_counts
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.divergence import FAILURES
 from pitchpoint.solvers.implicit import generalized_alpha
@@ -37,6 +37,7 @@ from pitchpoint.solvers.sweep_speeds import at_speed, sweep_orders, sweep_range
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.balance import Balances
 from pitchpoint.sweep.drift import LEFT, deviation, drift_notes, left_sentence
+from pitchpoint.sweep.mesh_results import results_by_mesh
 from pitchpoint.sweep.tables import channel_tables, factor_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.planet_loads import factors_of
@@ -64,10 +65,13 @@ class SweepSummary:
     ----------
     status, sentence
         Final status and its message.
+    mesh
+        Swept mesh.
     points
         One mapping per point in the order of computation: direction, speed [rad/s], mesh_frequency [Hz],
         statistics of the swept mesh by quantity (unit, mean, rms, min, max), and the numbers of its contact
-        (`io.sweep_store.CONTACTS`); `channels` contains the statistics of all channels.
+        (`io.sweep_store.CONTACTS`); `meshes` contains both for every mesh, the swept mesh first, and
+        `channels` the statistics of all channels.
     jumps
         Direction and mesh frequency [Hz] of each jump.
     steps, wall_s
@@ -78,6 +82,7 @@ class SweepSummary:
 
     status: int
     sentence: str
+    mesh: str
     points: list[dict[str, Any]]
     jumps: list[dict[str, Any]]
     steps: int
@@ -247,17 +252,13 @@ class _SweepRun:
             }
             for k, c in enumerate(self.system.layout.channels)
         }
-        numbers = read_counts(self.system, sums.counts)[self.plan.mesh]
-        state = self.system.layout.channel(f"contact_state[{self.plan.mesh}]")
-        # simultaneous contact of both flanks (state 2) counts as neither contact loss nor back contact
+        meshes = results_by_mesh(self.system, self.plan.mesh, channels, found, sums)
         return {
             "direction": direction,
             "speed": self.speed,
             "mesh_frequency": self._frequency(self.speed),
-            **{q: channels[f"{q}[{self.plan.mesh}]"] for q, _, _ in QUANTITIES},
-            **{name: numbers[name] for name, _, _ in CONTACTS},
-            "contact_loss_share": float(found.share_zero[state]),
-            "back_contact_share": float(found.share_negative[state]),
+            **meshes[self.plan.mesh],
+            "meshes": meshes,
             **self._factors(channels),
             "channels": channels,
         }
@@ -326,6 +327,7 @@ def run_sweep(
     return SweepSummary(
         status=status,
         sentence=words or explain(walk.system, status) + (walk.runaway() if status in FAILURES else ""),
+        mesh=plan.mesh,
         points=points,
         jumps=[{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)],
         steps=walk.steps,
@@ -354,9 +356,10 @@ def sweep_speed(
     xarray.Dataset
         Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh
         `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the numbers of its contact, such as
-        `contact_loss_share`, `impact_rate` [1/s] and `closing_speed_max` [m/s]; all channels of the system
-        by name, such as `bearing_force[left.fx]`, with the third dimension `statistic` (mean, rms, min,
-        max); `load_sharing_factor[STAGE]` of planetary stages; `jump_direction` (index in `direction`) and
+        `contact_loss_share`, `impact_rate` [1/s] and `closing_speed_max` [m/s]; these numbers of every mesh
+        by name, such as `contact_loss_share[stage]`; all channels of the system by name, such as
+        `bearing_force[left.fx]`, with the third dimension `statistic` (mean, rms, min, max);
+        `load_sharing_factor[STAGE]` of planetary stages; `jump_direction` (index in `direction`) and
         `jump_mesh_frequency` [Hz] over `jump`. Missing points are NaN. The attributes contain the notes.
         Result files of `pitchpoint sweep` have the same names of channels and jumps.
 
@@ -386,7 +389,7 @@ def sweep_speed(
         "jump": np.arange(len(found.jumps)),
     }
     attrs = attributes(system, "speed sweep", found.status, found.wall_s)
-    attrs["notes"] = join_notes(found.notes)
+    attrs |= {"notes": join_notes(found.notes), SWEPT: found.mesh}
     result = xr.Dataset(data, coords=coords, attrs=attrs)
     if found.status != OK:
         raise SolverError(found.sentence, found.status, result)

@@ -60,7 +60,10 @@ def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[fl
 
 
 def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
-    """One variable per statistic of the swept mesh, the numbers of its contact, and the speed."""
+    """One variable per statistic of the swept mesh, the numbers of its contact, and the speed.
+
+    The numbers of every mesh have its name in brackets.
+    """
     data: dict[str, Variable] = {}
     for name, _, _ in QUANTITIES:
         for key in STATISTICS:
@@ -70,6 +73,10 @@ def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
     for name, unit in (*((name, unit) for name, unit, _ in CONTACTS), ("speed", "rad/s")):
         described = {"units": unit, "long_name": name.replace("_", " ")}
         data[name] = (DIMENSIONS, at.table([p[name] for p in points]), described)
+    for mesh in points[0]["meshes"] if points else ():
+        for name, unit, words in CONTACTS:
+            values = at.table([p["meshes"][mesh][name] for p in points])
+            data[f"{name}[{mesh}]"] = (DIMENSIONS, values, {"units": unit, "long_name": words})
     return data
 
 

@@ -149,7 +149,8 @@ def test_named_pictures_are_those_of_the_report(results: dict[str, xr.Dataset]) 
     shafts = ContactsOnShafts(meshes={"one": one, "two": one})
     assert {trace.name for trace in pp.plot(shafts).data} >= {"one", "two"}
     assert pp.plot(shafts, "load_share[two]").data
-    assert pp.plot(results["sweep"], "mesh_force").layout.yaxis.title.text.startswith("max of mesh force")
+    title = pp.plot(results["sweep"], "mesh_force").layout.yaxis.title.text
+    assert title.startswith("maximum magnitude of mesh force")
     assert pp.plot(results["equilibrium"]).data[0].x[0] == pytest.approx(
         float(results["equilibrium"]["mesh_force[stage]"]), rel=1e-12
     )

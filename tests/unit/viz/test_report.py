@@ -158,7 +158,7 @@ def test_sweep_without_contact_loss_says_so(model: ReportModel) -> None:
     text = report_html(
         model, ReportResults(sweeps={"s": {"points": points, "jumps": []}, "none": {"points": []}})
     )
-    assert "The flanks stay in contact at every point of this sweep." in text
+    assert "The flanks of the swept mesh stay in contact at every point of this sweep." in text
     assert "No jump found" in text
 
 

@@ -29,6 +29,7 @@ from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.responses import response_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.summary import summary_section
+from pitchpoint.viz.report.sweeps import sweep_section
 from pitchpoint.viz.report.tables import mode_section, parameter_section, signal_section
 from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
@@ -339,7 +340,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         scene_section(results.scene),
         power_section(results.powers),
         time_section(results.runs, seen, overlaid),
-        parts.sweep_section(results.sweeps),
+        sweep_section(results.sweeps),
         case_section(results.cases),
         spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
         campbell_section(results.campbells),

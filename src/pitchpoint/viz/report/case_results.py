@@ -35,7 +35,7 @@ class CaseQuantity:
     unit
         SI unit.
     owners
-        Meshes, bearings or planetary stages; one without name for speed sweeps.
+        Meshes, bearings or planetary stages; one without name for speed sweeps of earlier versions.
     values
         Values in SI, nan where they are not known, shape (n_case, n_owner).
     """
@@ -120,15 +120,16 @@ def _alternating(row: Row) -> float:
 
 
 def _rows(case: Case, quantity: str) -> Iterator[tuple[str, Row]]:
-    """Owner and statistics of a quantity; every point of a speed sweep has one row without owner."""
+    """Owner and statistics of a quantity; points of a speed sweep of earlier versions have no owner."""
     for name, row in case["channels"].items():
         if name.startswith(f"{quantity}["):
             yield name[len(quantity) + 1 : -1], row
     for point in case.get("points", ()):
-        if quantity == "contact_state":
-            yield "", point
-        elif quantity in point:
-            yield "", point[quantity]
+        for mesh, own in point.get("meshes", {"": point}).items():
+            if quantity == "contact_state":
+                yield mesh, own
+            elif quantity in own:
+                yield mesh, own[quantity]
         yield from (
             (name[len(quantity) + 1 : -1], {"mean": value})
             for name, value in point.items()

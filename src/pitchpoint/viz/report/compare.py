@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.analysis.jumps import branch
+from pitchpoint.analysis.mesh_sweep import swept_meshes
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
@@ -19,7 +20,7 @@ from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.time import SAME, groups_of, is_constant
 from pitchpoint.viz.run_record import changes_speed, channel_word, settled_part, turning_angle, uniform
 from pitchpoint.viz.spectrum_plots import plot_spectrum
-from pitchpoint.viz.sweep_plot import UNITS
+from pitchpoint.viz.sweep_plot import UNITS, frequency_words
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -150,8 +151,10 @@ def plot_sweeps(sweeps: Mapping[str, Mapping[str, Any]], quantity: str, statisti
     levels = np.concatenate([np.zeros(0), *(level for _, level in lines.values())])
     pitch, shown = scale("Hz", frequencies), channel_scale(quantity, UNITS.get(quantity, "m"), levels)
     words = {"rms": "rms", "max": "maximum"}[statistic]
-    title = shown.title(f"{words} of {quantity.replace('_', ' ')}")
-    figure = theme.figure(pitch.title("mesh frequency"), title, height=400)
+    meshes = {swept_meshes(sweep["points"])[0] for sweep in sweeps.values() if _several(sweep)}
+    swept = ", ".join(sorted(meshes))
+    title = shown.title(f"{words} of {quantity.replace('_', ' ')}{f', {swept}' if swept else ''}")
+    figure = theme.figure(pitch.title(frequency_words(swept)), title, height=400)
     order = list(sweeps)
     for (label, direction), (frequency, level) in lines.items():
         colour = theme.SERIES[order.index(label) % len(theme.SERIES)]
@@ -165,6 +168,11 @@ def plot_sweeps(sweeps: Mapping[str, Mapping[str, Any]], quantity: str, statisti
     figure.update_yaxes(rangemode="tozero" if statistic == "rms" else "normal")
     figure.update_layout(showlegend=True)
     return figure
+
+
+def _several(sweep: Mapping[str, Any]) -> bool:
+    """Whether the machine of a sweep has several meshes, so that the plotted one has to be named."""
+    return len(swept_meshes(sweep["points"])) > 1
 
 
 def _equal(curves: Sequence[tuple[Array, Channel]]) -> bool:

@@ -8,9 +8,7 @@ from html import escape
 from typing import Any
 
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
-from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import (
     BEVEL_GEAR_ROWS,
     BEVEL_MESH_ROWS,
@@ -84,30 +82,6 @@ def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
     return section
 
 
-def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
-    """Section with speed sweeps, jumps and contact loss."""
-    section = Section("sweep", "Speed sweep")
-    for name, sweep in sweeps.items():
-        points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
-        if not points:
-            continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(sweeps) > 1 else "")
-        for quantity, statistic in (("deflection", "rms"), ("mesh_force", "max")):
-            if any(p.get(quantity) for p in points):
-                caption = _jump_sentence(jumps) if quantity == "deflection" else ""
-                drawn = plot_sweep(points, jumps, quantity=quantity, statistic=statistic)
-                section.add_figure(drawn, caption, name=quantity)
-        if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
-            section.add_figure(
-                plot_contact_shares(points),
-                "Time without contact as a share of the evaluated time.",
-                name="contact_shares",
-            )
-        elif any(p.get("contact_loss_share") is not None for p in points):
-            section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
-    return section
-
-
 def notes_section(
     assumptions: Sequence[tuple[str, Sequence[tuple[str, str]]]], sources: Sequence[str]
 ) -> Section:
@@ -127,13 +101,3 @@ def notes_section(
     items = "".join(f"<li>{escape(line)}</li>" for line in sources)
     section.add(f'<h3>Sources</h3><ul class="notes">{items}</ul>' if items else "")
     return section
-
-
-def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:
-    if not jumps:
-        return "No jump found in this sweep."
-    pitch = scale("Hz", [float(j["mesh_frequency"]) for j in jumps])
-    places = ", ".join(
-        f"{j['direction']} at {number(float(j['mesh_frequency']) * pitch.factor)}" for j in jumps
-    )
-    return f"Jumps: {places} {pitch.unit} mesh frequency."

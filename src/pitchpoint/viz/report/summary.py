@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.analysis.campbell_ranking import LARGE, RankedSpeed, ranked_speeds
+from pitchpoint.analysis.mesh_sweep import MeshSweep, mesh_sweeps
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
@@ -32,6 +33,7 @@ from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.tables import MAX_MODES
 from pitchpoint.viz.run_record import owner, settled_part, statistics_window
+from pitchpoint.viz.sweep_meshes import jump_words
 from pitchpoint.viz.tables import plain_table, text_html
 
 MAX_RUNS = 4
@@ -249,37 +251,48 @@ def _contact(found: Mapping[str, Channel], time: Array, window: np.ndarray) -> d
 
 
 def _sweeps(sweeps: Mapping[str, Mapping[str, Any]], states: Mapping[str, str]) -> str:
-    """Table of sweeps: peak of the response with its place, jumps, range of the contact loss."""
+    """Table of sweeps: peak of the swept mesh; jumps; largest force and contact loss of all meshes."""
     body = []
     for name, sweep in sweeps.items():
-        points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
-        for direction in dict.fromkeys(str(p["direction"]) for p in points):
-            own = [p for p in points if p["direction"] == direction]
-            losses = [float(p["contact_loss_share"]) for p in own if p.get("contact_loss_share") is not None]
-            places = [float(j["mesh_frequency"]) for j in jumps if j["direction"] == direction]
+        points = sweep.get("points", ())
+        found = mesh_sweeps(points)
+        speeds = {float(p["mesh_frequency"]): float(p["speed"]) for p in points if p.get("speed") is not None}
+        several = len({one.mesh for one in found}) > 1
+        for direction in dict.fromkeys(one.direction for one in found):
+            own = [one for one in found if one.direction == direction]
+            forces = [one for one in own if np.isfinite(one.force)]
+            losses = [one for one in own if np.isfinite(one.loss)]
+            force = max(forces, key=lambda one: abs(one.force), default=None)
+            loss = max(losses, key=lambda one: one.loss, default=None)
             cells = [
                 escape(direction),
                 escape(states.get(name, "")),
-                _peak(own, "deflection", "rms", "m"),
-                _peak(own, "mesh_force", "max", "N"),
-                ", ".join(amount(f, "Hz") for f in places) or "none",
-                _range([100.0 * x for x in losses], "%") if losses else "–",
+                _peak("deflection", "m", own[0].rms, own[0].rms_at, speeds) + _of(own[0], several),
+                _peak("mesh_force", "N", force.force, force.force_at, speeds) + _of(force, several)
+                if force
+                else "–",
+                escape(jump_words(own)),
+                _range([100.0 * loss.least_loss, 100.0 * loss.loss], "%")
+                + _of(loss, several and loss.loss > 0.0)
+                if loss
+                else "–",
             ]
             body.append(f'<tr><th scope="row">{escape(name)}</th>{_cells(cells)}</tr>')
     head = ("speed sweep", "direction", "status", "peak of deflection, rms", "peak of mesh force")
     return plain_table((*head, "jumps at", "contact loss"), body, numbers=False) if body else ""
 
 
-def _peak(points: Sequence[Mapping[str, Any]], quantity: str, statistic: str, unit: str) -> str:
+def _of(one: MeshSweep, named: bool) -> str:
+    """Name of the mesh of a result, if there are several."""
+    return f", {escape(one.mesh)}" if named else ""
+
+
+def _peak(quantity: str, unit: str, peak: float, at: float, speeds: Mapping[float, float]) -> str:
     """Largest value along a sweep with its mesh frequency and speed."""
-    known = [p for p in points if p.get(quantity) and np.isfinite(float(p[quantity][statistic]))]
-    if not known:
+    if not np.isfinite(peak):
         return "–"
-    top = max(known, key=lambda p: float(p[quantity][statistic]))
-    speed = f", {amount(float(top['speed']), 'rad/s')}" if top.get("speed") is not None else ""
-    peak = float(top[quantity][statistic])
-    shown = channel_scale(quantity, unit, np.array([peak]))
-    return f"{shown.text(peak)} at {amount(float(top['mesh_frequency']), 'Hz')}{speed}"
+    speed = f", {amount(speeds[at], 'rad/s')}" if at in speeds else ""
+    return f"{channel_scale(quantity, unit, np.array([peak])).text(peak)} at {amount(at, 'Hz')}{speed}"
 
 
 def _range(values: Sequence[float], unit: str) -> str:
