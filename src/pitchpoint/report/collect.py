@@ -134,8 +134,10 @@ def collect(
     from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
+    from pitchpoint.report.same_machine import require_same_machine
     from pitchpoint.report.statics import rolled_meshes, with_rolls
 
+    require_same_machine(model, results)
     found = _Found()
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
     for result in results:
