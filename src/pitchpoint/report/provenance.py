@@ -94,7 +94,7 @@ def _text(key: str, value: Any) -> str:
     if any(value is x or (type(value) is type(x) and value == x) for x in EMPTY):
         return ""
     if isinstance(value, Mapping):
-        # the entry says what its values are, or the key does: a sweep has a step, a speed that of a body
+        # the unit is that of the entry in a sweep, with its step and speeds; else that of the key
         inner = {k: key if key in UNITS or k not in (*NAMES, *UNITS) else k for k in value}
         return ", ".join(f"{k}: {_text(inner[k], v)}" for k, v in value.items())
     if isinstance(value, list | tuple):

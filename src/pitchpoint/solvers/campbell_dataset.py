@@ -93,7 +93,7 @@ def solve_campbell(
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
 
-    The attribute `damping` is "none" if the model has no damping.
+    The attribute `dissipation` is "none" if the model has no damping.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
@@ -139,7 +139,7 @@ def campbell_dataset(
     notes = [*found.notes, *([undamped_note(unstable[0].damping_ratio)] if undamped and unstable else [])]
     more: dict[str, Any] = {"body": found.body, "ranking": RANKING, "notes": join_notes(notes)}
     if undamped:
-        more["damping"] = "none"
+        more["dissipation"] = "none"
     if operating is not None:
         more["operating_speed"] = [float(x) for x in operating]
     return xr.Dataset(

@@ -36,7 +36,7 @@ def test_internal_damping_is_unstable_above_a_limit_speed():
     assert found.low == pytest.approx(limit, rel=1e-6)
     assert found.high == 1500.0
     assert found.source == "coupling c"
-    assert "damping" not in data.attrs and "no damping" not in data.attrs["notes"]
+    assert "dissipation" not in data.attrs and "no damping" not in data.attrs["notes"]
     assert "forward" in found.mode
     roots = whirl_roots(1500.0)
     worst = roots[np.argmax(roots.real)]
@@ -142,7 +142,7 @@ def test_undamped_modes_rank_by_what_excites_them():
     (found,) = unstable_ranges(data)
     assert (found.mode, found.source) == ("1st bending of rotor (forward)", "torque fan")
     assert -1e-4 < found.damping_ratio < -5e-5
-    assert "damping" not in data.attrs  # that of the meshes
+    assert "dissipation" not in data.attrs  # that of the meshes
 
 
 PINION = """\
@@ -168,9 +168,9 @@ def test_a_model_without_damping_is_noted_with_its_unstable_modes():
     data = pp.solve_campbell(compiled(PINION.replace("DAMPING", ""), "s")[1], speeds, "pinion")
     found = unstable_ranges(data)
     assert {one.source for one in found} == {"torque t"}
-    assert data.attrs["damping"] == "none"
+    assert data.attrs["dissipation"] == "none"
     least = f"damping ratios above {-100.0 * found[0].damping_ratio:.2g} % make all listed modes stable"
     assert "the model has no damping" in data.attrs["notes"] and least in data.attrs["notes"]
     damped = PINION.replace("DAMPING", ", damping: {ratio: 0.02}")
     data = pp.solve_campbell(compiled(damped, "s")[1], speeds, "pinion")
-    assert unstable_ranges(data) == () and "damping" not in data.attrs
+    assert unstable_ranges(data) == () and "dissipation" not in data.attrs
