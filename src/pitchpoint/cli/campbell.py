@@ -281,8 +281,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
             f"{100.0 * row['damping_ratio']:.3g} %",
             row["order"],
             row["mode"],
-            row["source"],
-            f"{100.0 * row['participation']:.3g} %",
+            f"{row['source']} {100.0 * row['participation']:.3g} %",
             _amplification(row),
             f"{row['response']:.4g}",
             *([_separation(row["separation"])] if apart else []),
@@ -291,8 +290,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         for rank, row in enumerate(summary["critical_speeds"][:SHOWN], start=1)
     ]
     heads = ["rank", f"speed of {summary['body']}", "frequency", "damping", "order", "mode", "driven by"]
-    heads += ["participation", "amplification", "response"]
-    heads += [*(["separation"] if apart else []), "sidebands [rpm]"]
+    heads += ["amplification", "response", *(["separation"] if apart else []), "sidebands [rpm]"]
     if cells:
         table(title, heads, cells)
     else:

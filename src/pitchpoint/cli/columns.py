@@ -16,6 +16,8 @@ BESIDE, EDGES = 3, 2
 KEY = 20
 """Minimum width of the first column for long cells."""
 _FIRST = tuple("0123456789-+–")
+_ORDINAL = re.compile(r"\d+(?:×|(?:st|nd|rd|th)\b)")
+"""Start of a text with a number, such as an order (2× mesh) or a mode (1st bending)."""
 _NUMBER = re.compile(r"[-+]?\d[\d.e+-]*")
 _GO_ON = ("N", "kN", "kg", "m", "s")
 """Units that another unit may follow, as in 12 N m."""
@@ -42,7 +44,7 @@ class Column:
 
     def __post_init__(self) -> None:
         self.width = max(map(len, (self.heading, *self.cells)))
-        numbers = sum(cell[:1] in _FIRST for cell in self.cells)
+        numbers = sum(cell[:1] in _FIRST and not _ORDINAL.match(cell) for cell in self.cells)
         self.words = self.first or 2 * numbers < len(self.cells)
 
     def least(self, *, inside: bool) -> int:

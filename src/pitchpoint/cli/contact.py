@@ -142,6 +142,8 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     title = model.title or file
     if as_json:
         emit_json(summary)
+    elif quiet and target is not None and error is None:
+        pass  # the file contains everything
     elif summary.get("torque"):
         print_torques(f"{title}: contact of {meshes[0]}", summary, quiet=quiet)
     elif summary.get("meshes"):

@@ -6,7 +6,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -184,10 +184,15 @@ def statistics_table(
     """
     rows, zeros = [], []
     listed = list(channels) if chosen is None else [name for name in chosen if name in channels]
+    # zeros of a table have one unit for each dimension
+    of_unit: dict[str, list[Any]] = {}
+    for name in listed:
+        of_unit.setdefault(channels[name]["unit"], []).extend(_without_round_off(channels[name]))
+    zero = {u: _unit_of_zeros(_DIMENSIONS.get(u, "dimensionless"), v) for u, v in of_unit.items()}
     for name in listed:
         row = channels[name]
         if any(row[key] != 0.0 for key in STATISTICS):
-            rows.append([name, *statistics_cells(row)])
+            rows.append([name, *statistics_cells(row, zero[row["unit"]])])
         else:
             zeros.append(name.partition("[")[0])
     counts = ", ".join(f"{zeros.count(kind)} of {kind}" for kind in dict.fromkeys(zeros))
@@ -245,17 +250,36 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
         table("contact loss", head, rows, notes)
 
 
-def statistics_cells(row: Mapping[str, Any]) -> list[str]:
-    """Statistics of a channel as texts; zeros have the unit of the other values."""
-    from pitchpoint.core.units import display_unit
+def statistics_cells(row: Mapping[str, Any], zero: str = "") -> list[str]:
+    """Statistics of a channel as texts.
 
+    Parameters
+    ----------
+    row
+        Statistics and unit.
+    zero
+        Unit of zeros; default: that of the smallest other value.
+    """
     dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
+    values = _without_round_off(row)
+    nothing = f"0 {zero or _unit_of_zeros(dimension, values)}".rstrip()
+    return [nothing if v == 0.0 else shown(v, dimension, 5) for v in values]
+
+
+def _without_round_off(row: Mapping[str, Any]) -> list[Any]:
+    """Statistics of a channel; the alternating part of a constant is round-off, not a result."""
     values = [row[key] for key in STATISTICS]
     most = max((abs(v) for v in values if v is not None and math.isfinite(v)), default=0.0)
-    # the alternating part of a constant is round-off, not a result
-    values = [
+    return [
         0.0 if key == "rms" and v is not None and v <= ROUND_OFF * most else v
         for key, v in zip(STATISTICS, values, strict=True)
     ]
-    nothing = f"0 {display_unit(dimension, most)}".rstrip()
-    return [nothing if v == 0.0 else shown(v, dimension, 5) for v in values]
+
+
+def _unit_of_zeros(dimension: str, values: Iterable[Any]) -> str:
+    """Unit of the smallest of some values that is not zero."""
+    from pitchpoint.core.units import display_unit
+
+    return display_unit(
+        dimension, min((abs(v) for v in values if v is not None and math.isfinite(v) and v), default=0.0)
+    )

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 BEARINGS = "bearings"
 """Word for the orders of the faults of all rolling bearings."""
 FAULTS = {"ftf": "FTF", "bpfo": "BPFO", "bpfi": "BPFI", "bsf": "BSF"}
-KEPT = ("body", "ranking", "operating_speed")
+KEPT = ("body", "ranking", "operating_speed", "dissipation")
 """Attributes of a dataset that a result file contains among its options."""
 
 

@@ -87,7 +87,7 @@ def _sources(model: Model) -> tuple[str, ...]:
 
 @dataclass
 class _Found:
-    """Results by scenario name, and remarks."""
+    """Results by name, mostly that of the scenario, and remarks."""
 
     runs: dict[str, TimeRun] = field(default_factory=dict)
     sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
@@ -107,6 +107,16 @@ class _Found:
     """Scenarios of the runs, sweeps and cases."""
     others: dict[str, str] = field(default_factory=dict)
     """Remarks on other versions of the model by name."""
+    names: list[str] = field(default_factory=list)
+    """Names in use, each of one result: provenance, states and notes are listed by name."""
+
+    def name(self, wanted: str, other: str) -> str:
+        """Name of one more result; `other` is added, then a number, if the name is in use."""
+        if wanted in self.names:
+            wanted = f"{wanted} ({other})"
+        candidates = (wanted, *(f"{wanted} {k}" for k in range(2, len(self.names) + 2)))
+        self.names.append(next(n for n in candidates if n not in self.names))
+        return self.names[-1]
 
 
 def collect(
@@ -124,8 +134,10 @@ def collect(
     from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
+    from pitchpoint.report.same_machine import require_same_machine
     from pitchpoint.report.statics import rolled_meshes, with_rolls
 
+    require_same_machine(model, results)
     found = _Found()
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
     for result in results:
@@ -187,19 +199,24 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     header = read_header(file)
     name, own = str(header["scenario"] or Path(file).stem), Path(file).name
 
-    def take(kind: dict[str, Any]) -> str:
-        """Unused name among the results of a kind; its origin is recorded."""
-        key = _free(name, own, kind)
-        scenario = str(header.get("scenario", ""))
-        if kind is found.runs or kind is found.sweeps:
-            found.variants[key] = (scenario, str(header.get("model_text", "")), file)
-        if kind is found.runs or kind is found.sweeps or kind is found.cases:
-            found.scenarios.append(scenario)
+    scenario, text = str(header.get("scenario", "")), str(header.get("model_text", ""))
+
+    def recorded(key: str) -> str:
+        """Name of a result, whose origin, version of the model and notes are recorded."""
         if str(header.get("model_hash", "")) not in ("", content_hash(model)):
-            found.others[key] = _what_differs(model, scenario, str(header.get("model_text", "")), file)
+            found.others[key] = _what_differs(model, scenario, text, file)
         found.sources.append(source_of(key, header, content_hash(model), own))
         found.notes.append((key, split_notes(str(header.get("notes", "")))))
         return key
+
+    def take(kind: dict[str, Any]) -> str:
+        """Recorded name of a result of a kind."""
+        key = found.name(name, own)
+        if kind is found.runs or kind is found.sweeps:
+            found.variants[key] = (scenario, text, file)
+        if kind is found.runs or kind is found.sweeps or kind is found.cases:
+            found.scenarios.append(scenario)
+        return recorded(key)
 
     if header["kind"] == "sweep":
         found.sweeps[take(found.sweeps)] = read_sweep(file)
@@ -214,7 +231,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                     {"direction": j.direction, "mesh_frequency": j.frequency}
                     for j in sweep_jumps(case["points"])
                 ]
-                key = _free(f"{name}: {words}", own, found.sweeps)
+                key = found.name(f"{name}: {words}", own)
                 found.sweeps[key] = {"points": case["points"], "jumps": jumps}
     elif header["kind"] == "campbell":
         with open_result(file) as data:
@@ -234,12 +251,12 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                 data.load()
             note = str(data.attrs.get("sentence", ""))
             note = note and f"This analysis is not complete: {note}"
-            found.contacts[_free(mesh, own, found.contacts)] = contact_result(data, note)
+            found.contacts[found.name(mesh, own)] = contact_result(data, note)
         found.remarks += [
             f"{own}: mesh {mesh} is omitted: {reason}."
             for mesh, reason in header["options"].get("omitted", {}).items()
         ]
-        found.sources.append(source_of(name, header, content_hash(model), own))
+        recorded(found.name(name, own))
     elif header["kind"] in ("time", "quasi_static", "contact"):
         whole = header["status"] == "finished"
         note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"
@@ -323,30 +340,30 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
 
     kind = kind_of(data) if hasattr(data, "data_vars") else ""
     if kind == "time":
-        name = _free("time response", str(len(found.runs) + 1), found.runs)
+        name = found.name("time response", str(len(found.runs) + 1))
         found.runs[name] = time_run(model, data, data.attrs)
     elif kind == "sweep":
-        name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
+        name = found.name("sweep", str(len(found.sweeps) + 1))
         found.sweeps[name] = sweep_of(data)
     elif kind == "cases":
-        name = _free("cases", str(len(found.cases) + 1), found.cases)
+        name = found.name("cases", str(len(found.cases) + 1))
         found.cases[name] = case_table(data)
     elif kind == "campbell":
-        name = _free("Campbell diagram", str(len(found.campbells) + 1), found.campbells)
+        name = found.name("Campbell diagram", str(len(found.campbells) + 1))
         found.campbells[name] = data
     elif kind in RESPONSES:
-        name = _free(kind.replace("_", " "), str(len(found.responses) + 1), found.responses)
+        name = found.name(kind.replace("_", " "), str(len(found.responses) + 1))
         found.responses[name] = data
     elif kind == "relief":
         mesh = str(data.attrs.get("mesh", "relief"))
-        name = _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
+        name = found.name(mesh, str(len(found.reliefs) + 1))
         found.reliefs[name] = data
     elif kind == "contact":
         mesh = str(data.attrs.get("mesh", "contact"))
-        name = _free(mesh, str(len(found.contacts) + 1), found.contacts)
+        name = found.name(mesh, str(len(found.contacts) + 1))
         found.contacts[name] = contact_result(data)
     elif kind == "quasi_static":
-        name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
+        name = found.name("slow roll", str(len(found.rolls) + 1))
         found.rolls[name] = given_roll(data, model=model)
     else:
         what = f"a dataset over {', '.join(map(str, data.dims))}" if kind else type(data).__name__
@@ -364,11 +381,3 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         found.scenarios.append(scenario)
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
     found.notes.append((name, split_notes(str(data.attrs.get("notes", "")))))
-
-
-def _free(name: str, other: str, taken: dict[str, Any]) -> str:
-    """Name a result after its scenario, with a suffix if the name is used."""
-    if name in taken:
-        name = f"{name} ({other})"
-    names = (name, *(f"{name} {k}" for k in range(2, len(taken) + 2)))
-    return next(n for n in names if n not in taken)

@@ -19,6 +19,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import MESH, RATIO, RAYLEIGH, Kind, Power
 from pitchpoint.report.damping_losses import damped_kinds, damping_loss, started
+from pitchpoint.report.jump_powers import NEEDED, jump_phases, jump_power
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.report.stored_energy import Deflections, elastic_kinds
@@ -113,6 +114,8 @@ class Machine:
             if not one.state and any(name == "spin" for name, _ in one.coordinates):
                 self.spin[b] = self.channel(f"speed[{self.names[b]}]")
         self.blocks, self.block_of = self._blocks(model)
+        self.jump_phases = jump_phases(model)
+        self.unseparated: list[str] = []
         self.damped: tuple[str, ...] = ()
         if self.deflections.known and not self.decimated:
             self.damped = damped_kinds(system, self.springs)
@@ -223,7 +226,20 @@ class Machine:
                 self.booked = True
             found = _with_losses(self.link(name, "mesh", pair, (on[0], on[1])), losses)
             fed = self.mean_of(f"parametric_power[{name}]")
-            yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
+            fed = fed if abs(fed) > ROUND_OFF * found.given else 0.0
+            jumps = self.jumps(name)
+            if jumps is None:
+                self.unseparated.append(name)
+            yield replace(found, fed=fed, jumps=jumps or 0.0)
+
+    def jumps(self, name: str) -> float | None:
+        """Mean power supplied by jumps of the stiffness of a mesh [W]; None if it is unknown."""
+        phases = self.jump_phases.get(name, ())
+        if not phases:
+            return 0.0
+        channels = {word: self.known(f"{word}[{name}]") for word in NEEDED}
+        known = {word: values for word, values in channels.items() if values is not None}
+        return jump_power(self.time, known, phases) if len(known) == len(NEEDED) else None
 
     def torques(self) -> Iterator[PowerLink]:
         """Links of couplings and clutches; the difference of their powers is their loss, or stored."""
@@ -351,6 +367,7 @@ class Machine:
             elastic=(teeth + self.elastic(self.within(OUTSIDE))) / self.duration,
             damped=self.damping(),
             booked=self.booked,
+            unseparated=self.unseparated,
             unfollowed=[*self.unfollowed(), *[UNKNOWN] * unknown],
         )
 

@@ -18,8 +18,14 @@ KINDS = {
     "sweep": "speed sweep",
     "cases": "cases",
     "contact": "contact analysis",
+    "campbell": "Campbell diagram",
+    "relief": "relief design",
 }
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
+UNITS |= {"operating_speed": "rad/s", "mesh_frequency": "Hz", "misalignment": "rad"}
+UNITS |= {"viscosity": "Pa s", "pressure_viscosity": "1/Pa"}
+RANGES = ("operating_speed", "mesh_frequency", "speed")
+"""Options whose two values are the ends of a range."""
 NAMES = ("mesh", "body", "scenario")
 """Options whose values are names of the model."""
 KEPT = ("vary_units",)
@@ -54,7 +60,7 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         ("scenario", str(header.get("scenario", ""))),
         ("status", f"{status}: {sentence}" if sentence not in ("", status) else status),
         ("solver", str(header.get("solver", "")).replace("_", " ")),
-        ("steps", _text("steps", header.get("steps"))),
+        ("steps", _text("steps", header.get("steps") or None)),
         ("computing time", _text("duration", header.get("wall_s"))),
         ("computed", str(header.get("created", "")).replace("T", " ").replace("+00:00", " UTC")),
         ("by", str(header.get("source", ""))),
@@ -88,8 +94,12 @@ def _text(key: str, value: Any) -> str:
     if any(value is x or (type(value) is type(x) and value == x) for x in EMPTY):
         return ""
     if isinstance(value, Mapping):
-        return ", ".join(f"{k}: {_text(k if k in NAMES else key, v)}" for k, v in value.items())
+        # the unit is that of the entry in a sweep, with its step and speeds; else that of the key
+        inner = {k: key if key in UNITS or k not in (*NAMES, *UNITS) else k for k in value}
+        return ", ".join(f"{k}: {_text(inner[k], v)}" for k, v in value.items())
     if isinstance(value, list | tuple):
+        if key in RANGES and len(value) == 2:
+            return " to ".join(dict.fromkeys(_text(key, v) for v in value))
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
         # laws are shown in the model file; their representation here is not readable

@@ -59,7 +59,7 @@ def write_report(
     Raises
     ------
     ModelError
-        If the model file is invalid.
+        If the model file is invalid, or results are those of a machine with other bodies or meshes.
     PitchpointError
         If a result cannot be shown, or the page cannot be written or would overwrite an input file.
 

@@ -18,7 +18,7 @@ from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_
 from pitchpoint.solvers.excitation_orders import USUAL, Order, Orders, excitation_orders
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
 from pitchpoint.solvers.mode_energies import WAYS
-from pitchpoint.solvers.unstable_modes import UnstableMode, unstable_modes
+from pitchpoint.solvers.unstable_modes import UnstableMode, is_undamped, undamped_note, unstable_modes
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -92,6 +92,8 @@ def solve_campbell(
 
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
+
+    The attribute `dissipation` is "none" if the model has no damping.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
@@ -133,7 +135,11 @@ def campbell_dataset(
     }
     wall = time.perf_counter() - began
     attrs = attributes(system, "campbell", wall_s=wall, body=found.body)
-    more: dict[str, Any] = {"body": found.body, "ranking": RANKING, "notes": join_notes(found.notes)}
+    undamped = is_undamped(found.modes.linear)
+    notes = [*found.notes, *([undamped_note(unstable[0].damping_ratio)] if undamped and unstable else [])]
+    more: dict[str, Any] = {"body": found.body, "ranking": RANKING, "notes": join_notes(notes)}
+    if undamped:
+        more["dissipation"] = "none"
     if operating is not None:
         more["operating_speed"] = [float(x) for x in operating]
     return xr.Dataset(

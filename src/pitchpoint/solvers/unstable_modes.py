@@ -20,6 +20,7 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,10 +28,15 @@ from numpy.typing import NDArray
 
 from pitchpoint.solvers.campbell import Campbell, at_speeds
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
+from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.machine_groups import Groups
 from pitchpoint.solvers.stiffness_parts import element_list
+from pitchpoint.system.system import State, System
 
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
+ANTISYMMETRIC = 1e-12
+"""Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
 EXACT = 1e-9
 """Relative accuracy of a limit of stability."""
 
@@ -108,15 +114,38 @@ def _limit(found: Campbell, mode: int, inside: int, outside: int) -> float:
 
 def _source(found: Campbell, mode: int, at: int) -> str:
     """Component that feeds the largest power into a mode at one of the speeds."""
-    omega = float(found.eigenvalue[at, mode].imag)
-    if omega <= 0.0:
-        return ""
     rates = found.speed[at] * found.rates
     linear = at_speeds(found.modes.linear, rates)
-    system, state, z = linear.system, linear.state.copy(), found.shape[at, mode]
+    state = linear.state.copy()
     state.v = rates
-    groups, parts = found.motions.groups, found.motions.parts
-    component = {name: groups.components[e] for name, e in zip(parts.elements, groups.component, strict=True)}
+    motions = found.motions
+    value, z = complex(found.eigenvalue[at, mode]), found.shape[at, mode]
+    return feeding(linear.system, state, motions.groups, motions.parts.elements, value, z)
+
+
+def feeding(
+    system: System,
+    state: State,
+    groups: Groups,
+    elements: Sequence[str],
+    value: complex,
+    z: NDArray[np.complex128],
+) -> str:
+    """Component that feeds the largest power into a mode; "" if it does not oscillate.
+
+    Parameters
+    ----------
+    system, state
+        System and operating point, at speed.
+    groups, elements
+        Components of the energies, and labels of their elements.
+    value, z
+        Eigenvalue [1/s] and shape of the mode, shape (nd,).
+    """
+    omega = value.imag
+    if omega <= 0.0:
+        return ""
+    component = {name: groups.components[e] for name, e in zip(elements, groups.component, strict=True)}
     power: dict[str, float] = {}
     listed = element_list(system)
     for (_, _, label), (blocks, D, K) in zip(
@@ -128,3 +157,23 @@ def _source(found: Campbell, mode: int, at: int) -> str:
         name = component.get(label, label)
         power[name] = power.get(name, 0.0) - 0.5 * omega * float(fed)
     return max(power, key=power.__getitem__) if power and max(power.values()) > 0.0 else ""
+
+
+def is_undamped(linear: Linearised) -> bool:
+    """Whether a linear system has no damping: its damping matrix is antisymmetric, gyroscopic terms only."""
+    both = abs(linear.D + linear.D.T)
+    return float(both.max()) <= ANTISYMMETRIC * float(abs(linear.D).max())
+
+
+def undamped_note(ratio: float) -> str:
+    """Note on unstable modes of a model without damping.
+
+    Parameters
+    ----------
+    ratio
+        Lowest damping ratio, negative.
+    """
+    return (
+        "the model has no damping, so that a mode grows with any force that feeds it, such as a torque that "
+        f"follows a tilting axis: damping ratios above {-100.0 * ratio:.2g} % make all listed modes stable"
+    )

@@ -35,6 +35,8 @@ LEADER = 22
 """Length of the leader lines from curves to their names [pixels]."""
 LETTERS = (30, 36, 44, 60)
 """Letters per line of a name right of the plot: the first for which all names fit into its height."""
+UPRIGHT = 15
+"""Letters per line of a name above the plot."""
 FEWEST = 3
 """Minimum number of names of shaft orders at one place that are replaced by their range."""
 NUMBERED = 12
@@ -355,8 +357,10 @@ def _above(figure: go.Figure, listed: Sequence[tuple[float, str]]) -> int:
     """Upright names above the plot, where lines leave it; returns the height that they need."""
     if not listed:
         return 0
-    found = spread([at * WIDTH for at, _ in listed], LINE, 0.0, WIDTH)
-    for (at, text), shown in zip(listed, found, strict=True):
+    folded = [_folded(text, UPRIGHT) for _, text in listed]
+    lengths = [LINE * len(lines) for lines in folded]
+    found = spread([at * WIDTH for at, _ in listed], lengths, 0.0, WIDTH)
+    for (at, _), lines, shown in zip(listed, folded, found, strict=True):
         where = {"x": at, "xref": "paper", "y": 1, "yref": "paper"}
         aside = float(shown - at * WIDTH)
         line = {"arrowhead": 0, "arrowwidth": 0.8, "arrowcolor": theme.GREY, "standoff": 0}
@@ -365,11 +369,11 @@ def _above(figure: go.Figure, listed: Sequence[tuple[float, str]]) -> int:
             **where,
             xshift=aside,
             yshift=11,
-            text=text,
+            text="<br>".join(map(escape, lines)),
             textangle=-90,
             showarrow=False,
             xanchor="center",
             yanchor="bottom",
             font={"size": 11, "color": theme.LIGHT["soft"]},
         )
-    return int(22 + LETTER * max(len(text) for _, text in listed))
+    return int(22 + LETTER * max(len(line) for lines in folded for line in lines))

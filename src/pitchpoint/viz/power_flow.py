@@ -45,6 +45,8 @@ class PowerLink:
         Mean power losses according to the result, by their description.
     fed
         Mean power supplied to a mesh by its phase-dependent stiffness and static errors [W].
+    jumps
+        Mean power supplied to a mesh by jumps of its stiffness where tooth pairs enter or leave [W].
     stored
         Mean rate of the elastic energy of a coupling [W].
     """
@@ -57,6 +59,7 @@ class PowerLink:
     taken: float
     losses: Mapping[str, float] = field(default_factory=dict)
     fed: float = 0.0
+    jumps: float = 0.0
     stored: float = 0.0
 
     @property
@@ -83,6 +86,8 @@ class PowerFlow:
         and modal damping [W].
     booked
         Whether friction power of a mesh is assigned to the driving gear, because its division is unknown.
+    unseparated
+        Meshes with stiffness jumps whose power is unknown, since the samples do not separate them.
     unfollowed
         Elements that may exchange power but are not among the links.
     """
@@ -93,6 +98,7 @@ class PowerFlow:
     elastic: float = 0.0
     damped: float = 0.0
     booked: bool = False
+    unseparated: Sequence[str] = ()
     unfollowed: Sequence[str] = ()
 
     @property
@@ -116,6 +122,11 @@ class PowerFlow:
         return sum(link.fed for link in self.links)
 
     @property
+    def jumps(self) -> float:
+        """Power supplied to meshes by jumps of their stiffness [W]."""
+        return sum(link.jumps for link in self.links)
+
+    @property
     def stored(self) -> float:
         """Mean rate of the energy stored in rotation and deflection [W]."""
         within = sum(block.stored for block in self.blocks) + sum(link.stored for link in self.links)
@@ -124,7 +135,7 @@ class PowerFlow:
     @property
     def remainder(self) -> float:
         """Remainder of the power balance [W]."""
-        return self.put_in + self.fed - self.taken_out - self.lost - self.stored
+        return self.put_in + self.fed + self.jumps - self.taken_out - self.lost - self.stored
 
     def left(self, block: int) -> float:
         """Remainder of the power balance of one block [W].

@@ -12,6 +12,7 @@ import numpy as np
 from pitchpoint.viz import theme
 from pitchpoint.viz.label_placement import LETTER, LINE, Label, Rectangle, placed
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
+from pitchpoint.viz.power_flow_return import lanes, reach, return_band
 from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
@@ -26,8 +27,8 @@ GAP, HEAD, MIN_WIDTH = 72.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
 LETTERS, ROW = 12, 16.0
 """Letters of a name that fit into a block, and distance of its lines [pixels]."""
-SIDE, BACK = 10.0, 90.0
-"""Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
+SIDE = 10.0
+"""Margin of the drawing [pixels]."""
 NEGLIGIBLE = 1e-3
 """Share of the largest power below which a band is not drawn."""
 ROUND_OFF = 1e-6
@@ -57,7 +58,7 @@ _Joined = tuple[PowerLink, _Box, _Box, float]
 
 
 def power_flow_svg(flow: PowerFlow) -> str:
-    """HTML drawing of the flow from left to right; bands back to an earlier block are arcs."""
+    """HTML drawing of the flow from left to right; bands back to an earlier block run below all blocks."""
     flow = _drawn(flow)
     links = flow.links
     most = max((link.given for link in links), default=0.0)
@@ -89,11 +90,15 @@ def power_flow_svg(flow: PowerFlow) -> str:
     height = _stack(boxes, ends)
     for box in boxes:
         box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
-    bands = [_band(one, ends, unit) for one in sorted(ends, key=lambda e: (e[1].y, e[2].y))]
+    # bands back to earlier blocks are the last at their blocks, those between near blocks in the upper lanes
+    forth = sorted((e for e in ends if not _returns(e)), key=lambda e: (e[1].y, e[2].y))
+    back = sorted((e for e in ends if _returns(e)), key=lambda e: e[1].column - e[2].column)
+    own_lanes = lanes(max(box.y + box.height for box in boxes), [e[3] for e in back])
+    bands = [_band(one, ends, unit) for one in forth]
+    bands += [_band(one, ends, unit, lane) for one, lane in zip(back, own_lanes, strict=True)]
     columns_at = _places(boxes, bands)
     x = {id(box): columns_at[box.column] for box in boxes}
     far = max(x.values()) + WIDTH_BLOCK
-    turns_back = any(end.column <= start.column for _, start, end, _ in ends)
     parts: list[str] = []
     labels: list[Label] = []
     lines: list[Rectangle] = []
@@ -108,9 +113,10 @@ def power_flow_svg(flow: PowerFlow) -> str:
     parts += [*(label.svg() for label in labels), *(_block(box, x[id(box)]) for box in boxes)]
     title = f"power flow, input {unit.text(flow.put_in)}"
     above = max(0.0, SIDE - min((label.box[1] for label in labels), default=SIDE))
-    height = max([height, *(label.box[3] + SIDE for label in labels)]) + above
-    left = max([0.0, *(-label.box[0] for label in labels), *([BACK] if turns_back else [])])
-    right = max([0.0, *(label.box[2] - far for label in labels), *([BACK] if turns_back else [])])
+    drawn_at = [*lines, *(label.box for label in labels)]
+    height = max([height, *(box[3] + SIDE for box in drawn_at)]) + above
+    left = max([0.0, *(-box[0] for box in drawn_at)])
+    right = max([0.0, *(box[2] - far for box in drawn_at)])
     width = far + SIDE + left + right
     drawn = f'<g transform="translate({left:.1f} {above:.1f})">{"".join(parts)}</g>'
     drawing = document(width, height, [f"<style>{STYLE}</style>", drawn], title)
@@ -143,30 +149,48 @@ def _drawn(flow: PowerFlow) -> PowerFlow:
 
 
 STYLE = (
-    ".pp-band{fill-opacity:.55;stroke:none}.pp-block{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1}"
+    ".pp-band{fill-opacity:.55;stroke:none}.pp-arrow{fill:var(--pp-ink)}.pp-block{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.1}"
     f".pp-drop{{stroke:{theme.RED};stroke-linecap:butt}}.pp-name{{font-weight:600;fill:var(--pp-ink)}}"
 )
 COLOURS = {"mesh": theme.BLUE, "drive": theme.GREEN, "load": theme.GREEN, "carrier": theme.PURPLE}
 
 
+def _returns(joined: _Joined) -> bool:
+    """Whether a band runs back to an earlier block, or to one in the same column."""
+    return joined[2].column <= joined[1].column
+
+
 def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
-    """Column of every block: to the right of all blocks that feed it, unless power circulates."""
+    """Column of every block: to the right of all blocks that feed it, apart from bands that close a loop."""
     after: dict[int, list[int]] = {k: [] for k in range(count)}
     fed = {link.end for link in links if link.start != OUTSIDE}
+    driven = {link.end for link in links if link.start == OUTSIDE}
     for link in links:
         if OUTSIDE not in (link.start, link.end):
             after[link.start].append(link.end)
-    columns = [0] * count
+    columns, seen = [0] * count, set[int]()
 
-    def push(k: int, path: tuple[int, ...]) -> None:
+    def open_loops(k: int, path: tuple[int, ...]) -> None:
+        """Drop the links from a block, and from those that it feeds, back to a block on the way to it."""
+        seen.add(k)
+        after[k] = [other for other in after[k] if other not in path]
+        for other in after[k]:
+            if other not in seen:
+                open_loops(other, (*path, other))
+
+    def push(k: int) -> None:
         """Move all blocks fed by a block to its right, recursively."""
         for other in after[k]:
-            if other not in path and columns[other] <= columns[k]:
+            if columns[other] <= columns[k]:
                 columns[other] = columns[k] + 1
-                push(other, (*path, other))
+                push(other)
 
-    for k in sorted(range(count), key=lambda k: k in fed):
-        push(k, (k,))
+    order = sorted(range(count), key=lambda k: (k in fed, k not in driven))
+    for k in order:
+        if k not in seen:
+            open_loops(k, (k,))
+    for k in order:
+        push(k)
     return columns
 
 
@@ -202,7 +226,10 @@ def _near(box: _Box, ends: Sequence[_Joined]) -> float:
 
 @dataclass(frozen=True)
 class _Band:
-    """Band between two boxes: its ends [pixels], and where its name is: start, end, middle or nowhere."""
+    """Band between two boxes: its ends [pixels], and where its name is: start, end, middle or nowhere.
+
+    `lane`: height of the lane of a band back to an earlier block [pixels].
+    """
 
     link: PowerLink
     start: _Box
@@ -211,6 +238,7 @@ class _Band:
     y: tuple[float, float]
     named: str
     unit: Scale
+    lane: float | None = None
 
     @property
     def lines(self) -> list[tuple[str, str]]:
@@ -224,6 +252,8 @@ class _Band:
     @property
     def needs(self) -> float:
         """Distance of the columns at its name that leaves room for it [pixels]."""
+        if self.lane is not None:
+            return max(BETWEEN, reach(self.width) + BEND)
         if self.named in ("", "middle"):
             return BETWEEN if self.named else BEND
         return max(BETWEEN, max(LETTER[style] * len(words) for words, style in self.lines) + BEND)
@@ -232,12 +262,16 @@ class _Band:
         """Band from `a` to `b` [pixels] with the drop of its loss, its names, and rectangles along it."""
         (ya, yb), h = self.y, 0.5 * self.width
         colour = COLOURS.get(self.link.kind, theme.TEAL)
+        if self.lane is not None:
+            path, arrow, slices = return_band((a, ya), (b, yb), self.lane, self.width)
+            drop, labels = _named(self.link, self.unit, 0.5 * (a + b), self.lane, self.width)
+            shapes = f'<path class="pp-band" fill="{colour}" d="{path}"/><path class="pp-arrow" d="{arrow}"/>'
+            return f"{shapes}{drop}", labels, slices
         # a band runs straight along its name and bends at its other end, away from the other names
         next_to = self.end.column == self.start.column + 1
         left = b - BEND if self.named == "start" and next_to else a
         right = a + BEND if self.named == "end" and next_to else b
-        reach = 0.5 * (right - left) if b > a else BACK
-        there, back = left + reach, right - reach
+        there = back = 0.5 * (left + right)
         path = (
             f"M{a:.1f} {ya - h:.1f}H{left:.1f}"
             f"C{there:.1f} {ya - h:.1f} {back:.1f} {yb - h:.1f} {right:.1f} {yb - h:.1f}H{b:.1f}"
@@ -263,19 +297,19 @@ class _Band:
         return f'<path class="pp-band" fill="{colour}" d="{path}"/>{drop}', labels, slices
 
 
-def _band(joined: _Joined, ends: Sequence[_Joined], unit: Scale) -> _Band:
+def _band(joined: _Joined, ends: Sequence[_Joined], unit: Scale, lane: float | None = None) -> _Band:
     """Band at the next places of both boxes; named at the end where it is the larger part of all bands."""
     link, start, end, width = joined
     y = start.port(1, width), end.port(0, width)
     parts = [width / _load(box, ends, side) for box, side in ((start, 1), (end, 0))]
-    alone, forth = min(parts) > 1.0 - 1e-9, end.column > start.column
+    alone = min(parts) > 1.0 - 1e-9
     if start.outside or end.outside:
         named = ""
-    elif alone and forth and abs(y[1] - y[0]) <= 0.5 * width:
+    elif lane is not None or alone and abs(y[1] - y[0]) <= 0.5 * width:
         named = "middle"
     else:
-        named = "start" if parts[0] > parts[1] or not forth else "end"
-    return _Band(link, start, end, width, y, named, unit)
+        named = "start" if parts[0] > parts[1] else "end"
+    return _Band(link, start, end, width, y, named, unit, lane)
 
 
 def _places(boxes: Sequence[_Box], bands: Sequence[_Band]) -> dict[int, float]:
@@ -283,8 +317,11 @@ def _places(boxes: Sequence[_Box], bands: Sequence[_Band]) -> dict[int, float]:
     columns = range(min(box.column for box in boxes), max(box.column for box in boxes) + 1)
     gaps = dict.fromkeys(columns, BEND)
     for band in bands:
-        before = band.end.column - 1 if band.named == "end" else band.start.column
-        gaps[before] = max(gaps.get(before, BEND), band.needs)
+        at_end, at_start = band.end.column - 1, band.start.column
+        beside = (
+            {at_end, at_start} if band.lane is not None else {at_end if band.named == "end" else at_start}
+        )
+        gaps |= {k: max(gaps.get(k, BEND), band.needs) for k in beside}
     found, at = {}, SIDE
     for column in columns:
         found[column] = at

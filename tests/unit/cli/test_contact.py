@@ -66,6 +66,16 @@ def test_quiet_runs_print_the_table_only(file: str, capsys: pytest.CaptureFixtur
     assert "level" not in text
 
 
+def test_a_quiet_analysis_into_a_file_prints_nothing(
+    file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As of modes, frf and campbell: the file contains everything."""
+    target = tmp_path / "contact.h5"
+    assert run_command(["contact", file, "--positions", "8", "-q", "-o", str(target)]) == 0
+    assert capsys.readouterr().out == ""
+    assert target.exists()
+
+
 def test_default_torque_is_that_of_the_loads_on_gear_1(
     file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli import output, progress, results
+from pitchpoint.cli.columns import Column
 from pitchpoint.core.progress import report_step
 
 
@@ -142,6 +143,24 @@ def test_channels_that_are_zero_are_counted(capsys: pytest.CaptureFixture[str]) 
     assert lines[-2].split("  ")[-1].strip() == "2 µm"
     assert "0 µm" in lines[-2]
     assert sum("bearing_force" in line for line in lines) == 1
+
+
+def test_zeros_of_a_table_have_one_unit(capsys: pytest.CaptureFixture[str]) -> None:
+    channels = {
+        f"bearing_force[{name}]": {"unit": "N", "mean": mean, "rms": 0.0, "min": 0.0, "max": mean}
+        for name, mean in (("a", 2e4), ("b", 200.0))
+    }
+    results.statistics_table("run", channels)
+    text = "\n".join(printed(capsys))
+    assert "20 kN" in text and "200 N" in text
+    assert text.count(" 0 N") == 4 and " 0 kN" not in text
+
+
+def test_orders_and_names_that_begin_with_a_number_are_text() -> None:
+    """Only texts are broken between words."""
+    orders = Column("order", ["2× mesh st2", "24× rotor (torque motor)", "1st bending of mid"])
+    assert orders.words
+    assert not Column("speed", ["2 rpm", "-24.5 %", "1e3"]).words
 
 
 class Clock:

@@ -119,8 +119,8 @@ def test_results_of_another_state_of_the_model_are_marked(
     words = "set.h5 was computed with loads.output.torque = 100 N m (the model: 150 N m)."
     assert words in target.read_text(encoding="utf-8")
     assert f"note: {words}" in capsys.readouterr().out
-    changed = TORSION.replace("150 N m", "100 N m").replace("driver: {", "one: {").replace("driver", "one")
-    written(tmp_path, changed)
+    changed = TORSION.replace("150 N m", "100 N m").replace("0.0115", "0.02").replace("0.1 mm", "0.2 mm")
+    written(tmp_path, changed)  # too many values for a list
     assert run_command(["report", file, result, "-o", str(target)]) == 0
     assert "note: run.h5 was computed with a different version of the model." in capsys.readouterr().out
     assert run_command(["report", file, result, "-o", str(target), "-q"]) == 0

@@ -233,3 +233,27 @@ def test_a_model_without_shapes_says_so() -> None:
     alone = scene_part(loads_model(f"gears:\n  a: {{{gear}}}\n"), {})
     assert alone.scene is None
     assert "There is no scene" in alone.words
+
+
+def test_each_result_of_a_scenario_has_a_column_in_the_provenance(file: Path, tmp_path: Path) -> None:
+    """A time response and a Campbell diagram of one scenario once shared a column: that of the last file."""
+    run, diagram = tmp_path / "run.h5", tmp_path / "campbell.h5"
+    assert run_command(["run", str(file), "-s", "steady", "-q", "-o", str(run)]) == 0
+    assert run_command(["campbell", str(file), "-s", "steady", "-q", "-o", str(diagram)]) == 0
+    found, _ = collect(pp.load_model(file), [run, diagram], silent)
+    assert [source.name for source in found.sources] == ["steady", "steady (campbell.h5)"]
+    assert list(found.runs) == ["steady"] and list(found.campbells) == ["steady (campbell.h5)"]
+    text = pp.write_report(file, tmp_path / "x.html", run, diagram).read_text(encoding="utf-8")
+    provenance = text[text.index('id="provenance"') :]
+    for words in ("run.h5", "campbell.h5", "time response", "Campbell diagram", "1500 rpm"):
+        assert f"<td>{words}</td>" in provenance
+    assert "Campbell diagram <b>steady (campbell.h5)</b>: finished" in text
+
+
+def test_ranges_in_the_provenance_have_a_unit() -> None:
+    sweep = {"speed": [10.0, 20.0], "body": "speed", "settle_periods": 5}
+    options = {"operating_speed": [628.318530718, 628.318530718], "sweep": sweep, "speed": {"step": 1.0}}
+    rows = dict(source_of("x", {"kind": "sweep", "options": options}, "").rows)
+    assert rows["operating speed"] == "6000 rpm"
+    assert rows["sweep"] == "speed: 95.493 rpm to 190.99 rpm, body: speed, settle_periods: 5"
+    assert rows["speed"] == "step: 9.5493 rpm"

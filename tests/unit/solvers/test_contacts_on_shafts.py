@@ -136,7 +136,7 @@ def test_what_is_omitted():
 def test_rounding_is_no_load():
     """Without torques the flanks keep forces of some 1e-8 N, which would have a pressure and K_Hβ."""
     model = loads_model(two_stages().replace("torque: 250 N m", "torque: 0 N m"))
-    with pytest.raises(SolverError, match="mesh fast and slow: it carries no load") as caught:
+    with pytest.raises(SolverError, match="meshes fast and slow: they carry no load") as caught:
         solve_contacts_on_shafts(model, positions=4)
     assert not caught.value.partial.meshes
 

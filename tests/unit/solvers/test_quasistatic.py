@@ -201,7 +201,7 @@ def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
         ("balance", (), 1.0),
         (
             "0 N m",
-            ("mesh first and second carries no load, and 60 N m on input are balanced by holding torques",),
+            ("meshes first and second carry no load, and 60 N m on input are balanced by holding torques",),
             0.0,
         ),
         ("-200 N m", ("the loads do not balance: 36.67 N m on input are balanced by holding torques",), 1.0),
@@ -261,7 +261,7 @@ def test_friction_that_a_slow_roll_leaves_out_is_reported():
     text = re.sub(r"stiffness: {law: fourier[^}]*}", "friction: {mu: 0.05}", ROLLED)
     (note,) = roll_through(compiled(text, "three")[1]).notes
     assert note.startswith(
-        "friction of mesh first and second is neglected, since a slow roll is computed at zero speed"
+        "friction of meshes first and second is neglected, since a slow roll is computed at zero speed"
     )
 
 

@@ -9,10 +9,13 @@ reduced by their ratios.
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from pitchpoint.solvers.equilibrium.balancing import LOAD
+from pitchpoint.solvers.quasistatic.notes import balance_notes
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from tests.support.machines import compiled
 
@@ -92,6 +95,20 @@ def test_several_pulsating_loads_and_a_balance_at_the_output():
     first, second = mid_torques(data)
     np.testing.assert_allclose(first + second, -aux, rtol=TOLERANCE)
     assert "pump balances motor and aux at every position" in data.attrs["notes"]
+
+
+def test_a_pulsation_of_rounding_is_not_noted():
+    """Without torque of the loads a balancing torque of 1e-36 N m is rounding, not a pulsation."""
+    text = TRAIN.format(
+        teeth=TEETH, right="", left="", motor="balance", pump="0 N m", aux="0 N m", mesh="first", given=""
+    )
+    system = compiled(text, "slow")[1]
+    rows = np.zeros((3, len(system.layout.channels)))
+    rows[:, system.layout.channel("torque[motor]")] = -7e-36, 0.0, 7e-36
+    cycle = SimpleNamespace(means={list(system.names[LOAD]).index("pump"): 0.0})
+    assert balance_notes(system, cycle, rows) == ()
+    rows *= 1e37
+    assert balance_notes(system, cycle, rows)[0].startswith("motor balances pump at every position")
 
 
 def test_a_drive_takes_the_pulsating_part():

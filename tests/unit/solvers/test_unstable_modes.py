@@ -36,6 +36,7 @@ def test_internal_damping_is_unstable_above_a_limit_speed():
     assert found.low == pytest.approx(limit, rel=1e-6)
     assert found.high == 1500.0
     assert found.source == "coupling c"
+    assert "dissipation" not in data.attrs and "no damping" not in data.attrs["notes"]
     assert "forward" in found.mode
     roots = whirl_roots(1500.0)
     worst = roots[np.argmax(roots.real)]
@@ -141,3 +142,35 @@ def test_undamped_modes_rank_by_what_excites_them():
     (found,) = unstable_ranges(data)
     assert (found.mode, found.source) == ("1st bending of rotor (forward)", "torque fan")
     assert -1e-4 < found.damping_ratio < -5e-5
+    assert "dissipation" not in data.attrs  # that of the meshes
+
+
+PINION = """\
+gears:
+  a: {number_of_teeth: 23, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  b: {number_of_teeth: 67, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+bodies:
+  pinion: {gears: [a], motion: free, position: [0, 0, 0]}
+  wheel: {gears: [b], motion: torsion, position: [90 mm, 0, 0]}
+bearings:
+  support: {body: pinion, stiffness: {radial: 2e8, axial: 1e8, tilt: 4e4}DAMPING}
+meshes:
+  m: {gears: [a, b], stiffness: {law: constant, value: 3e8 N/m}}
+loads: {t: {body: pinion, torque: 60 N m}, o: {body: wheel, torque: balance}}
+scenarios:
+  s: {speed: {pinion: 1500 rpm}, duration: 1 ms}
+"""
+
+
+def test_a_model_without_damping_is_noted_with_its_unstable_modes():
+    """The torque feeds one whirl of the tilting pinion and brakes the other; nothing in the model resists."""
+    speeds = np.linspace(50.0, 300.0, 3)
+    data = pp.solve_campbell(compiled(PINION.replace("DAMPING", ""), "s")[1], speeds, "pinion")
+    found = unstable_ranges(data)
+    assert {one.source for one in found} == {"torque t"}
+    assert data.attrs["dissipation"] == "none"
+    least = f"damping ratios above {-100.0 * found[0].damping_ratio:.2g} % make all listed modes stable"
+    assert "the model has no damping" in data.attrs["notes"] and least in data.attrs["notes"]
+    damped = PINION.replace("DAMPING", ", damping: {ratio: 0.02}")
+    data = pp.solve_campbell(compiled(damped, "s")[1], speeds, "pinion")
+    assert unstable_ranges(data) == () and "dissipation" not in data.attrs

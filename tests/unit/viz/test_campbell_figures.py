@@ -33,6 +33,15 @@ def test_names_of_a_campbell_diagram_never_overlap() -> None:
     assert figure.layout.margin.r > 60
 
 
+def test_long_names_above_a_campbell_diagram_are_folded() -> None:
+    """Upright, they are blank space above the plot."""
+    orders = {"24× rotor (torque motor)": (24.0, "load"), "2× rotor": (30.0, "mesh")}
+    figure = plot_campbell(campbell({"high": 100.0}, orders))
+    above = [a.text for a in figure.layout.annotations if a.textangle == -90]
+    assert sorted(above) == ["24× rotor<br>(torque motor)", "2× rotor"]
+    assert figure.layout.margin.t < 34 + 26 + 22 + 15 * 6.3 + 1
+
+
 def right_boxes(figure: Any) -> list[tuple[float, float]]:
     """Lower and upper ends of the names right of a Campbell diagram [pixels], from the lowest."""
     low, high = figure.layout.yaxis.range

@@ -151,3 +151,20 @@ def test_negligible_powers_are_named_but_not_drawn() -> None:
     assert svg.count('class="pp-band"') == 2 and "planet_1" in svg and "planet_2" not in svg
     text = "".join(power_section({"run": flow}).parts)
     assert "Powers up to 0.1 % of the largest power are not drawn: sun-planet_2, planet_2-ring." in text
+
+
+def test_a_band_back_to_an_earlier_block_runs_below_all_others() -> None:
+    """A closed loop: once, the band ran straight back behind the others and could not be seen."""
+    count, links = FLOWS["circulating"]
+    blocks = [PowerBlock(name=f"b{k}", speed=10.0) for k in range(count)]
+    svg = power_flow_svg(PowerFlow(span=(0.0, 1.0), blocks=blocks, links=links))
+    rects = re.findall(r'pp-block" rx="5" x="([-\d.]+)" y="([-\d.]+)" width="(\d+)" height="([\d.]+)"', svg)
+    bottom = max(float(y) + float(h) for _, y, _, h in rects)
+    left, right = min(float(x) for x, *_ in rects), max(float(x) + float(w) for x, _, w, _ in rects)
+    [(tail, tip_x, tip_y, back)] = re.findall(
+        r'class="pp-arrow" d="M([-\d.]+) [-\d.]+L([-\d.]+) ([-\d.]+)L([-\d.]+) ', svg
+    )
+    assert float(tip_x) < float(tail) == float(back)  # to the left
+    assert float(tip_y) > bottom + 40.0 and left < float(tip_x) < right
+    [(name_x, name_y)] = re.findall(r'x="([-\d.]+)" y="([-\d.]+)" text-anchor="middle">back_long_name', svg)
+    assert bottom < float(name_y) < float(tip_y) and abs(float(name_x) - float(tip_x)) < 10.0

@@ -84,6 +84,11 @@ def test_the_summary_tells_load_sharing_ripple_and_unstable_modes() -> None:
     assert "1.5 times its mean" in html
     assert "Unstable about the loaded state: first bending of rotor (forward) (88.6 Hz" in html
     assert "rigid rotation" not in html
+    fed = replace(modes, undamped=True, sources=["", "torque fan", ""])
+    html = "".join(summary_section((), ReportResults(modes={"steady": fed})).parts)
+    assert "Unstable" not in html
+    assert "The model has no damping, so that modes grow about the loaded state: first bending" in html
+    assert "−0.007 %, driven by torque fan). Damping ratios above 0.007 % make them stable." in html
     rounded = replace(modes, names=["a", "b", "c"], damping_ratio=[-2.21e-17, 3e-13, 0.02], scenarios=["up"])
     html = "".join(mode_section({"up": replace(rounded, held=["a"], others=["idle"])}).parts)
     assert [cell in html for cell in (">0 %<", ">2 %<", "⁻¹")] == [True, True, False]

@@ -21,6 +21,7 @@ from pitchpoint.core.errors import SolverError, join_notes, note, split_notes
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.core.words import listed
 from pitchpoint.elements.mesh.force_directions import flank_tilt
 from pitchpoint.elements.mesh.line_of_action import flank_phase
 from pitchpoint.model.components.flank_contact import PrecomputedContact
@@ -232,7 +233,20 @@ def _sentence(failed: dict[str, str]) -> str:
     reasons: dict[str, list[str]] = {}
     for name, reason in failed.items():
         reasons.setdefault(reason, []).append(name)
-    return "; ".join(f"mesh {' and '.join(names)}: {reason}" for reason, names in reasons.items())
+    return "; ".join(_words(names, reason) for reason, names in reasons.items())
+
+
+def _words(names: Sequence[str], reason: str) -> str:
+    """Reason of one or more meshes in words.
+
+    Examples
+    --------
+    >>> _words(["a"], "it carries no load"), _words(["a", "b"], "it carries no load")
+    ('mesh a: it carries no load', 'meshes a and b: they carry no load')
+    """
+    if len(names) == 1:
+        return f"mesh {names[0]}: {reason}"
+    return f"meshes {listed(names)}: {reason.replace('it carries', 'they carry', 1)}"
 
 
 def _analyse_together(

@@ -64,7 +64,7 @@ def load_notes(system: System, holding: Mapping[str, Array], rows: Array) -> tup
         why = f", and {' and '.join(over)} are balanced by holding torques" if over else ""
         found.append(
             note(
-                f"mesh {' and '.join(empty)} carries no load{why}: load the bodies on both sides of a mesh, "
+                f"{_meshes(empty)} no load{why}: load the bodies on both sides of a mesh, "
                 "one of them with torque: balance"
             )
         )
@@ -76,6 +76,17 @@ def load_notes(system: System, holding: Mapping[str, Array], rows: Array) -> tup
             )
         )
     return (*found, *(same for body in left if (same := _same_way(system, body, torques))))
+
+
+def _meshes(names: Sequence[str]) -> str:
+    """Meshes that carry something, in words.
+
+    Examples
+    --------
+    >>> _meshes(["a"]), _meshes(["a", "b", "c"])
+    ('mesh a carries', 'meshes a, b and c carry')
+    """
+    return f"mesh {names[0]} carries" if len(names) == 1 else f"meshes {listed(names)} carry"
 
 
 def _relieved(model: Model, empty: Sequence[str]) -> tuple[dict[str, list[str]], list[str]]:
@@ -100,7 +111,8 @@ def friction_notes(system: System) -> tuple[str, ...]:
     pins = (
         [] if system.model is None else [n for n, j in system.model.joints.items() if j.friction is not None]
     )
-    what = [f"{kind} {' and '.join(names)}" for kind, names in (("mesh", rubbing), ("joint", pins)) if names]
+    kinds = ("mesh", "meshes", rubbing), ("joint", "joints", pins)
+    what = [f"{many if names[1:] else one} {listed(names)}" for one, many, names in kinds if names]
     if not what:
         return ()
     return (
@@ -132,11 +144,16 @@ def balance_notes(system: System, cycle: LoadCycle | None, rows: Array) -> tuple
         return ()
     names, records = system.names[LOAD], system.records[LOAD]
     loads, found = listed([names[k] for k in cycle.means]), []
+    # torques of a machine are rounding below those of its largest load
+    least = max(
+        IMBALANCE * max((abs(t) for row in rows for t in load_torques(system, row).values()), default=0.0),
+        1e-9,
+    )
     for k in balancing_loads(system):
         torque, mean = rows[:, system.layout.channel(f"torque[{names[k]}]")], float(records[k]["value"])
-        if np.abs(torque - mean).max() > IMBALANCE * abs(torque).max():
+        if np.abs(torque - mean).max() > least:
             found.append(
-                f"{names[k]} balances {loads} at every position, with {_range(torque, 0.0)}, and its mean "
+                f"{names[k]} balances {loads} at every position, with {_range(torque, least)}, and its mean "
                 f"over the whole cycle of the loads is {mean:.4g} N m"
             )
     return tuple(found)

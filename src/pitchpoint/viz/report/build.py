@@ -205,7 +205,8 @@ class ModeData:
     `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
     bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
     if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
-    (number of modes, number of components). `at` is the state of a sweep, in words.
+    (number of modes, number of components). `at` is the state of a sweep, in words. `sources` are the
+    components that feed unstable modes, "" for the others; `undamped`: the model has no damping.
     """
 
     names: Sequence[str]
@@ -218,6 +219,8 @@ class ModeData:
     components: Sequence[str] = ()
     strain_share: ArrayLike = ()
     at: str = ""
+    sources: Sequence[str] = ()
+    undamped: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

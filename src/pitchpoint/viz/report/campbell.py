@@ -57,7 +57,8 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
             section.add(f"<p>{more} more in the result of pitchpoint campbell.</p>" if more > 0 else "")
         unstable = unstable_ranges(data)
         if unstable:
-            section.add("<p>Unstable modes grow without excitation:</p>" + _unstable_table(unstable))
+            without = "; the model has no damping" if data.attrs.get("dissipation") == "none" else ""
+            section.add(f"<p>Unstable modes grow without excitation{without}:</p>{_unstable_table(unstable)}")
     return section
 
 

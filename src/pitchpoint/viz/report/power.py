@@ -21,6 +21,8 @@ ALIKE = 0.002
 """Difference of two powers relative to the largest that is not visible."""
 MAX_COLUMNS = 5
 """Runs next to each other in a table."""
+CIRCULATES = 0.5
+"""Input relative to the largest power below which the remainder is given as a share of the input, too."""
 CLOSES = 0.005
 """Relative remainder up to which a balance counts as closed."""
 
@@ -118,6 +120,7 @@ def balance(flow: PowerFlow) -> str:
     parts = {
         "input": flow.put_in,
         "input by phase-dependent stiffness and static errors": flow.fed,
+        "input by stiffness jumps where tooth pairs without relief enter and leave": flow.jumps,
         "output": flow.taken_out,
         "losses": flow.lost,
         "stored in rotation and deflection": flow.stored,
@@ -131,11 +134,20 @@ def balance(flow: PowerFlow) -> str:
     ]
     share = abs(flow.remainder) / most if most else 0.0
     text = f"Balance: {', '.join(words)}; remainder {amount(flow.remainder, 'W')}"
-    text += f", {number(100.0 * share, 2)} % of the largest power." if most else "."
+    text += f", {number(100.0 * share, 2)} % of the largest power" if most else ""
+    if most and NEGLIGIBLE * most < flow.put_in < CIRCULATES * most:
+        share = abs(flow.remainder) / flow.put_in
+        text += f" and {number(100.0 * share, 2)} % of the input"
+    text += "."
+    if flow.unseparated:
+        text += (
+            f" It includes the power of the stiffness jumps of {', '.join(flow.unseparated)}, "
+            "which the samples do not separate: increase sample_rate."
+        )
     if flow.unfollowed:
         text += f" It includes the power exchanged with: {', '.join(flow.unfollowed)}."
-    elif share > CLOSES:
-        text += " It includes stiffness jumps and vibration that this sample rate does not resolve."
+    elif share > CLOSES and not flow.unseparated:
+        text += " It includes vibration and impacts that this sample rate does not resolve."
     return text + _blocks(flow, most)
 
 

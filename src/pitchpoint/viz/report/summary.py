@@ -327,14 +327,23 @@ def _unstable(modes: Mapping[str, Any]) -> list[str]:
     """Listed modes with negative damping, in words, by loaded state."""
     lines = []
     for of, own in modes.items():
-        rows = list(zip(own.names, own.frequency, own.damping_ratio, strict=True))[:MAX_MODES]
+        sources = own.sources or [""] * len(own.names)
+        rows = list(zip(own.names, own.frequency, own.damping_ratio, sources, strict=True))[:MAX_MODES]
+        rows = [row for row in rows if row[2] < -ROUND_OFF and row[1] > 0.0]
+        if not rows:
+            continue
         found = [
-            f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
-            for name, frequency, ratio in rows
-            if ratio < -ROUND_OFF and frequency > 0.0
+            f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %"
+            + (f", driven by {source})" if source else ")")
+            for name, frequency, ratio, source in rows
         ]
-        state = f"loaded state of {of}" if len(modes) > 1 else "loaded state"
-        lines += [f"Unstable about the {state}: {', '.join(found[:MAX_ENDS])}."] if found else []
+        words = f"{'' if own.undamped else 'Unstable '}about the loaded state{f' of {of}' * (len(modes) > 1)}"
+        listed = ", ".join(found[:MAX_ENDS])
+        if own.undamped:
+            least = number(-100.0 * min(ratio for _, _, ratio, _ in rows), 2)
+            words = f"The model has no damping, so that modes grow {words}"
+            listed += f". Damping ratios above {least} % make them stable"
+        lines.append(f"{words}: {listed}.")
     return lines
 
 
