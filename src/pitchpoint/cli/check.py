@@ -50,9 +50,10 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     from pitchpoint.cli.failure import FAILED, OK, say
     from pitchpoint.cli.reading import read_model
     from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
+    from pitchpoint.report.sampling import coarse_scenarios
 
     model = read_model(file, allow_code, quiet, remarks=False)
-    messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
+    messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model), *coarse_scenarios(model))
     for message in messages:
         say(f"warning: {message}")
     found = summary(model)

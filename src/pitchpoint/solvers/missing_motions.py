@@ -53,7 +53,7 @@ def missing_motions(
         b = system.layout.bodies.index(body)
         if free[b, :3].any() if unbalance else free[b, words.index(word)]:
             continue
-        motion = system.bodies[b - 1].motion if system.bodies[b - 1].parent == 0 else None
+        motion = system.bodies[b - 1].motion if system.bodies[b - 1].parent == 0 else -1
         how = f"{body} {HOW.get(motion, 'does not move in this direction')}"
         effect = "excites nothing" if kind == "input" else "is always zero"
         others = [f"{body}.{w}" for w, there in zip(words, free[b], strict=True) if there]
