@@ -40,9 +40,9 @@ def links_of(parts: Parts) -> list[Link]:
                 if one != two and one in parts.bodies and two in parts.bodies:
                     found.append(((group, name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
-        ends = bodies_of(spring.bodies)
-        if len(set(ends) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
-            found.append((("torsion_springs", name), ends[0], ends[1], 1.0))
+        turning = bodies_of(spring.bodies)
+        if len(set(turning) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+            found.append((("torsion_springs", name), turning[0], turning[1], 1.0))
     found += [(("bushings", name), *bodies, 1.0) for name, bodies in bushed_pairs(parts).items()]
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]

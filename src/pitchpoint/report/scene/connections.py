@@ -209,8 +209,8 @@ def _halves(
         if body == GROUND:
             pieces = _pads(radius, thick)
         elif side * neck * sign > thick:
-            ends = ((0.0, 0.0, sign * thick), (0.0, 0.0, side * neck))
-            pieces.append(shapes.rod(*ends, 0.35 * radius))
+            way = ((0.0, 0.0, sign * thick), (0.0, 0.0, side * neck))
+            pieces.append(shapes.rod(*way, 0.35 * radius))
         surface = shapes.moved(shapes.joined(pieces), place, frame)
         word = f"{name}, {'pads' if body == GROUND else body}"
         found.append(stand_in(at, word, "bearing", body, surface, place))
