@@ -143,7 +143,7 @@ def _differences(
     """Central differences of all channels with respect to one part of the state, shape (no, n).
 
     The phases of the meshes are fixed, as in the matrices; angles do not jump by whole turns. The second
-    array tells which of the channels `rows` have a kink or a jump.
+    array: whether each of the channels `rows` has a kink or a jump.
     """
     system, state = linear.system, linear.state
     angles = [o for o, c in enumerate(system.layout.channels) if c.unit == "rad"]
@@ -154,6 +154,7 @@ def _differences(
     }
 
     def changes(k: int, step: float) -> Array:
+        """Changes of all channels by a step of coordinate k."""
         moved = state.copy()
         getattr(moved, key)[k] += step
         found = observe_at(system, moved, phases if key == "q" else {}) - base

@@ -100,7 +100,7 @@ def _far_ends(model: Model) -> Iterator[Message]:
             for shaft, end in pairs:
                 other, marker = split(end)
                 if shaft not in model.shafts or other not in model.bodies:
-                    continue  # a marker tells the place
+                    continue  # the place is that of a marker
                 origin, axes = body_frame(model, shaft)
                 place = place_of(model, end) if marker else body_frame(model, other)[0]
                 if origin is None or place is None:
