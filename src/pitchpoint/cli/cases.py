@@ -4,16 +4,15 @@
 from __future__ import annotations
 
 import math
-import re
 import time
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from pitchpoint.cli.output import NOTHING, emit_json, largest, show, show_notes, shown, table
-from pitchpoint.cli.settings import say_bare, scalar, split_at_path
+from pitchpoint.cli.settings import say_bare
+from pitchpoint.cli.vary import varied
 from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import factor_name, is_factor, stage_of
 
@@ -24,67 +23,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.sweep.cases import CaseResult
 
-_OPEN, _CLOSE = "([{", ")]}"
-_RANGE = re.compile(
-    r"(?P<low>[-+]?\d*\.?\d+)\s*(?P<unit>[^\d.:]*?)\s*(?:\.\.|:)\s*(?P<high>[-+]?\d*\.?\d+)\s*(?P<own>[^\d.:]*).*"
-)
-"""Range of numbers, which other options take, but not `--vary`."""
 MAX_ROWS = 60
 MAX_NOTES = 5
-
-
-def vary_option(function: Any) -> Any:
-    """Add `--vary` and `--jobs` to a command."""
-    from pitchpoint.cli.options import jobs
-
-    vary = click.option(
-        "--vary",
-        multiple=True,
-        metavar="PATH=V1,V2,...",
-        help="Run every value of a key, listed with commas, such as 'loads.input.torque=50 N m,150 N m'; "
-        "several --vary options run all combinations, on all cores, into one table.",
-    )
-    return vary(jobs(function))
-
-
-def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
-    """Read one `PATH=V1,V2`; commas inside brackets are part of a value.
-
-    Parameters
-    ----------
-    text
-        Argument of `--vary`.
-    model
-        Model whose names determine the end of the path if they contain an equals sign.
-
-    Examples
-    --------
-    >>> values_of("meshes.stage.damper.ratio=0.05,0.1")
-    ('meshes.stage.damper.ratio', [0.05, 0.1])
-    >>> values_of("loads.input.torque=50 N m, 10 N m * min(t, 1)")[1]
-    ['50 N m', '10 N m * min(t, 1)']
-    """
-    path, sign, rest = split_at_path(text, model)
-    parts, depth = [""], 0
-    for letter in rest:
-        depth += (letter in _OPEN) - (letter in _CLOSE)
-        if letter == "," and depth <= 0:
-            parts.append("")
-        else:
-            parts[-1] += letter
-    if not sign or not path.strip() or not all(part.strip() for part in parts):
-        raise click.BadParameter(f"{text!r} is not of the form PATH=V1,V2,...", param_hint="--vary")
-    for part in parts:
-        if found := _RANGE.fullmatch(part.strip()):
-            low, high = float(found["low"]), float(found["high"])
-            unit = found["own"].strip() or found["unit"]
-            values = ",".join(f"{x:g} {unit}".strip() for x in (low, 0.5 * (low + high), high))
-            raise click.BadParameter(
-                f"{part.strip()!r} is a range, and every value is one case; list the values, such as "
-                f"'{path.strip()}={values}'",
-                param_hint="--vary",
-            )
-    return path.strip(), [scalar(part.strip(), "--vary") for part in parts]
 
 
 def run_varied(
@@ -102,19 +42,15 @@ def run_varied(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
-    from pitchpoint.model.numbers import is_name
+    from pitchpoint.model.numbers import has_path, is_name
     from pitchpoint.model.replace import bare_in
     from pitchpoint.sweep.cases import grid
 
-    paths: dict[str, list[Any]] = {}
-    for text in vary:
-        path, values = values_of(text, model)
-        if path in paths:
-            raise click.BadParameter(f"{path} is varied twice", param_hint="--vary")
-        paths[path] = values
+    paths = varied(vary, partial(has_path, model))
     cases = grid(paths)
     refuse_the_impossible(model, cases)
-    say_bare(bare for path in paths for value in paths[path] for bare in bare_in(model, path, value))
+    bare = (found for path in paths for value in paths[path] for found in bare_in(model, path, value))
+    say_bare(bare, dict.fromkeys(paths, "--vary"))
     begun = time.perf_counter()
     results: list[CaseResult] = []
     error: BaseException | None

@@ -93,6 +93,8 @@ def say(text: str) -> None:
 def show_warnings_plainly() -> None:
     """Show each warning once as a line on stderr, without file names."""
 
+    told: set[str] = set()  # threads may each report the same
+
     def show(
         message: Warning | str,
         category: type[Warning],
@@ -104,7 +106,8 @@ def show_warnings_plainly() -> None:
         """Write a validity warning; others are ignored."""
         from pitchpoint.core.errors import ValidityWarning
 
-        if issubclass(category, ValidityWarning):
+        if issubclass(category, ValidityWarning) and str(message) not in told:
+            told.add(str(message))
             say(f"warning: {message}")
 
     warnings.showwarning = show

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -13,23 +14,42 @@ LARGE = 200_000
 """File size above which a progress display is shown [bytes]."""
 
 
-def read_model(file: str, allow_code: bool, quiet: bool = False, *, remarks: bool = True) -> Model:
-    """Read a model file, with a progress display for large files, and apply the values of `--set`.
+def read_model(
+    file: str,
+    allow_code: bool,
+    quiet: bool = False,
+    *,
+    remarks: bool = True,
+    case: Mapping[str, Any] | None = None,
+) -> Model:
+    """Read a model file, with a progress display for large files, with the values of `--set`.
 
-    `remarks` prints those on numbers of `--set` without unit.
+    `remarks` prints those on numbers of `--set` without unit. `case` has the values of a case of `--vary`.
     """
-    from pitchpoint.cli.settings import settings_of_command, with_settings
+    from pitchpoint.cli.settings import changes_of, say_bare, settings_of_command
 
-    return with_settings(_read(file, allow_code, quiet), settings_of_command(), remarks=remarks)
+    settings = changes_of(settings_of_command(), file)
+    case = case or {}
+    options = dict.fromkeys(settings, "--set") | dict.fromkeys(case, "--vary")
+    model = _read(file, allow_code, quiet, {**settings, **case}, options)
+    if remarks and settings:
+        say_bare((bare for bare in model.origin.bare if not bare.in_file), options)
+    return model
 
 
-def _read(file: str, allow_code: bool, quiet: bool) -> Model:
-    from pitchpoint.io.yaml_model import load_model
+def _read(
+    file: str, allow_code: bool, quiet: bool, changes: Mapping[str, Any], options: Mapping[str, str]
+) -> Model:
+    from pitchpoint.core.progress import silent
+    from pitchpoint.io.yaml_model import loads_model
+    from pitchpoint.io.yaml_tree import text_of
 
     path = Path(file)
-    if quiet or not path.is_file() or path.stat().st_size < LARGE:
-        return load_model(file, allow_code=allow_code)
+    text = text_of(file)
+    how: Any = {"changes": changes, "options": options}
+    if quiet or path.stat().st_size < LARGE:
+        return loads_model(text, allow_code, file, silent, **how)
     from pitchpoint.cli.progress import ProgressDisplay
 
     with ProgressDisplay(f"read {path.name}", "characters") as progress:
-        return load_model(file, allow_code=allow_code, progress=progress)
+        return loads_model(text, allow_code, file, progress, **how)

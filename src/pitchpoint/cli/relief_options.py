@@ -58,9 +58,12 @@ def bounds_of(text: str) -> tuple[float, float]:
 
 def _split(text: str, model: Model, option: str, form: str) -> tuple[str, str]:
     """Path and value of PATH=VALUE."""
-    from pitchpoint.cli.settings import split_at_path
+    from functools import partial
 
-    path, sign, value = (part.strip() for part in split_at_path(text, model))
+    from pitchpoint.cli.settings import split_at_path
+    from pitchpoint.model.numbers import has_path
+
+    path, sign, value = (part.strip() for part in split_at_path(text, partial(has_path, model)))
     if not sign or not path or not value:
         raise click.BadParameter(f"{text!r} is not of the form {form}", param_hint=option)
     return path, value

@@ -51,6 +51,7 @@ def compute(
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
+    from pitchpoint.report.bearing_loads import loads_above_ratings
     from pitchpoint.solvers.quasistatic.roll import roll_through, statistics, tables
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.no_load import unloaded_meshes
@@ -63,7 +64,8 @@ def compute(
         roll = roll_through(system, chosen, progress=progress)
     found = tables(system, roll)
     channels = {t.name: statistics(t) for t in found if t.rolled and len(t.values)}
-    status, notes = how_a_status_ends(roll.status), [*roll.notes, *roll.cycle_notes]
+    status = how_a_status_ends(roll.status)
+    notes = [*roll.notes, *roll.cycle_notes, *loads_above_ratings(model, channels)]
     store(target, header_of(model, file, name, "quasi_static", "quasistatic"), roll, found, status, notes)
     meshes = {name: numbers(name, roll, found) for name in roll.meshes}
     for name in unloaded_meshes(model, channels) & meshes.keys():

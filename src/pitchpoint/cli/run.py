@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, quantity, scenario
 from pitchpoint.cli.output import emit_json, show, show_notes, shown
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.vary import base_model, vary_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -75,7 +75,6 @@ def run(
     The result file can be read during the run. Ctrl-C stops the run; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
         rattle_table,
@@ -89,7 +88,7 @@ def run(
     from pitchpoint.system.no_load import without_rounding
     from pitchpoint.viz.quantities import window_words
 
-    model = read_model(file, allow_code, quiet)
+    model = base_model(file, allow_code, quiet, vary)
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
@@ -180,6 +179,7 @@ def compute(
     from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
+    from pitchpoint.report.bearing_loads import loads_above_ratings
     from pitchpoint.solvers.sample_notes import sample_notes
     from pitchpoint.solvers.time import loop_of, run_time
     from pitchpoint.system.channel_choice import chosen_channels
@@ -206,7 +206,8 @@ def compute(
             writer.append_events(done.events)
         rate = chosen.sample_rate or (1.0 / done.step if done.step and decimate > 1 else None)
         coarse = sample_notes(system, chosen, done, None if rate is None else rate / decimate)
-        notes = (*done.notes, *coarse, *step_notes(chosen, done.step))
+        high = loads_above_ratings(model, done.channels)
+        notes = (*done.notes, *coarse, *step_notes(chosen, done.step), *high)
         statistics = {c.name: done.channels[c.name] for c in channels}
         status = how_a_status_ends(done.status)
         writer.finish(

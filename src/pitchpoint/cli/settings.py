@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
-    from pitchpoint.model.model import Model
     from pitchpoint.model.reading.bare_numbers import Bare
 
 META = "pitchpoint.cli.settings"
@@ -39,40 +38,50 @@ def settings_of_command() -> tuple[str, ...]:
     return context.meta.get(META, ()) if context is not None else ()
 
 
-def with_settings(model: Model, settings: Sequence[str], *, remarks: bool = True) -> Model:
-    """Model with the values of `--set`.
+def changes_of(settings: Sequence[str], file: str) -> dict[str, Any]:
+    """Values of `--set` by path.
 
     Parameters
     ----------
-    model
-        Model of the file.
     settings
         Arguments of `--set`.
-    remarks
-        Print a remark on numbers without unit that are rarely meant in SI.
+    file
+        Model file, whose names determine the end of a path if they contain an equals sign.
     """
+    known = known_in(file) if any(text.count("=") > 1 for text in settings) else None
     changes: dict[str, Any] = {}
     for text in settings:
-        path, sign, value = (part.strip() for part in split_at_path(text, model))
+        path, sign, value = (part.strip() for part in split_at_path(text, known))
         if not sign or not path or not value:
             raise click.BadParameter(f"{text!r} is not of the form PATH=VALUE", param_hint="--set")
         if path in changes:
             raise click.BadParameter(f"{path} is set twice", param_hint="--set")
         changes[path] = scalar(value, "--set")
-    if not changes:
-        return model
-    changed = model.replace_all(changes)
-    if remarks:
-        say_bare(bare for bare in changed.origin.bare if not bare.in_file)
-    return changed
+    return changes
 
 
-def say_bare(numbers: Iterable[Bare]) -> None:
-    """Print remarks on numbers without unit that are rarely meant in SI."""
+def known_in(file: str) -> Callable[[str], bool]:
+    """Function that recognises paths of values in a model file, which need not be valid."""
+    from pitchpoint.io.yaml_model import data_of
+    from pitchpoint.model.changes import leads_to
+
+    data = data_of(file)
+
+    def known(path: str) -> bool:
+        """Whether a path, or the component of its last key, is in the file."""
+        above = path.rpartition(".")[0]
+        return leads_to(data, path) or ("." in above and leads_to(data, above))
+
+    return known
+
+
+def say_bare(numbers: Iterable[Bare], options: Mapping[str, str]) -> None:
+    """Print remarks on numbers without unit that are rarely meant in SI; `options` by path give them."""
     from pitchpoint.cli.failure import say
+    from pitchpoint.model.changes import named
     from pitchpoint.model.reading.bare_numbers import messages_on
 
-    for message in messages_on(numbers):
+    for message in named(messages_on(numbers), options):
         say(f"warning: {message}")
 
 
@@ -86,13 +95,14 @@ def say_bare_option(text: str, dimension: str, option: str) -> None:
         say(f"warning: {message}")
 
 
-def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]:
-    """Split `PATH=VALUE` like `str.partition`; names in the model may contain an equals sign."""
-    if model is not None:
-        from pitchpoint.model.numbers import has_path
+def split_at_path(text: str, known: Callable[[str], bool] | None = None) -> tuple[str, str, str]:
+    """Split `PATH=VALUE` like `str.partition`; names in the model may contain an equals sign.
 
+    `known` is a function that recognises existing paths.
+    """
+    if known is not None:
         for k, letter in enumerate(text):
-            if letter == "=" and has_path(model, text[:k].strip()):
+            if letter == "=" and known(text[:k].strip()):
                 return text[:k], "=", text[k + 1 :]
     return text.partition("=")
 

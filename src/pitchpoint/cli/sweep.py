@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import emit_json, largest, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.vary import base_model, vary_option
 from pitchpoint.core.extremes import greatest
 from pitchpoint.core.load_sharing import is_factor, stage_of
 
@@ -47,7 +47,6 @@ def sweep(
     Every completed point is written to the result file. Ctrl-C stops the sweep; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
         refuse_without_effect,
@@ -55,7 +54,7 @@ def sweep(
         unless_it_cannot_begin,
     )
 
-    model = read_model(file, allow_code, quiet)
+    model = base_model(file, allow_code, quiet, vary)
     name = choose_scenario(model, scenario, "sweep")
     refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if vary:

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.geometry.bisection import bisect
+
 POINT = 1.5
 """Exponent of a point contact."""
 LINE = 10.0 / 9.0
@@ -358,7 +360,7 @@ class Raceways:
         Parameters
         ----------
         force
-            Axial force, > 0 [N].
+            Axial force [N]; 0 takes up the clearance.
 
         Examples
         --------
@@ -368,6 +370,8 @@ class Raceways:
         >>> x = row.shift_for(1000.0)
         >>> round(16 * math.sin(0.5) * 1e10 * (x * math.sin(0.5)) ** 1.5, 6)
         1000.0
+        >>> round(Raceways(16, 1e10, 1.5, 0.5, gap=1e-5).shift_for(0.0) * 1e6, 3)  # gap / tan(a)
+        18.305
         """
         from scipy.optimize import brentq
 
@@ -376,6 +380,8 @@ class Raceways:
             return self.thrust(shift) - force
 
         high = 1e-6
-        while excess(high) < 0.0:
+        while excess(high) <= 0.0:
             high *= 2.0
+        if force == 0.0:
+            return bisect(self.thrust, 0.0, high)
         return float(brentq(excess, 0.0, high, xtol=1e-16, rtol=1e-14))

@@ -61,7 +61,8 @@ class Message(str):
         "problem": computation impossible; "warning": outside a usual or stated range; "remark": valid, but
         probably not intended; "note": an assumption or limitation of a result.
     file
-        Included file that contains the line; None for the file itself.
+        Included file that contains the line, or without a line the option that gives the value, such as
+        "--set"; None for the file itself.
 
     Examples
     --------
@@ -94,12 +95,12 @@ class Message(str):
     ) -> Message:
         """Compose the sentence."""
         file = getattr(line, "file", file)
-        at = f"{file}, line {line}" if file else f"line {line}"
-        place = where if line is None else f"{where} ({at})".lstrip()
+        at = ", ".join(part for part in (file, f"line {line}" if line is not None else "") if part)
+        place = f"{where} ({at})".lstrip() if at else where
         sentence = f"{place}: " if place else ""
         sentence += text if value is None else f"{value} {text}"
         sentence += "" if limit is None else f" (limit {limit})"
-        sentence += "" if remedy is None else f"; {remedy}"
+        sentence += f"; {remedy}" if remedy else ""
         self = super().__new__(cls, sentence)
         self.where, self.text, self.value, self.limit = where, text, value, limit
         self.remedy, self.line, self.kind = remedy, None if line is None else int(line), kind

@@ -6,15 +6,17 @@ All problems of a file are collected and reported with their lines; no contents 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.io.includes import with_included
+from pitchpoint.io.includes import Whole, with_included
 from pitchpoint.io.model_tables import read_tables
 from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.build import build_model
+from pitchpoint.model.changes import Paths, named, put
 from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
 
@@ -25,6 +27,7 @@ def load_model(
     progress: Progress = silent,
     *,
     text: str | None = None,
+    changes: Mapping[str, Any] | None = None,
 ) -> Model:
     """Read a model file, or a model from text.
 
@@ -38,6 +41,8 @@ def load_model(
         Called with the number of characters read; relevant for files of megabytes.
     text
         YAML text, in place of a file.
+    changes
+        New values by path as for `Model.replace_all`. They replace values that make the file invalid, too.
 
     Returns
     -------
@@ -55,18 +60,22 @@ def load_model(
     >>> model = load_model(text="bodies: {rotor: {inertia: 0.2 kg m^2}}")
     >>> model.bodies["rotor"]
     Body(inertia='0.2 kg m^2')
+    >>> repaired = {"bodies.rotor.inertia": "0.3 kg m^2"}
+    >>> load_model(text="bodies: {rotor: {inertia: 0.2 kg}}", changes=repaired).bodies["rotor"].inertia
+    0.3
     """
     if (path is None) == (text is None):
         given = "both a file and a text are given" if text is not None else "no file is given"
         remedy = "write load_model('model.yaml') or load_model(text=...)"
         raise ModelError([Message("", given, remedy=remedy)])
     if isinstance(path, str | Path):
-        return loads_model(text_of(path), allow_code=allow_code, file=str(path), progress=progress)
+        return loads_model(text_of(path), allow_code, str(path), progress, changes=changes)
     if path is not None:
         name = getattr(path, "name", None)
-        return loads_model(_content(path), allow_code, name if isinstance(name, str) else None, progress)
+        file = name if isinstance(name, str) else None
+        return loads_model(_content(path), allow_code, file, progress, changes=changes)
     try:
-        return loads_model(str(text), allow_code=allow_code, progress=progress)
+        return loads_model(str(text), allow_code, progress=progress, changes=changes)
     except ModelError as error:
         raise ModelError(error.problems, "text") from None
 
@@ -78,7 +87,13 @@ def _content(file: TextIO) -> str:
 
 
 def loads_model(
-    text: str, allow_code: bool = False, file: str | None = None, progress: Progress = silent
+    text: str,
+    allow_code: bool = False,
+    file: str | None = None,
+    progress: Progress = silent,
+    *,
+    changes: Mapping[str, Any] | None = None,
+    options: Paths | None = None,
 ) -> Model:
     """Read a model from YAML text.
 
@@ -90,8 +105,10 @@ def loads_model(
         As for `load_model`.
     file
         File name for messages and base of relative file names.
-    progress
+    progress, changes
         As for `load_model`.
+    options
+        Name of the option that gives each of the changes, for messages.
 
     Examples
     --------
@@ -102,16 +119,47 @@ def loads_model(
     >>> model.gears["a"].normal_module
     0.003
     """
+    whole, directory = _whole(text, file, progress), str(Path(file).parent if file is not None else Path())
+
+    def build(data: Any, more: list[Message]) -> Model:
+        """Model of the data of the file, or of these with changes."""
+        reader = Reader(
+            lines=whole.lines, allow_code=allow_code, directory=directory, problems=[*whole.problems, *more]
+        )
+        return read_tables(build_model(data, reader, file, tuple(whole.files)))
+
+    if not changes:
+        return build(whole.data, [])
+    names = options or dict.fromkeys(changes, "changes")
+    try:
+        model = build(whole.data, [])
+    except ModelError:
+        try:
+            model = build(*put(whole.data, changes))
+        except ModelError as error:
+            raise ModelError(named(error.problems, names, whole.lines), file) from None
+    try:
+        return model.replace_all(changes)
+    except ModelError as error:
+        raise ModelError(named(error.problems, names, whole.lines), file) from None
+
+
+def data_of(path: str | Path) -> Any:
+    """Nested mappings of a model file and its included files, unchecked; None if it is not valid YAML."""
+    try:
+        return _whole(text_of(path), str(path), silent).data
+    except ModelError:
+        return None
+
+
+def _whole(text: str, file: str | None, progress: Progress) -> Whole:
+    """Data of a model file and its included files, with lines and problems."""
     try:
         tree = Tree(text, progress)
     except TreeError as error:
         raise ModelError([error.problem], file) from None
     directory = Path(file).parent if file is not None else Path()
-    whole = with_included(tree, directory, Path(file).name if file is not None else "")
-    reader = Reader(
-        lines=whole.lines, allow_code=allow_code, directory=str(directory), problems=whole.problems
-    )
-    return read_tables(build_model(whole.data, reader, file, tuple(whole.files)))
+    return with_included(tree, directory, Path(file).name if file is not None else "")
 
 
 def dump_model(model: Model) -> str:

@@ -8,6 +8,7 @@ only to numbers, texts, lists and dictionaries: tags are rejected.
 from __future__ import annotations
 
 import math
+import re
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ _TAG = "tag:yaml.org,2002:"
 _COMPOSED = 0.75
 """Share of the time for composing the nodes; the remainder converts them."""
 _EVERY = 5000
+_DECIMAL = re.compile(r"[-+]?\d+, \d.*")
 
 
 def text_of(path: str | Path) -> str:
@@ -159,7 +161,13 @@ class Tree:
         return out
 
     def _whole(self, place: Place, formula: str, line: int) -> str:
-        """Report a formula that YAML has split at its commas, and continue with the complete formula."""
+        """Report a value that YAML has split at its commas, and continue with the complete one."""
+        if _DECIMAL.fullmatch(formula):
+            value = formula.replace(", ", ".")
+            self._problem(
+                place, f"has a decimal comma, in {formula.replace(', ', ',')}", line, f"write {value}"
+            )
+            return value
         remedy = f'write {f"{place[-1]}: " if isinstance(place[-1], str) else ""}"{formula}"'
         message = "is split at its commas: inside {...} and [...] a formula with commas requires quotes"
         self._problem(place, message, line, remedy)
@@ -183,10 +191,10 @@ class Tree:
 
 
 def _rejoined(node: Any, entries: list[tuple[Any, Any]]) -> list[tuple[Any, Any, str | None]]:
-    """Entries of a list or mapping as (value, key, whole); `whole` is a rejoined formula, else None.
+    """Entries of a list or mapping as (value, key, whole); `whole` is a rejoined value, else None.
 
     Inside {...} and [...] a comma ends a value without quotes: min(t, 1) becomes `min(t` and a further entry
-    or key `1)`.
+    or key `1)`, and in mappings 2,5 mm becomes `2` and a further key `5 mm`.
     """
     found: list[tuple[Any, Any, str | None]] = []
     deep = 0
@@ -199,6 +207,11 @@ def _rejoined(node: Any, entries: list[tuple[Any, Any]]) -> list[tuple[Any, Any,
                 found[-1] = (first, first_key, f"{begun or _plain_text(first)}, {more}")
                 deep += more.count("(") - more.count(")")
                 continue
+        rest = _plain_text(key) if text == "" and key is not None else None
+        if found and rest is not None and _DECIMAL.fullmatch(f"{_plain_text(found[-1][0])}, {rest}"):
+            first, first_key, _ = found[-1]
+            found[-1] = (first, first_key, f"{_plain_text(first)}, {rest}")
+            continue
         found.append((value, key, None))
         deep = max(text.count("(") - text.count(")"), 0) if text is not None else 0
     return found

@@ -229,7 +229,11 @@ class Model(Contents):
         tops = changed_parts(self, plain, report)
         others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
         known = self.origin.bare
-        bare = tuple(b if b in known else b._replace(in_file=False) for b in report.bare)
+        new = tuple(f"{path}." for path in changes)
+        bare = tuple(
+            b if b in known and not f"{dotted(b.place)}.".startswith(new) else b._replace(in_file=False)
+            for b in report.bare
+        )
         origin = dataclasses.replace(self.origin, sources=report.sources, bare=bare)
         return dataclasses.replace(
             self, **tops, others={**self.others, **others}, changed=True, origin=origin

@@ -172,17 +172,33 @@ def replaced(
     if isinstance(value, Mapping):
         found = reader.component(Parameter, value, place)
         return old if found is BAD else {**old, name: found}
-    unit = reader.parameters[name].unit if name in reader.parameters else ""
     drop(reader, (SECTION, name))
-    if isinstance(value, int | float) and not isinstance(value, bool) and unit:
-        from pitchpoint.core.formula.dimension import of_number, readable, si_unit
-
-        for dimension in USUAL:
-            if si_unit(of_number(1.0, DIMENSIONS[dimension].si)) == unit and is_doubtful(value, dimension):
-                reader.bare.append(Bare((SECTION, name), float(value), dimension))
-        value = f"{value!r} {readable(unit)}"
+    value = in_its_unit(value, name, reader)
     found = reader.component(Parameter, {"value": value, "text": old[name].text}, place)
     return old if found is BAD else {**old, name: found}
+
+
+def in_its_unit(value: Any, name: str, reader: Reader) -> Any:
+    """New value of a parameter: a bare number is in the SI unit of the present one.
+
+    Parameters
+    ----------
+    value
+        Number, or text of a file.
+    name
+        Name of the parameter.
+    reader
+        Reader with the present values; collects numbers that are rarely meant in SI units.
+    """
+    unit = reader.parameters[name].unit if name in reader.parameters else ""
+    if not unit or not isinstance(value, int | float) or isinstance(value, bool):
+        return value
+    from pitchpoint.core.formula.dimension import of_number, readable, si_unit
+
+    for dimension in USUAL:
+        if si_unit(of_number(1.0, DIMENSIONS[dimension].si)) == unit and is_doubtful(value, dimension):
+            reader.bare.append(Bare((SECTION, name), float(value), dimension))
+    return f"{value!r} {readable(unit)}"
 
 
 def check_units(old: Mapping[str, Amount], new: Mapping[str, Amount], reader: Reader) -> None:

@@ -123,6 +123,11 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
     return Phasing(wrapped, offset, travel, loops_close)
 
 
+def pitches_off(gears: Mapping[str, Gear], mesh: Mesh, angle: Mapping[str, float]) -> float:
+    """Distance of a mesh from the middle of its backlash at given angles of its gears [base pitches]."""
+    return _pitches(gears, mesh, angle)[0]
+
+
 def _pitches(gears: Mapping[str, Gear], mesh: Mesh, angle: Mapping[str, float]) -> tuple[float, float]:
     """Distance of a mesh from the middle of its backlash, and travel of gear 1 [base pitches]."""
     one, two = gears[mesh.gears[0]], gears[mesh.gears[1]]

@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.nearest import hint
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
-from pitchpoint.model.keys import BAD, TYPE, Key, defaults_of, keys_of
+from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import drop
 from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.show import shown
+from pitchpoint.model.show import dotted, shown
 from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
@@ -138,7 +139,8 @@ def replace_at(
     name = path[0]
     here = (*at, name)
     if not dataclasses.is_dataclass(part) or isinstance(part, type):
-        report.problem(here, "is below a key without keys", remedy="replace the whole value above it")
+        remedy = f"replace the whole value above it: {whole(at, path, value)}"
+        report.problem(here, "is below a key without keys", remedy=remedy)
         return part
     keys = keys_of(type(part))
     report.within = vars(part)
@@ -156,6 +158,8 @@ def replace_at(
         kept = {k: v for k, v in written.items() if k != path[1]}
         drop(report, here)
         new = report.keyed(keys[name], kept if value is None else {**written, path[1]: value}, here)
+    elif len(path) > 1 and old is None and keys[name].of is not None and value is not None:
+        new = report.keyed(keys[name], inside(path[1:], value), here)  # the other keys have their defaults
     elif len(path) > 1:
         new = replace_at(old, path[1:], value, report, here, keys[name])
     elif value is None and defaults_of(type(part)).get(name, ...) is None:
@@ -192,14 +196,11 @@ def _replace_named(
     grows = key is not None and len(at) > 1
     one_form = key is not None and not isinstance(key.of, dict)
     if name not in part and grows and one_form and len(path) > 1 and value is not None:
-        for word in reversed(path[1:]):  # a new one by one of its keys, the others have their defaults
-            value = {word: value}
-        path = (name,)
+        # a new one by one of its keys, the others have their defaults
+        path, value = (name,), inside(path[1:], value)
     if name not in part and (not grows or len(path) > 1 or not _is_whole(key, value)):
         more = f"; a new one is a whole mapping, as in {'.'.join(here)}: {_sample(key)}" if grows else ""
-        report.problem(
-            here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}{more}"
-        )
+        report.problem(here, "does not exist", remedy=f"{hint(name, map(str, part))}{more}")
         return part
     if len(path) == 1:
         drop(report, here)
@@ -219,6 +220,33 @@ def _replace_named(
         if not isinstance(new, allowed) and new is not BAD:
             report.problem(here, "is neither a mapping nor a component", value=shown(value))
     return part if report.problems else {**part, name: new}
+
+
+def inside(path: Iterable[str], value: Any) -> Any:
+    """Mapping that contains a value at a path.
+
+    Examples
+    --------
+    >>> inside(["stiffness", "radial"], 3e8)
+    {'stiffness': {'radial': 300000000.0}}
+    """
+    for name in reversed(list(path)):
+        value = {name: value}
+    return value
+
+
+def whole(at: Place, path: Iterable[str], value: Any) -> str:
+    """Setting of a whole mapping with one of its keys, for messages.
+
+    Examples
+    --------
+    >>> whole(("meshes", "st1", "friction"), ["mu"], 0.06)
+    "meshes.st1.friction='{mu: 0.06}'"
+    """
+    text = f"{value}"
+    for name in reversed(list(path)):
+        text = f"{{{name}: {text}}}"
+    return f"{dotted(at)}='{text}'"
 
 
 def _is_whole(key: Key | None, value: Any) -> bool:

@@ -34,7 +34,7 @@ def test_a_speed_of_set(path: str, tmp_path: Path, capsys: pytest.CaptureFixture
     assert [m["where"] for m in found["messages"] if "no unit" in m["text"]] == [path]
     for command in (["check"], ["frequencies", "-s", "s"]):
         assert run_command([*command, file, "--set", f"{path}=300"]) == 0
-        assert capsys.readouterr().err.count(f"warning: {path}: 300 {READ}") == 1
+        assert capsys.readouterr().err.count(f"warning: {path} (--set): 300 {READ}") == 1
         assert run_command([*command, file, "--set", f"{path}=300 rpm"]) == 0
         assert "no unit" not in capsys.readouterr().err
 
@@ -44,7 +44,9 @@ def test_speeds_of_vary(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     for name, path in (("s", "scenarios.s.speed.i"), ("t", "parameters.n")):
         run_command(["run", file, "-s", name, "-o", str(tmp_path / "o.h5"), "--vary", f"{path}=300,100"])
         found = [line for line in capsys.readouterr().err.splitlines() if "no unit" in line]
-        assert found == [f"warning: {path}: 300 {READ.replace(' rpm;', ' rpm, like 1 more of its values;')}"]
+        assert found == [
+            f"warning: {path} (--vary): 300 {READ.replace(' rpm;', ' rpm, like 1 more of its values;')}"
+        ]
 
 
 def test_the_body_of_a_varied_speed_is_headed_by_its_key(

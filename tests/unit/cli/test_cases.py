@@ -14,8 +14,8 @@ from typing import Any
 import click
 import pytest
 
-from pitchpoint.cli.cases import values_of
 from pitchpoint.cli.main import run_command
+from pitchpoint.cli.vary import values_of
 from pitchpoint.io.case_store import read_cases
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.sweep_store import read_sweep

@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 
 import numpy as np
 import pytest
 
-from pitchpoint.cli.cases import values_of
 from pitchpoint.cli.main import run_command
+from pitchpoint.cli.vary import values_of
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import read_header
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.numbers import has_path
 from pitchpoint.report.stored_model import stored_model
 
 MODEL = """
@@ -86,7 +88,10 @@ def test_names_with_an_equals_sign(run, monkeypatch):
     assert code == 0
     force = 50.0 / (40 * 3e-3 / 2.0 * np.cos(np.radians(20.0)))
     assert mean_force(out) == pytest.approx(force, rel=1e-3)
-    assert values_of("loads.a=b.torque=1,2", loads_model(named)) == ("loads.a=b.torque", [1, 2])
+    assert values_of("loads.a=b.torque=1,2", partial(has_path, loads_model(named))) == (
+        "loads.a=b.torque",
+        [1, 2],
+    )
 
 
 PARAMETERS = """parameters: {load: {value: 100 N m, text: torque of the drum}, start: 600 rpm}

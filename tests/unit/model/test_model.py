@@ -144,7 +144,7 @@ def test_replace_by_none_takes_components_away() -> None:
         ("gears.g1.face_width", "3 kg", "such as 3 mm"),
         ("gears.g1.face_width", float("nan"), "finite"),
         ("meshes.stage.center_distance", 0.2, "reduce"),
-        ("meshes.stage.friction.mu", 0.1, "replace the whole value"),
+        ("gears.g1.face_width.left", 0.1, "replace the whole value"),
         ("", 1, "unknown key"),
     ],
 )

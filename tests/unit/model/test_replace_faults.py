@@ -120,7 +120,7 @@ def test_a_run_sets_a_whole_fault(tmp_path: Path, capsys: pytest.CaptureFixture[
     command = ["run", str(file), "-s", "run", "-o", str(tmp_path / "out.h5"), "--quiet", "--set"]
     assert run_command([*command, fault]) == 0
     assert run_command([*command, "gears.b.faults.chip={type: broken_tooth, tooth: 60}"]) == 2
-    assert "gears.b.faults.chip.tooth: 60 is not a tooth of this gear" in capsys.readouterr().err
+    assert "gears.b.faults.chip.tooth (--set): 60 is not a tooth of this gear" in capsys.readouterr().err
 
 
 PLAN = """\

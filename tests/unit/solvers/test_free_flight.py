@@ -8,8 +8,8 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.time import solve_time
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
 STONE = """\

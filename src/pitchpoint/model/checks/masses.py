@@ -104,6 +104,8 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
         total = body_inertia(body, parts.gears, parts.bevel_gears)
         given = {k: getattr(total, _SUM[k]) for k in needed}
     zero = [key for key, amount in given.items() if not amount > 0.0]
+    if not body.gears and ("bodies", name, "gears") in report.tainted:
+        zero = []  # the gears are unreadable
     for key in zero:
         report.problem(
             ("bodies", name, key),

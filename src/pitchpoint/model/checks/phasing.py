@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.model.checks.gear_pairs import gap
 from pitchpoint.model.frames import GROUND
+from pitchpoint.model.loop_closure import closing_places
 from pitchpoint.model.phasing import assemble
 from pitchpoint.model.reading.reader import Reader
 
@@ -16,6 +17,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.mesh import Mesh
     from pitchpoint.model.parts import Parts
 
+CHANGE = "change the directions or teeth of the loop of meshes, or reduce position errors"
+MOVE = (
+    "give more backlash, or let a gear of the loop of meshes move sideways, such as a sun with motion: planar"
+)
 OFFSET_TOLERANCE = 1e-4
 """Base pitches by which an assembly may exceed its backlash: the elastic deflection of the teeth."""
 
@@ -51,11 +56,21 @@ def check_phasing(parts: Parts, report: Reader) -> None:
             limit=f"{room * 1e3:.4g} mm off the middle of the gap",
             remedy="remove initial_angle of one of the gears"
             if name in fixed
-            else "give more backlash, or let a gear of the loop of meshes move sideways, such as a sun with "
-            "motion: planar"
-            if found.loops_close
-            else "change the directions or teeth of the loop of meshes, or reduce position errors",
+            else _remedy(parts, meshes, name, MOVE if found.loops_close else CHANGE),
         )
+
+
+def _remedy(parts: Parts, meshes: Mapping[str, Mesh], name: str, other: str) -> str:
+    """Remedy for a loop that does not close: positions at which it does, if there are any, or another."""
+    found = closing_places(parts, meshes, name)
+    if not found:
+        return other
+    listed = []
+    for body, at in found.items():
+        place = (at.real, at.imag, parts.bodies[body].origin[2])  # type: ignore[index]
+        numbers = ", ".join(f"{round(1e3 * x, 5) + 0.0:.9g}" for x in place)
+        listed.append(f"{body} at [{numbers}] mm")
+    return f"with the same centre distances it closes with {' and '.join(listed)}; or {other}"
 
 
 def gives_way(parts: Parts, meshes: Mapping[str, Mesh], name: str) -> bool:

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.units import format_quantity
+from pitchpoint.core.errors import UnitError
+from pitchpoint.core.units import format_quantity, in_unit, natural_quantity
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
 from pitchpoint.model.checks.references import known
@@ -136,8 +138,8 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 report.problem(
                     (*at, "speed", body),
                     "differs from the speed of the drive",
-                    value=f"{given:.6g} rad/s",
-                    limit=f"{driven:.6g} rad/s",
+                    value=_as_written(given, (*at, "speed", body), report),
+                    limit=_as_written(driven, (*at, "speed", body), report),
                     remedy="remove it: a driven body starts at the speed of its drive",
                 )
         if isinstance(drive.value, PythonLaw):
@@ -151,10 +153,19 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
         report.problem(
             (*at, "speed", body),
             "does not match the gear ratio to the other given speeds",
-            value=f"{free[body]:.6g} rad/s",
-            limit=f"{fitting:.6g} rad/s",
+            value=_as_written(free[body], (*at, "speed", body), report),
+            limit=_as_written(fitting, (*at, "speed", body), report),
             remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)",
         )
+
+
+def _as_written(speed: float, at: Place, report: Reader) -> str:
+    """A speed [rad/s] in the unit in which that at a path is written."""
+    unit = "rad/s" if any(bare.place == at for bare in report.bare) else "rpm"
+    if at in report.sources:
+        with suppress(UnitError):  # a formula
+            unit = natural_quantity(report.sources[at].data)[1] or "rad/s"
+    return f"{in_unit(speed, 'angular_speed', unit):.6g} {unit}"
 
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:

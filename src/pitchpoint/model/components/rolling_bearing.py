@@ -113,10 +113,12 @@ class RollingBearing(Component):
         display="that of designation, otherwise CN: all but angular contact, tapered and thrust bearings",
         later=True,
     )
-    preload: float | None = positive(
+    preload: float | None = quantity(
         "force",
-        "axial preload: axial force of the bearing as assembled, with the shaft in position",
+        "axial preload: axial force of the bearing as assembled, with the shaft in position; 0: adjusted "
+        "without play",
         None,
+        minimum=0.0,
         later=True,
     )
     preload_distance: float | None = quantity(

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.origin import Source
 from pitchpoint.model.reading import signals
 from pitchpoint.model.show import shown
 
@@ -40,7 +41,11 @@ def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             path, "is not a mapping of names", value=shown(data), remedy="write {BODY: 1500 rpm}"
         )
     speeds = {str(n): reader.number(key, v, (*path, str(n))) for n, v in data.items()}
-    return BAD if any(v is BAD for v in speeds.values()) else speeds
+    if any(v is BAD for v in speeds.values()):
+        return BAD
+    written = {(*path, str(n)): Source(v, frozenset()) for n, v in data.items() if isinstance(v, str)}
+    reader.sources |= written  # each with its unit
+    return speeds
 
 
 def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:

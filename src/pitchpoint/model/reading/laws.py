@@ -13,15 +13,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import formulas
 from pitchpoint.model.reading.bare_numbers import note_formula
+from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
     from pitchpoint.model.reading.reader import Reader
 
+BALANCE = "balance"
+"""Word for the torque that balances the others."""
 VARIABLES = ("t", "angle", "speed")
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
 _CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
@@ -43,14 +46,22 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             "is neither a table nor a Python function",
             remedy="write {table: [[t, value], ...], over: time}",
         )
-    if data == "balance" and key.dimension == "torque":
+    if data == BALANCE and key.dimension == "torque":
         return Balance()
     if isinstance(data, str) and (
         any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
     ):
         return formula(reader, key, data, path, variables)
+    if key.dimension == "torque" and isinstance(data, str) and _is_misspelt(reader, data):
+        remedy = "write balance, or a torque such as 150 N m"
+        return reader.problem(path, "is neither balance nor a torque", value=shown(data), remedy=remedy)
     value = reader.number(key, data, path)
     return BAD if value is BAD else Constant(value)
+
+
+def _is_misspelt(reader: Reader, text: str) -> bool:
+    """Whether a text is a word similar to `balance` that is not a parameter."""
+    return bool(nearest(text, [BALANCE])) and text.strip() not in {*reader.parameters, *reader.unreadable}
 
 
 def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:

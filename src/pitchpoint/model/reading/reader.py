@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 
 MANY = 1000
 """Length of lists from which the limit is not stated."""
+NAMES = ("names", "words", "gears", "ends")
+"""Kinds of keys whose value is a list of names."""
 WHOLE = ("list", "tooth_profile")
 """Kinds of keys whose components have no path of their own in `Model.replace`."""
 
@@ -266,6 +268,8 @@ class Reader:
         low, high = description.length
         if not isinstance(data, list | tuple):
             remedy = f"write {example(description)}"
+            if isinstance(data, str) and description.kind in NAMES and low <= 1:
+                remedy = f"write [{data.strip()}]"
             if description.length == (3, 3) and description.dimension == "length" and isinstance(data, str):
                 remedy = f"write [x, y, z], such as [0, 0, {data[:20]}] on the z axis"
             limit = entries(low, high) if high < MANY else None

@@ -23,7 +23,9 @@ from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameter
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
+from pitchpoint.model.remarks.space import bearings_in_gears, gears_in_one_place
 from pitchpoint.model.remarks.supports import axially_free, tilting
+from pitchpoint.model.remarks.unusual_values import overdamped_meshes, preloads_above_the_rating
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -255,8 +257,12 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
     found = (
         *bores_off_their_shafts(model),
         *gears_thinner_than_their_shafts(model),
+        *gears_in_one_place(model),
+        *bearings_in_gears(model),
+        *preloads_above_the_rating(model),
         *axially_free(model),
         *tilting(model),
+        *at_stages(model, overdamped_meshes(model)),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -298,7 +298,7 @@ def _scenarios(model: Model) -> Iterator[Message]:
             yield remark(
                 f"scenarios.{name}",
                 f"{listed(keys)} {'have' if keys[1:] else 'has'} no effect with {kind}",
-                "the sign of sweep.speed gives the direction of rotation" if "speed" in keys else "",
+                "the sign of sweep.speed gives the direction of rotation" if "speed" in keys else None,
             )
             continue
         if "tolerance" in keys and scenario.method not in ERROR_METHODS:

@@ -263,7 +263,7 @@ def _rest_on(
 def _step(K: Array, jump: Array, normal: Array, rest: Array, height: Array) -> Array:
     """Newton step of position and shares: [[K, jump], [normal, 0]] step = -(rest, height).
 
-    Rows and columns are scaled alike: the pseudo-inverse would omit the shares beside a large stiffness.
+    Rows and columns are scaled alike: the pseudo-inverse would omit the shares next to a large stiffness.
     """
     n, nf = normal.shape
     stiff, across = float(np.abs(K).max()), np.linalg.norm(normal, axis=1)

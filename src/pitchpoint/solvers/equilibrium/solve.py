@@ -45,6 +45,7 @@ from pitchpoint.solvers.equilibrium.force_jumps import (
     rest_on_surfaces,
 )
 from pitchpoint.solvers.equilibrium.geometric_stiffness import Tangent, resists
+from pitchpoint.solvers.equilibrium.secant import corrected
 from pitchpoint.solvers.equilibrium.unknowns import (
     GROWTH,
     ROUNDING,
@@ -75,6 +76,8 @@ TINY = 1e-9
 HEAVY = 1e8
 """Mass factor [1/s^2] beyond which exact tangents that are not positive definite are abandoned: those of
 controllers need not be, as their forces do not derive from an energy."""
+SLUGGISH = 10
+"""Number of steps from which tangents are corrected by the last step, once it is nearly a Newton step."""
 LONGEST = 0.3
 """Largest joint rotation per step with exact tangents [rad]."""
 SLOW = 1.0
@@ -194,6 +197,7 @@ def _pseudo_time(
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu, floats = FIRST, False
+    learned: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # last step, residual missed
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
         # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
@@ -213,6 +217,8 @@ def _pseudo_time(
                 mu = FIRST
             continue
         inverse = inverse_of(pulled, root)
+        if count >= SLUGGISH and mu <= FIRST and learned is not None:
+            inverse = corrected(inverse, *learned, mass)
         allowed = goal / weight[free]
         drift = balanced_drift(R[free], mass, mu, inverse, allowed) if floats else None
         step = -inverse(R[free] if drift is None else R[free] - drift)
@@ -225,6 +231,8 @@ def _pseudo_time(
         except SolverError:
             mu *= 16.0
             continue
+        moved = (trial.q - state.q)[free]
+        learned = (moved, (new - R - whole[:, free] @ moved)[free]) if drift is None and moved.any() else None
         after = new[free] if drift is None else new[free] - floating_force(new[free], mass, mu, inverse)
         ratio = float(np.linalg.norm(root * inverse(after)) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
