@@ -52,9 +52,10 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     from pitchpoint.cli.settings import changes_of, settings_of_command
     from pitchpoint.model.changes import named
     from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
+    from pitchpoint.report.sampling import coarse_scenarios
 
     model = read_model(file, allow_code, quiet, remarks=False)
-    remarks = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
+    remarks = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model), *coarse_scenarios(model))
     settings = dict.fromkeys(changes_of(settings_of_command(), file), "--set")
     messages = named(remarks, settings, model.lines) if settings else remarks
     for message in messages:

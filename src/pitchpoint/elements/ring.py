@@ -53,6 +53,8 @@ RESULTANT_OUTPUTS = (
     ("bearing_force[{}.axial]", "N", "axial force on the body or inner ring"),
     ("bearing_force[{}.direction]", "rad", "direction of the radial force, from the x axis"),
 )
+RESULTANT_OF = {"radial": ("fx", "fy"), "direction": ("fx", "fy")}
+"""Components of the resultants that have no derivative at zero force."""
 OUTPUTS = (
     ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring without its spin, x"),
     ("bearing_force[{}.fy]", "N", "force on the inner ring, y"),

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Result file as a lazy `xarray.Dataset`: samples are read on access.
 
+Deep and pickled copies of a dataset open the file again when they are read, so that they outlive the original
+and reach other processes.
+
 General netCDF readers query the length of a growing dimension from all variables, for each variable again: a
 minute for 168 channels. Here one table of lengths is used for all variables.
 """
@@ -9,12 +12,14 @@ from __future__ import annotations
 
 import functools
 import os
+import weakref
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.io.opening import damaged, dimensions_of, member, members
+from pitchpoint.io.container import ResultError
+from pitchpoint.io.opening import damaged, dimensions_of, member, members, open_file
 from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
@@ -22,7 +27,72 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _OF_NETCDF = {"CLASS", "NAME", "REFERENCE_LIST", "DIMENSION_LIST", "DIMENSION_LABELS", "_Netcdf4Dimid"}
+IDENTITY = ("created", "kind", "model_hash", "scenario", "options")
+"""Attributes that together identify a result; they do not change while it is written."""
 _BARE = b"This is a netCDF dimension but not a netCDF variable"
+
+
+class ReopenedFile:
+    """Result file that is opened again when it is closed, and only if it still has the same result.
+
+    Parameters
+    ----------
+    path
+        Absolute path of the file.
+    identity
+        Identifies the result, see `_identity`.
+    file
+        The open file, if any.
+    """
+
+    def __init__(self, path: str, identity: tuple[str, ...], file: h5py.File | None = None) -> None:
+        self.path, self.identity, self._file = path, identity, file
+
+    @classmethod
+    def of(cls, path: str, file: h5py.File) -> ReopenedFile:
+        """Handle of an open file."""
+        return cls(os.path.abspath(path), _identity(file), file)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _shared, (self.path, self.identity)
+
+    def close(self) -> None:
+        """Close the file; reading opens it again."""
+        if self._file:
+            self._file.close()
+
+    def item(self, name: str) -> h5py.Dataset:
+        """Array of the file.
+
+        Raises
+        ------
+        ResultError
+            If the file cannot be opened, or has another result.
+        """
+        if not self._file:  # a closed file is false
+            file = open_file(self.path)
+            if _identity(file) != self.identity:
+                file.close()
+                raise ResultError(f"{self.path}: was written again since it was opened; open it once more")
+            self._file = file
+        group, _, last = name.rpartition("/")
+        return member(self._file[group or "/"], last)
+
+
+_COPIES: weakref.WeakValueDictionary[tuple[str, tuple[str, ...]], ReopenedFile] = (
+    weakref.WeakValueDictionary()
+)
+"""Files of copied datasets: the variables of a dataset share one."""
+
+
+def _shared(path: str, identity: tuple[str, ...]) -> ReopenedFile:
+    """File of copies, opened when they are read."""
+    return _COPIES.setdefault((path, identity), ReopenedFile(path, identity))
+
+
+def _identity(file: h5py.File) -> tuple[str, ...]:
+    """Values of `IDENTITY` in a file."""
+    return tuple(str(file.attrs.get(key, "")) for key in IDENTITY)
 
 
 def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | None = None) -> xr.Dataset:
@@ -33,7 +103,7 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     path
         Name of the file, for errors.
     file
-        Open file; closing it closes the dataset, too.
+        Open file; if it is closed, the dataset opens it again to read samples.
     group
         Group to read; None for the signals or tables.
     """
@@ -43,6 +113,7 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
 
     name = os.fspath(path)
     where = member(file, group) if group else file
+    handle = ReopenedFile.of(name, file)
     arrays = {key: item for key, item in members(where).items() if isinstance(item, h5py.Dataset)}
     over = {key: _dimensions(item) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
@@ -53,7 +124,7 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
             continue
         dims = over[key]
         shape = tuple(lengths[dim] for dim in dims)
-        data = LazilyIndexedArray(_stored_array()(name, item, shape))
+        data = LazilyIndexedArray(_stored_array()(handle, str(item.name), item.dtype, shape))
         variable = xr.Variable(dims, data, _attributes(item.attrs))
         if data.dtype.kind == "O":
             variable.encoding["dtype"] = str
@@ -63,7 +134,9 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     variables |= _complex(variables)
     coords = {key: v for key, v in variables.items() if v.dims == (key,)}
     plain = {key: v for key, v in variables.items() if key not in coords}
-    return xr.decode_cf(xr.Dataset(plain, coords, _attributes(where.attrs)), decode_times=False)
+    dataset = xr.decode_cf(xr.Dataset(plain, coords, _attributes(where.attrs)), decode_times=False)
+    dataset.set_close(handle.close)
+    return dataset
 
 
 def _complex(variables: dict[str, xr.Variable]) -> dict[str, xr.Variable]:
@@ -90,11 +163,15 @@ def _stored_array() -> Any:
     class StoredArray(BackendArray):
         """Samples of one array of a file, up to the common length of all channels."""
 
-        def __init__(self, path: str, stored: h5py.Dataset, shape: tuple[int, ...]) -> None:
-            self.path, self.stored, self.shape = path, stored, shape
-            text = stored.dtype.kind == "O"
+        def __init__(
+            self, file: ReopenedFile, name: str, stored: np.dtype[Any], shape: tuple[int, ...]
+        ) -> None:
+            self.file, self.name, self.stored, self.shape = file, name, stored, shape
             # xarray marks variable-length texts by this dtype
-            self.dtype = np.dtype("O", metadata={"element_type": str}) if text else stored.dtype
+            self.dtype = np.dtype("O", metadata={"element_type": str}) if stored.kind == "O" else stored
+
+        def __reduce__(self) -> tuple[Any, ...]:
+            return _restored, (self.file, self.name, self.stored, self.shape)
 
         def __getitem__(self, key: Any) -> Any:
             """Read a selection: integers, slices, and one index array."""
@@ -107,15 +184,20 @@ def _stored_array() -> Any:
                 for k, n in zip(key, self.shape, strict=True)
             )
             try:
-                stored = self.stored.asstr() if self.dtype.kind == "O" else self.stored
-                samples = stored[within]
+                stored = self.file.item(self.name)
+                samples = (stored.asstr() if self.dtype.kind == "O" else stored)[within]
                 if self.dtype.kind == "S":  # xarray decodes it later, where the name of the file is unknown
                     samples.tobytes().decode()
                 return samples
             except DAMAGE as error:
-                raise damaged(self.path, error) from error
+                raise damaged(self.file.path, error) from error
 
     return StoredArray
+
+
+def _restored(file: ReopenedFile, name: str, stored: np.dtype[Any], shape: tuple[int, ...]) -> Any:
+    """Copy of lazily read samples."""
+    return _stored_array()(file, name, stored, shape)
 
 
 def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, ...]]) -> dict[str, int]:

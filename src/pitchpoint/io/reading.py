@@ -115,7 +115,8 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
         One variable per channel over `time`, or the tables of a sweep or of modes over their own dimensions.
         A run with recorded events has `event_time` [s], `event_name` and `event_direction` over `event`.
         `attrs["status"]` is finished, failed, interrupted or running; `attrs["notes"]` are its notes.
-        Close it, or use it in a `with` block.
+        Close it, or use it in a `with` block. Copies, also pickled ones in other processes, read the file
+        itself; once it has another result they refuse.
     """
     file = open_file(path)
     try:
@@ -129,7 +130,6 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
         file.close()
         raise
     dataset.encoding["source"] = os.fspath(path)
-    dataset.set_close(file.close)
     return dataset
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -73,6 +73,17 @@ def split(end: str) -> tuple[str, str]:
     """Body and marker ('' for the origin) of an end BODY or BODY.MARKER; beam and station of BEAM.STATION."""
     body, _, marker = end.partition(".")
     return body, marker
+
+
+def bodies_of(ends: Iterable[str]) -> tuple[str, ...]:
+    """Bodies of ends, see `split`.
+
+    Examples
+    --------
+    >>> bodies_of(("A.end", "B"))
+    ('A', 'B')
+    """
+    return tuple(split(end)[0] for end in ends)
 
 
 def beam_of(machine: Machine, end: str) -> Beam | None:

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.carried_trains import carried_speeds, has_carriers
-from pitchpoint.model.frames import split
+from pitchpoint.model.frames import bodies_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mechanism import coordinate, same_base
 from pitchpoint.model.torsional_supports import bushed_pairs, supported_bodies
@@ -40,8 +40,9 @@ def links_of(parts: Parts) -> list[Link]:
                 if one != two and one in parts.bodies and two in parts.bodies:
                     found.append(((group, name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
-        if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
-            found.append((("torsion_springs", name), *spring.bodies, 1.0))
+        turning = bodies_of(spring.bodies)
+        if len(set(turning) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
+            found.append((("torsion_springs", name), turning[0], turning[1], 1.0))
     found += [(("bushings", name), *bodies, 1.0) for name, bodies in bushed_pairs(parts).items()]
     for name, ratio in parts.ratios.items():
         ends = [coordinate(parts.mechanism, parts, term) for term in ratio.terms]

@@ -15,7 +15,7 @@ import numpy as np
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
-from pitchpoint.model.frames import GROUND, axes_of, place_of, split
+from pitchpoint.model.frames import GROUND, axes_of, bodies_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 
 if TYPE_CHECKING:
@@ -35,7 +35,8 @@ def supported_bodies(parts: Parts) -> list[str]:
     Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness; brakes that are
     closed at t = 0.
     """
-    found = [s.bodies[0] for s in parts.torsion_springs.values() if len(s.bodies) == 1 and s.stiffness > 0.0]
+    springs = parts.torsion_springs.values()
+    found = [bodies_of(s.bodies)[0] for s in springs if len(s.bodies) == 1 and s.stiffness > 0.0]
     for spring in parts.springs.values():
         body = _held(parts, [split(end)[0] for end in spring.ends])
         if body is not None and spring.stiffness > 0.0 and _has_lever(parts, spring, body):
@@ -49,7 +50,7 @@ def supported_bodies(parts: Parts) -> list[str]:
         if body is not None and _resists(parts, bushing, body):
             found.append(body)
     for clutch in parts.clutches.values():
-        body = _held(parts, [*clutch.bodies, GROUND][:2])
+        body = _held(parts, [*bodies_of(clutch.bodies), GROUND][:2])
         if body is not None and _closed_at_start(clutch.capacity):
             found.append(body)
     return list(dict.fromkeys(body for body in found if body in parts.bodies))

@@ -91,10 +91,10 @@ def prescribed(system: System, scenario: Scenario) -> dict[str, tuple[Array, flo
     """
     from pitchpoint.solvers.sweep_speeds import sweep_range
 
-    moments = _moments(scenario)
+    moments = moments_of(scenario)
     found: dict[str, tuple[Array, float]] = {}
     for name, drive in scenario.drive.items():
-        speeds = _speeds(drive, moments)
+        speeds = drive_speeds(drive, moments)
         if speeds is not None:
             found[name] = (speeds, fluctuation(drive))
     sweep = scenario.sweep
@@ -121,7 +121,7 @@ def fluctuation(drive: Drive) -> float:
     return float(sum(wave.order * wave.amplitude for wave in drive.ripple.values()))
 
 
-def _moments(scenario: Scenario) -> Array:
+def moments_of(scenario: Scenario) -> Array:
     """Times from zero to the end of a scenario, with the nodes of the tables of its drives [s]."""
     from pitchpoint.model.components.law import TableLaw
 
@@ -132,7 +132,7 @@ def _moments(scenario: Scenario) -> Array:
     return np.unique(times[(times >= 0.0) & (times <= end)])
 
 
-def _speeds(drive: Drive, moments: Array) -> Array | None:
+def drive_speeds(drive: Drive, moments: Array) -> Array | None:
     """Mean speed of a drive at some times [rad/s]; None if only a run can evaluate it."""
     if drive.speed is not None:
         return _values(drive.speed, moments, "angular_speed")

@@ -25,7 +25,7 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
 from pitchpoint.solvers.harmonic_response import harmonic_response
-from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_inputs, find_outputs
+from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_ports
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest, rates_of
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -101,14 +101,15 @@ def find_response(
     Raises
     ------
     ModelError
-        If a name is unknown, or an unbalance rotates with another speed than the synchronous body.
+        If a name is unknown, a body cannot move in a direction, a channel has no derivative (the magnitude of
+        a force with zero mean), or an unbalance rotates with another speed than the synchronous body.
     SolverError
         If there is no equilibrium, or the system is singular at a frequency.
     """
     check_names(system, inputs, outputs, () if synchronous is None else (synchronous,))
     linear = linearise(system, scenario, phase=phase, start=start, turning=synchronous)
     rates = None if synchronous is None else rates_of(linear, synchronous, scenario)
-    ins, outs = find_inputs(linear, inputs, rates), find_outputs(linear, outputs)
+    ins, outs = find_ports(linear, inputs, outputs, rates)
     if synchronous is not None:
         _refuse_other_speeds(ins, synchronous)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))

@@ -17,23 +17,18 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
 from pitchpoint.solvers.body_shapes import body_motions
-from pitchpoint.solvers.cycle_means import observe_at, observed_phases
+from pitchpoint.solvers.channel_slopes import channel_slopes
 from pitchpoint.solvers.linear_system import Linearised
-from pitchpoint.solvers.mesh_law import mesh_law, stiffness_now
+from pitchpoint.solvers.mesh_law import mesh_law
+from pitchpoint.solvers.missing_motions import missing_motions
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_record
-from pitchpoint.system.system import State, System
+from pitchpoint.system.meshes import mesh_names
+from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
 LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
 MOTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
-MESH_FORCES = ("mesh_force", "normal_force", "circumferential_force", "radial_force", "axial_force")
-"""Channels of a mesh that are parts of its force along the base tangent."""
-STEP = 2e-10
-"""Step of finite differences [m]: below the penetration at which unloaded flanks are assumed in contact."""
-RATE = 1e-6
-"""Step of finite differences of the rates [m/s]."""
 
 
 @dataclass(frozen=True)
@@ -150,15 +145,48 @@ def check_names(
         raise ModelError(problems)
 
 
+def find_ports(
+    linear: Linearised, inputs: Sequence[str], outputs: Sequence[str], rates: Array | None = None
+) -> tuple[tuple[Input, ...], Outputs]:
+    """Inputs and outputs by name, see `find_inputs` and `find_outputs`.
+
+    Raises
+    ------
+    ModelError
+        With the problems of both.
+    """
+    problems: list[Message] = []
+    try:
+        ins = find_inputs(linear, inputs, rates)
+    except ModelError as error:
+        problems += error.problems
+    try:
+        outs = find_outputs(linear, outputs)
+    except ModelError as error:
+        problems += error.problems
+    if problems:
+        raise ModelError(problems)
+    return ins, outs
+
+
 def find_inputs(linear: Linearised, names: Sequence[str], rates: Array | None = None) -> tuple[Input, ...]:
     """Excitations by name; the names exist, see `check_names`.
 
     An unbalance rotates as its body does at `rates`, by default those of the operating point.
+
+    Raises
+    ------
+    ModelError
+        If a body cannot move in the direction of its load.
     """
     system = linear.system
     units, nd, meshes = coordinate_units(system), system.sizes["nd"], mesh_names(system)
     zero = np.zeros(nd)
-    found, J = [], None
+    loads = [n for n in names if n not in units and not n.startswith("transmission_error[")]
+    J = body_motions(system, linear.state, np.eye(nd)).real if loads else np.zeros((nd, 0, 6))
+    if problems := missing_motions(system, J, loads, LOADS, "input"):
+        raise ModelError(problems)
+    found = []
     for name in names:
         if name in units:
             force = np.zeros(nd)
@@ -169,7 +197,6 @@ def find_inputs(linear: Linearised, names: Sequence[str], rates: Array | None = 
         if name.startswith("transmission_error["):
             found.append(_error_of(linear, name, meshes.index(name[19:-1])))
             continue
-        J = body_motions(system, linear.state, np.eye(nd)).real if J is None else J
         if name.startswith("unbalance["):
             b = system.layout.bodies.index(name[10:-1])
             turning, speed = _turning(linear, J, b, linear.state.v if rates is None else rates)
@@ -203,22 +230,16 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     return Input(name, "m", law.stiffness, law.damping, np.zeros(law.turn.size, complex), law.turn, k)
 
 
-def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def]
-    """Derivative of the result of `request` with respect to the assembled travel of a mesh."""
-    record = mesh_record(system, k)
-    kept, sides = float(record["u0"]), []
-    for sign in (1.0, -1.0):
-        record["u0"] = kept + sign * STEP
-        sides.append(request())
-    record["u0"] = kept
-    return np.asarray((sides[0] - sides[1]) / (2.0 * STEP))
-
-
 def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
     """Output rows by name; channels are differentiated at the operating point.
 
     Mesh forces follow the law of the mesh in use, such as the mean over the cycle. The names exist, see
     `check_names`.
+
+    Raises
+    ------
+    ModelError
+        If a body cannot move in a direction, or a channel has no derivative.
     """
     system = linear.system
     nd, nc = system.sizes["nd"], system.sizes["nc"]
@@ -227,92 +248,27 @@ def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
     meshes = len(mesh_names(system))
     place, rate = np.zeros((len(names), nd)), np.zeros((len(names), nd))
     react, feed = np.zeros((len(names), nc)), np.zeros((len(names), meshes))
-    found, J, slopes = [], None, None
+    of_channels = [n for n in names if n in channels and n not in units]
+    motions = [n for n in names if n not in units and n not in channels]
+    J = body_motions(system, linear.state, np.eye(nd)).real if motions else np.zeros((nd, 0, 6))
+    problems = missing_motions(system, J, motions, MOTIONS, "output")
+    slopes = channel_slopes(linear, of_channels) if of_channels else None
+    problems += slopes.problems if slopes else ()
+    if problems:
+        raise ModelError(problems)
+    found = []
     for row, name in enumerate(names):
         if name in units:
             place[row, system.layout.coordinate(name)] = 1.0
             found.append(units[name])
-        elif name in channels:
-            slopes = _slopes(linear, meshes) if slopes is None else slopes
+        elif slopes is not None and name in channels:
             o = system.layout.channel(name)
-            place[row], rate[row], react[row], feed[row] = (part[o] for part in slopes)
+            place[row], rate[row], react[row], feed[row] = (
+                part[o] for part in (slopes.place, slopes.rate, slopes.react, slopes.feed)
+            )
             found.append(channels[name].unit)
         else:
-            J = body_motions(system, linear.state, np.eye(nd)).real if J is None else J
             body, _, word = name.rpartition(".")
             place[row] = J[:, system.layout.bodies.index(body), MOTIONS.index(word)]
             found.append("m" if word[0] == "u" else "rad")
     return Outputs(tuple(names), tuple(found), place, rate, react, feed)
-
-
-def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array]:
-    """Derivatives of all channels with respect to coordinates, rates, multipliers and flank errors."""
-    system, state = linear.system, linear.state
-    weight = system.weight
-    largest = float(np.abs(state.lam).max(initial=0.0))
-    place, rate, react = (
-        _differences(system, state, "q", STEP / weight),
-        _differences(system, state, "v", RATE / weight),
-        _differences(system, state, "lam", np.full(state.lam.size, 1e-3 * (1.0 + largest))),
-    )
-    feed = np.zeros((system.sizes["no"], meshes))
-    for k, name in enumerate(mesh_names(system)):
-        by_travel = _by_travel(system, k, lambda: evaluate.observe(system, state))
-        by_travel[system.layout.channel(f"transmission_error[{name}]")] = 0.0  # independent of the flanks
-        _follow_the_law(linear, k, by_travel, (place, rate))
-        feed[:, k] = -by_travel
-    return place, rate, react, feed
-
-
-def _follow_the_law(linear: Linearised, k: int, by_travel: Array, slopes: tuple[Array, Array]) -> None:
-    """Replace slopes of the channels of a mesh by those of its law; `by_travel`: theirs over the travel.
-
-    A rotation of the gears acts through the travel alone. Forces are parts of the force along the base
-    tangent; displaced gears change in addition their direction.
-    """
-    system, (place, rate) = linear.system, slopes
-    law = mesh_law(system, linear.at_rest, k)
-    name, turning = mesh_names(system)[k], law.travel != 0.0
-    own = [o for o in np.flatnonzero(by_travel).tolist() if _is_of(system.layout.channels[o].name, name)]
-    if not law.turn.any():
-        return
-    stiffness = stiffness_now(system, linear.state, k, law)
-    for o in own:
-        place[o, turning] = by_travel[o] * law.travel[turning]
-        rate[o, turning] = float(rate[o] @ law.turn) * law.travel[turning]
-    along = system.layout.channel(f"mesh_force[{name}]")
-    found = place[along].copy()
-    for word in MESH_FORCES if stiffness > 0.0 else ():
-        o = system.layout.channel(f"{word}[{name}]")
-        part = 1.0 if o == along else by_travel[o] / stiffness
-        of_direction = np.where(turning, 0.0, place[o] - by_travel[o] / by_travel[along] * found)
-        place[o] = part * law.force + (0.0 if o == along else of_direction)
-        by_travel[o] = float(place[o] @ law.turn)
-    rate[along] = law.force_by_rate
-
-
-def _is_of(channel: str, mesh: str) -> bool:
-    """Whether a channel is one of a mesh or of its tooth pairs, such as `pair_force[stage.0]`."""
-    inside = channel.partition("[")[2].rstrip("]")
-    return inside == mesh or inside.startswith(f"{mesh}.")
-
-
-def _differences(system, state: State, key: str, steps: Array) -> Array:  # type: ignore[no-untyped-def]
-    """Central differences of all channels with respect to one part of the state, shape (no, n).
-
-    The phases of the meshes are fixed, as in the matrices.
-    """
-    found = np.zeros((system.sizes["no"], steps.size))
-    phases = {
-        m: (flank, phase[flank])
-        for m, (contact, phase) in observed_phases(system, state, range(len(mesh_names(system))))
-        for flank in (-1 if contact < 0.0 else 1,)
-    }
-    for k, step in enumerate(steps):
-        sides = []
-        for sign in (1.0, -1.0):
-            moved = state.copy()
-            getattr(moved, key)[k] += sign * step
-            sides.append(observe_at(system, moved, phases if key == "q" else {}))
-        found[:, k] = (sides[0] - sides[1]) / (2.0 * step)
-    return found

@@ -133,7 +133,7 @@ def find_mesh_response(
     Raises
     ------
     ModelError
-        If a name is unknown.
+        If a name is unknown, a body cannot move in a direction, or a channel has no derivative.
     SolverError
         If a speed is zero, there is no equilibrium, or no mesh turns with the body.
 

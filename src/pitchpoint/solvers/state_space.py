@@ -26,8 +26,7 @@ from pitchpoint.solvers.inputs_outputs import (
     Outputs,
     check_names,
     coordinate_units,
-    find_inputs,
-    find_outputs,
+    find_ports,
 )
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
 from pitchpoint.system import evaluate
@@ -129,14 +128,14 @@ def state_space(
     Raises
     ------
     ModelError
-        If a name is unknown.
+        If a name is unknown, a body cannot move in a direction, or a channel has no derivative.
     SolverError
         If there is no equilibrium, an input rotates (`unbalance[BODY]`), or an output
         contains the rate of an input: the force of a mesh with a damper for its transmission error.
     """
     check_names(system, inputs, outputs)
     linear = linearise(system, scenario, phase=phase, start=start, progress=progress)
-    ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
+    ins, outs = find_ports(linear, inputs, outputs)
     for port in ins:
         if port.turning.any():
             body = port.name.partition("[")[2].rstrip("]")

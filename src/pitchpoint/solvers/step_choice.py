@@ -15,7 +15,7 @@ from pitchpoint.solvers.gear_trains import mesh_rates
 from pitchpoint.solvers.initial_state.speeds import highest_speeds, speeds_of
 from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.step_modes import counted_frequency
-from pitchpoint.system.meshes import mesh_records
+from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
@@ -38,23 +38,21 @@ CHUNK_SECONDS = 0.15
 
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
-    """Highest mesh frequency [Hz] of a scenario, from its initial speeds and drives."""
-    if not mesh_records(system):
-        return 0.0
-    speeds = speeds_of(system, scenario)
-    highest = _mesh_frequency(system, speeds)
+    """Highest mesh frequency [Hz] of a scenario, see `mesh_frequencies`."""
+    return max(mesh_frequencies(system, scenario).values(), default=0.0)
+
+
+def mesh_frequencies(system: System, scenario: Scenario) -> dict[str, float]:
+    """Highest frequency of every mesh in a scenario [Hz], from its initial speeds and drives."""
+    names = mesh_names(system)
+    if not names:
+        return {}
+    cases = [speeds_of(system, scenario)]
     driven = highest_speeds(system, scenario)
     if driven and system.model is not None:
-        highest = max(
-            highest, _mesh_frequency(system, system.model.start_speeds(replace(scenario, speed=driven)))
-        )
-    return highest
-
-
-def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
-    if not mesh_records(system):
-        return 0.0
-    return max(mesh_rates(system, speeds)) / (2.0 * math.pi)
+        cases.append(system.model.start_speeds(replace(scenario, speed=driven)))
+    rates = np.array([mesh_rates(system, speeds) for speeds in cases]).max(axis=0)
+    return dict(zip(names, (rates / math.tau).tolist(), strict=True))
 
 
 def mesh_mode(row: np.void, system: System, driven: Collection[int] = ()) -> float:

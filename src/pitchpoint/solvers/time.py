@@ -23,6 +23,7 @@ from pitchpoint.solvers.divergence import FAILURES, fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
+from pitchpoint.solvers.sample_notes import sample_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.speed_drift import drift_notes, runaway
 from pitchpoint.solvers.step_choice import (
@@ -316,10 +317,8 @@ class _Loop:
         channels = channel_statistics(self.system, found, rattle)
         t, state = float(self.run_.t), self.run_.state()
         length = max(t - self.window, 0.0)
-        remarks = (
-            *run_remarks(self.system, channels),
-            *window_notes(self.system.model, channels, length),
-        )
+        windows = window_notes(self.system.model, channels, length)
+        remarks = (*run_remarks(self.system, channels), *windows)
         if status == OK:
             remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
@@ -383,7 +382,8 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     settled = chosen.statistics_start
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
-    attrs |= {"steps": done.steps, "notes": join_notes(done.notes)}
+    notes = (*done.notes, *sample_notes(system, chosen, done, chosen.sample_rate))
+    attrs |= {"steps": done.steps, "notes": join_notes(notes)}
     attrs["contact_solver"] = json.dumps(done.contact_solver)
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import join_notes
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_result, read_channel, read_header
 from pitchpoint.io.writing import Channel, ResultWriter
@@ -111,7 +112,7 @@ def test_events_are_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[st
     with open_result(target) as ds:
         assert ds.sizes["event"] == found["events"]
         assert set(ds["event_name"].values) == {"pair_entry[stage]"}
-        assert ds.attrs["notes"] == "; ".join(found["notes"])
+        assert ds.attrs["notes"] == join_notes(found["notes"])
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.model.checks.references import ends_of
 from pitchpoint.model.components.body import Body
-from pitchpoint.model.frames import split
+from pitchpoint.model.frames import bodies_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.shafts import SEATED
@@ -105,7 +105,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
     for group in AXIAL:
         for name, part in getattr(parts, group).items():
             one = hasattr(part, "body")
-            for body in {part.body or ""} if one else set(part.bodies):
+            for body in {part.body or ""} if one else {*bodies_of(part.bodies)}:
                 if body not in elastic or (group == "loads" and part.marker is not None):
                     continue
                 at = (group, name, "body" if one else "bodies")

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.bearing_faults import check_seat
-from pitchpoint.model.checks.references import known
+from pitchpoint.model.checks.references import known, known_end
 from pitchpoint.model.checks.rolling_bearings import check_rolling_bearings
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
-from pitchpoint.model.frames import GROUND
+from pitchpoint.model.frames import GROUND, bodies_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import trains
@@ -77,10 +77,14 @@ def _turning(parts: Parts, report: Reader) -> None:
             for body in part.bodies:
                 if body == GROUND:
                     report.problem(at, "names ground", remedy="give one body only: the other end is ground")
+                elif is_beam(parts, split(body)[0]):
+                    what = f"names {body}, a place on a beam"
+                    report.problem(at, what, remedy="name a body that a joint of type fixed carries there")
                 else:
-                    known(parts, "bodies", body, at, report)
-            if len(set(part.bodies)) < len(part.bodies):
-                report.problem(at, f"names {part.bodies[0]} twice", remedy="name two bodies, or only one")
+                    known_end(parts, body, at, report)
+            bodies = bodies_of(part.bodies)
+            if len(set(bodies)) < len(bodies):
+                report.problem(at, f"names {bodies[0]} twice", remedy="name two bodies, or only one")
 
 
 def _capacity(name: str, clutch: Clutch, report: Reader) -> None:

@@ -17,6 +17,7 @@ from pitchpoint.model.frames import (
     GROUND,
     Array,
     axes_of,
+    bodies_of,
     body_frame,
     joint_axes,
     joint_place,
@@ -258,9 +259,9 @@ def _axes(parts: Parts, report: Reader) -> None:
                     remedy=f"put the origin of {name} on the axis of {seat.joint} and its z axis along it",
                 )
         turning = [("loads", n, "body") for n, p in parts.loads.items() if p.body == name and p.torque]
-        turning += [
-            (g, n, "bodies") for g in TURNING for n, p in getattr(parts, g).items() if name in p.bodies
-        ]
+        for group in TURNING:
+            elements = getattr(parts, group).items()
+            turning += [(group, n, "bodies") for n, p in elements if name in bodies_of(p.bodies)]
         for at in turning:
             if not _parallel(parts, seat):
                 report.problem(

@@ -113,7 +113,7 @@ def check_places(parts: Parts, report: Reader) -> None:
         many = not isinstance(given, str)
         for i, end in enumerate(given if many else (given,)):
             at: Place = (group, name, key, i) if many else (group, name, key)
-            _known_end(parts, end, at, report)
+            known_end(parts, end, at, report)
         if many and len(given) == 2 and len({part_of(parts, e) for e in given}) == 1:
             body = parts.bodies.get(split(given[0])[0])
             if group == "sensors" and body is not None and (body.shaft or body.elastic):
@@ -137,7 +137,8 @@ def ends_of(machine: Any) -> Iterator[tuple[str, str, str, Any]]:
                     yield group, name, key, given
 
 
-def _known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
+def known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
+    """Check that the body and the marker of an end exist."""
     body, marker = split(end)
     if body == GROUND:
         if marker:

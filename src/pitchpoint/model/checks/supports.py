@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.forces import TURNING
 from pitchpoint.model.components.bearing import Bearing
-from pitchpoint.model.frames import GROUND, Array, body_frame, place_of, split
+from pitchpoint.model.frames import GROUND, Array, bodies_of, body_frame, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.rings import following, ring_bodies, rings_of
@@ -199,8 +199,9 @@ def check_turning(parts: Parts, report: Reader) -> None:
     """Check that torsional elements connect parallel axes: otherwise the angle depends on the path."""
     for group in TURNING:
         for name, part in getattr(parts, group).items():
-            if len(part.bodies) == 2 and all(b in parts.bodies for b in part.bodies):
-                _tilted(parts, group, name, part.bodies, report)
+            bodies = bodies_of(part.bodies)
+            if len(bodies) == 2 and all(b in parts.bodies for b in bodies):
+                _tilted(parts, group, name, bodies, report)
 
 
 def _tilted(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:

@@ -15,7 +15,10 @@ class Clutch(Component):
     """Friction clutch between two bodies, or brake between a body and ground."""
 
     bodies: tuple[str, ...] = key(
-        "names", "names of the two bodies; one name: a brake against ground", length=(1, 2)
+        "names",
+        "names of the two bodies, BODY or BODY.MARKER (a place on a shaft; without it the start of "
+        "the shaft); one name: a brake against ground",
+        length=(1, 2),
     )
     capacity: Law = key(
         "law",

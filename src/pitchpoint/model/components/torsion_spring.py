@@ -9,7 +9,10 @@ from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import key, positive, quantity
 
-TURNING = "names of the two bodies; one name: the body and ground"
+TURNING = (
+    "names of the two bodies, BODY or BODY.MARKER (a place on a shaft; without it the start of the shaft); "
+    "one name: the body and ground"
+)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.words import listed
+from pitchpoint.model.checks.forces import TURNING
 from pitchpoint.model.checks.references import ends_of
 from pitchpoint.model.components.flank_contact import FlexibleContact, PrecomputedContact, RigidContact
 from pitchpoint.model.components.joint import FUNCTIONS
@@ -246,6 +247,7 @@ def _joints(model: Model) -> Iterator[Message]:
     given = [places for _, _, _, places in ends_of(model)]
     named = {e for places in given for e in ((places,) if isinstance(places, str) else places)}
     named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
+    named |= {e for group in TURNING for part in getattr(model, group).values() for e in part.bodies}
     for body, part in model.bodies.items():
         for marker in part.markers if part.elastic is None else ():  # nodes also affect the modes
             if f"{body}.{marker}" not in named:

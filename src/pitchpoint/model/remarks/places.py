@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.carried_meshes import off_axis
-from pitchpoint.model.frames import GROUND, Array, body_frame, split
+from pitchpoint.model.frames import GROUND, Array, bodies_of, body_frame, place_of, split
 from pitchpoint.model.shafts import SEATED
 from pitchpoint.model.stand_ins import own_parts
 
@@ -97,17 +97,20 @@ def _far_ends(model: Model) -> Iterator[Message]:
     for group in TURNING:
         for name, part in getattr(model, group).items():
             pairs = (part.bodies, part.bodies[::-1]) if len(part.bodies) == 2 else ()
-            for shaft, other in pairs:
+            for shaft, end in pairs:
+                other, marker = split(end)
+                if shaft not in model.shafts or other not in model.bodies:
+                    continue  # the place is that of a marker
                 origin, axes = body_frame(model, shaft)
-                place = body_frame(model, other)[0]
-                if shaft not in model.shafts or origin is None or place is None or other == GROUND:
+                place = place_of(model, end) if marker else body_frame(model, other)[0]
+                if origin is None or place is None:
                     continue
                 if (place - origin) @ axes[:, 2] > 0.5 * model.shafts[shaft].length:
                     yield remark(
                         f"{group}.{name}",
                         f"acts at the start of the shaft {shaft}, but {other} is nearer to its end: the "
                         "torque does not twist the shaft between them",
-                        "use an element of couplings with a position instead",
+                        f"add a marker at the end to {shaft} and name {shaft}.MARKER instead",
                     )
 
 
@@ -115,18 +118,19 @@ def _distant_axes(model: Model) -> Iterator[Message]:
     """Couplings and torsional elements between rotating bodies on parallel axes that are apart."""
     for group in ("couplings", *TURNING):
         for name, part in getattr(model, group).items():
-            if len(part.bodies) < 2 or not getattr(part, "carries_torque", True):
+            bodies = bodies_of(part.bodies)
+            if len(bodies) < 2 or not getattr(part, "carries_torque", True):
                 continue
-            if any(b in model.bodies and model.bodies[b].moves == "fixed" for b in part.bodies):
+            if any(b in model.bodies and model.bodies[b].moves == "fixed" for b in bodies):
                 continue  # the origin of a frame is not its axis
-            (at, axes), (other, way) = (body_frame(model, body) for body in part.bodies)
+            (at, axes), (other, way) = (body_frame(model, body) for body in bodies)
             if at is None or other is None or abs(axes[:, 2] @ way[:, 2]) < 1.0 - SAME:
                 continue
             apart = float(np.linalg.norm(np.cross(axes[:, 2], other - at)))
             if apart > ALIGNED:
                 yield remark(
                     f"{group}.{name}.bodies",
-                    f"{' and '.join(part.bodies)} have parallel axes {format_quantity(apart, 'length', 4)} "
+                    f"{' and '.join(bodies)} have parallel axes {format_quantity(apart, 'length', 4)} "
                     "apart, and the torque between them acts without a force",
                     "correct the positions, or connect them by a mesh or a ratio",
                 )

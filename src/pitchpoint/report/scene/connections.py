@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.model.frames import GROUND, axes_of, place_of, split
+from pitchpoint.model.frames import GROUND, axes_of, bodies_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.rings import rings_of
 from pitchpoint.model.sections import groups_of
@@ -141,9 +141,14 @@ def _spin_line(at: Places, body: str) -> tuple[Array, Array]:
     return place, axes[:, 2]
 
 
-def _stretch(at: Places, body: str, origin: Array, direction: Array) -> tuple[float, float]:
-    """Extent of a body along a line, by its gears, sections, markers and joints [m]."""
+def _stretch(at: Places, end: str, origin: Array, direction: Array) -> tuple[float, float]:
+    """Extent of a body along a line, by its gears, sections, markers and joints [m]; place of a marker."""
+    body, marker = split(end)
     model, part = at.model, at.model.bodies[body]
+    place = place_of(model, end) if marker else None
+    if place is not None:
+        height = float((place - origin) @ direction)
+        return height, height
     found = [float((at.origin(body) - origin) @ direction)]
     found += [float((p - origin) @ direction) for p in at.anchors(body)]
     own, axes = at.world(body)
@@ -156,14 +161,14 @@ def _stretch(at: Places, body: str, origin: Array, direction: Array) -> tuple[fl
     return min(found), max(found)
 
 
-def _axis(at: Places, bodies: tuple[str, ...]) -> _Axis:
-    """Position at which a body rotates relative to another body or ground."""
-    first, *others = bodies
-    origin, direction = _spin_line(at, first)
+def _axis(at: Places, ends: tuple[str, ...]) -> _Axis:
+    """Position at which a body rotates relative to another body or ground; ends BODY or BODY.MARKER."""
+    first, *others = ends
+    origin, direction = _spin_line(at, split(first)[0])
     low, high = _stretch(at, first, origin, direction)
     if not others or others[0] == GROUND:
         return _Axis(origin, direction, low, low, None)
-    other, along = _spin_line(at, others[0])
+    other, along = _spin_line(at, split(others[0])[0])
     way = other - origin
     beside = np.linalg.norm(way - direction * (way @ direction)) > SAME_LINE * at.size
     if beside or abs(direction @ along) < 1.0 - SAME_LINE:
@@ -178,13 +183,13 @@ def _axis(at: Places, bodies: tuple[str, ...]) -> _Axis:
 
 
 def _halves(
-    at: Places, name: str, bodies: tuple[str, ...], large: float, height: float | None = None
+    at: Places, name: str, ends: tuple[str, ...], large: float, height: float | None = None
 ) -> list[SceneSolid]:
     """Discs of two bodies that face each other, with a neck to each body.
 
     The second part of a brake is a pair of pads on ground; parts on two axes are connected by a bar.
     """
-    model, line = at.model, _axis(at, bodies)
+    model, line, bodies = at.model, _axis(at, ends), bodies_of(ends)
     if line.other_origin is not None:
         return _across(at, name, "body", bodies, line)
     middle = 0.5 * (line.near + line.far)
@@ -204,8 +209,8 @@ def _halves(
         if body == GROUND:
             pieces = _pads(radius, thick)
         elif side * neck * sign > thick:
-            ends = ((0.0, 0.0, sign * thick), (0.0, 0.0, side * neck))
-            pieces.append(shapes.rod(*ends, 0.35 * radius))
+            way = ((0.0, 0.0, sign * thick), (0.0, 0.0, side * neck))
+            pieces.append(shapes.rod(*way, 0.35 * radius))
         surface = shapes.moved(shapes.joined(pieces), place, frame)
         word = f"{name}, {'pads' if body == GROUND else body}"
         found.append(stand_in(at, word, "bearing", body, surface, place))
@@ -226,8 +231,7 @@ def _pads(radius: float, thick: float) -> list[shapes.Surface]:
 
 def _coil(at: Places, name: str, part: Any) -> list[SceneSolid]:
     """Coil between two bodies on one axis, flat spiral for overlapping bodies, else a bar."""
-    bodies = part.bodies
-    line = _axis(at, bodies)
+    bodies, line = bodies_of(part.bodies), _axis(at, part.bodies)
     if line.other_origin is not None:
         return _across(at, name, "spring", bodies, line)
     ends = [line.origin + h * line.direction for h in (line.near, line.far)]
