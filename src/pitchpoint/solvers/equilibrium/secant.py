@@ -59,6 +59,7 @@ def corrected(inverse: Inverse, step: Array, missed: Array, mass: Any) -> Invers
         return inverse
 
     def solve(b: Array) -> Array:
+        """Solution of the corrected system."""
         found = inverse(b)
         return found - shift * (float(along @ found) / change)
 
