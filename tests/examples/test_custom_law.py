@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The example `custom-law`: one's own Python laws give what the built-in ones give, and fail with a sentence.
 
-The classical Runge-Kutta method takes the same steps with either law, so all signals agree to round-off;
-tolerance 1e-12 of the largest value. The implicit method agrees to what its iteration leaves.
+The classical Runge-Kutta method takes the same steps with either law, so all signals agree to round-off. The
+last digit of an angle of 2 pi is 9e-16 rad, 3e-8 N of the force at a base radius of 70 mm and 5e8 N/m, which
+50 000 steps of a lightly damped vibration add up to some digits: tolerance 1e-10 of the largest value. The
+implicit method agrees to what its iteration leaves.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ def signals(file, **changes):
     return done, {name: rows[:, system.layout.channel(name)] for name in SIGNALS}
 
 
-@pytest.mark.parametrize(("method", "tolerance"), [("rk4", 1e-12), ("generalized_alpha", 1e-9)])
+@pytest.mark.parametrize(("method", "tolerance"), [("rk4", 1e-10), ("generalized_alpha", 1e-9)])
 def test_same_result_as_the_built_in_laws(method, tolerance):
     _, builtin = signals("builtin.yaml", method=method)
     _, custom = signals("custom.yaml", method=method)

@@ -31,7 +31,7 @@ def coarse_samples(rate: float, frequencies: Mapping[str, float], where: str) ->
     --------
     >>> message, = coarse_samples(1000.0, {"stage": 1200.0, "slow": 300.0}, "sample_rate")
     >>> message.value, message.remedy
-    ('1 kHz', 'for 3 harmonics give 9.22 kHz or more')
+    ('1000 Hz', 'for 3 harmonics give 9220 Hz or more')
     >>> coarse_samples(10000.0, {"stage": 1200.0}, "sample_rate")
     ()
     """
