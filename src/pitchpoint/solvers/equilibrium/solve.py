@@ -232,7 +232,8 @@ def _pseudo_time(
             mu *= 16.0
             continue
         moved = (trial.q - state.q)[free]
-        learned = (moved, (new - R - whole[:, free] @ moved)[free]) if drift is None and moved.any() else None
+        known = drift is None and not system.states.size and moved.any()  # states are stored as rates
+        learned = (moved, (new - R - whole[:, free] @ moved)[free]) if known else None
         after = new[free] if drift is None else new[free] - floating_force(new[free], mass, mu, inverse)
         ratio = float(np.linalg.norm(root * inverse(after)) / np.linalg.norm(root * step))
         beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
@@ -256,8 +257,7 @@ def _pseudo_time(
             # the residual beyond a jump does not measure the step across it
             state = trial if rest is None else rest.state
             R = evaluate.residual(system, state)
-            passing = set() if rest is None else {*surfaces}
-            mu = mu if rest is None else FIRST
+            passing, mu = (set(), mu) if rest is None else ({*surfaces}, FIRST)
             continue
         if (
             length < SHORT
