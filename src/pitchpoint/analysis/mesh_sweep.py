@@ -126,24 +126,27 @@ def mesh_sweeps(points: Sequence[Point]) -> list[MeshSweep]:
         for direction in dict.fromkeys(str(p["direction"]) for p in own):
             here = [p for p in own if p["direction"] == direction]
             at = [float(p["mesh_frequency"]) for p in here]
-            rms = [_alternating(p["deflection"]) if p.get("deflection") else math.nan for p in here]
-            force = [greatest(p["mesh_force"]) if p.get("mesh_force") else math.nan for p in here]
-            loss = _numbers(here, "contact_loss_share")
-            closing = _numbers(here, "closing_speed_max")
+            deflections = [_alternating(p["deflection"]) if p.get("deflection") else math.nan for p in here]
+            forces = [greatest(p["mesh_force"]) if p.get("mesh_force") else math.nan for p in here]
+            losses = _numbers(here, "contact_loss_share")
+            (rms, rms_at), (force, force_at), (loss, loss_at), (closing, _) = (
+                _largest(values, at)
+                for values in (deflections, forces, losses, _numbers(here, "closing_speed_max"))
+            )
             found.append(
                 MeshSweep(
                     mesh=mesh,
                     direction=direction,
                     points=len(here),
-                    apart=sum(share > 0.0 for share in loss),
-                    rms=_largest(rms, at)[0],
-                    rms_at=_largest(rms, at)[1],
-                    force=_largest(force, at)[0],
-                    force_at=_largest(force, at)[1],
-                    loss=_largest(loss, at)[0],
-                    loss_at=_largest(loss, at)[1],
-                    least_loss=min((share for share in loss if math.isfinite(share)), default=math.nan),
-                    closing=_largest(closing, at)[0],
+                    apart=sum(share > 0.0 for share in losses),
+                    rms=rms,
+                    rms_at=rms_at,
+                    force=force,
+                    force_at=force_at,
+                    loss=loss,
+                    loss_at=loss_at,
+                    least_loss=min((share for share in losses if math.isfinite(share)), default=math.nan),
+                    closing=closing,
                     jumps=tuple(jump.frequency for jump in jumps if jump.direction == direction),
                 )
             )
