@@ -16,7 +16,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
-from pitchpoint.model.reading import formulas
+from pitchpoint.model.reading import data_files, formulas
 from pitchpoint.model.reading.bare_numbers import note_formula
 from pitchpoint.model.show import shown
 
@@ -98,9 +98,11 @@ def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, varia
 
 
 def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, over: Any) -> Any:
-    """Read rows of two values with increasing first values; BAD with any problem."""
+    """Read rows of two values with increasing first values, or a text file of them; BAD with any problem."""
+    if isinstance(rows, str):
+        return BAD if over is BAD else data_files.pairs(reader, rows, (x_key.dimension, key.dimension), at)
     if not isinstance(rows, list | tuple) or len(rows) < 2:
-        return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]]")
+        return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]], or name a text file")
     if over is BAD:
         return BAD
     points = []
