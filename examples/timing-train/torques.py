@@ -15,7 +15,12 @@ import numpy as np
 
 BORE, STROKE, ROD = 81e-3, 95.5e-3, 144e-3  # [m]
 COMPRESSION, AMBIENT, PISTON = 16.5, 1e5, 0.9  # [-], [Pa], oscillating mass [kg]
-CYLINDERS = {0.0: 1.00, 180.0: 0.97, 360.0: 1.02, 540.0: 1.01}  # firing TDC [deg]: heat of the cylinder, relative
+CYLINDERS = {
+    0.0: 1.00,
+    180.0: 0.97,
+    360.0: 1.02,
+    540.0: 1.01,
+}  # firing TDC [deg]: heat of the cylinder, relative
 LIFT, HALF, LOBES = 8.5e-3, np.radians(60.0), 4  # cam: lift [m], half of its angle [rad], lobes
 PRELOAD, RATE, MASS = 400.0, 8e4, 0.2  # both valves of a cylinder [N], [N/m], [kg]
 INLET, EXHAUST = 470.0, 250.0  # crank angles of largest lift after the firing TDC [deg]
@@ -94,4 +99,6 @@ if __name__ == "__main__":
         "exhaust.csv": cam_torque(EXHAUST),
     }.items():
         write(folder / name, angle, torque)
-        print(f"{name:14} mean {np.mean(torque[:-1]):8.3f} N m, from {torque.min():8.2f} to {torque.max():8.2f} N m")
+        print(
+            f"{name:14} mean {np.mean(torque[:-1]):8.3f} N m, from {torque.min():8.2f} to {torque.max():8.2f} N m"
+        )

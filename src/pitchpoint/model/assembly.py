@@ -23,6 +23,7 @@ from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import orient_pins, place_planets
 from pitchpoint.model.profile_shifts import determine_shifts, usable
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import place_free_halves
 
 
 def resolve(parts: Parts, report: Reader) -> None:
@@ -92,6 +93,7 @@ def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
         while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
             before = len(placed)
             place_planets(parts)
+            place_free_halves(parts)
             place_joined(parts)
             _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None], given)
 

@@ -262,11 +262,13 @@ class Model(Contents):
 
     @cached_property
     def _all_lines(self) -> dict[tuple[Any, ...], int]:
-        """Lines of the keys of the file, and of the components of planetary stages."""
+        """Lines of the keys of the file, and of the components of planetary stages and scissor gears."""
         from pitchpoint.model.planetary_stages import lines_of_planets
+        from pitchpoint.model.scissor_gears import lines_of_free_halves
 
         lines = self.lines or {}
-        return {**dict(lines_of_planets(self.planetary_stages, lines)), **lines}
+        planets = lines_of_planets(self.planetary_stages, lines)
+        return {**dict(planets), **dict(lines_of_free_halves(self, lines)), **lines}
 
     def backlash(self, mesh: str) -> float:
         """Backlash along the base tangent at the centre distance [m]: as given, or from geometry.

@@ -24,6 +24,7 @@ from pitchpoint.model.components.planetary_stage import JOINTS, PinError, Planet
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import places_of_free_half
 from pitchpoint.model.show import dotted
 
 if TYPE_CHECKING:
@@ -173,7 +174,7 @@ def lines_of_planets(
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages on components of planets at the keys of their stages, equal ones on several planets once.
+    """Messages on components of planets and free halves at the keys that describe them, equal ones once.
 
     Parameters
     ----------
@@ -187,6 +188,8 @@ def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
         for n, s in model.planetary_stages.items()
         for p, q in places_in_file(n, s).items()
     }
+    for name, scissor in model.scissor_gears.items():
+        places |= {dotted(p): dotted(q) for p, q in places_of_free_half(model, name, scissor).items()}
     if not places:
         return tuple(messages)
     found = []

@@ -15,7 +15,7 @@ from pitchpoint.model.origin import drop
 from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import dotted, shown
-from pitchpoint.model.stand_ins import own_parts
+from pitchpoint.model.stand_ins import own_parts, path_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -115,8 +115,8 @@ def _own(parts: Mapping[str, Any], section: str, name: str, report: Reader) -> d
     if stage is not None:
         report.problem(
             (section, name),
-            f"belongs to the planetary stage {stage}",
-            remedy=f"replace keys of planetary_stages.{stage}",
+            f"belongs to {path_of(stage)}",
+            remedy=f"replace keys of {path_of(stage)}",
         )
     return own_parts(parts)
 

@@ -40,6 +40,7 @@ from pitchpoint.model.components.planetary_stage import PlanetaryStage
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.scissor_gear import ScissorGear
 from pitchpoint.model.components.sensor import SENSORS, Sensor
 from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
@@ -104,6 +105,11 @@ class Contents(Checked):
     )
     planetary_stages: Mapping[str, PlanetaryStage] = section(
         "planetary stages: planets with their pins and meshes", PlanetaryStage, later=True
+    )
+    scissor_gears: Mapping[str, ScissorGear] = section(
+        "scissor gears: free halves next to fixed gears, turned against them by springs",
+        ScissorGear,
+        later=True,
     )
     joints: Mapping[str, Joint] = section(
         "joints between bodies",

@@ -14,6 +14,17 @@ def stands_in(part: Any) -> bool:
     return bool(getattr(part, "stands_in", False)) or getattr(part, "stage", None) is not None
 
 
+def path_of(stage: str) -> str:
+    """Path of the planetary stage or the scissor gear that contains a component.
+
+    Examples
+    --------
+    >>> path_of("set"), path_of("scissor_gears.free")
+    ('planetary_stages.set', 'scissor_gears.free')
+    """
+    return stage if "." in stage else f"planetary_stages.{stage}"
+
+
 def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
     """Components of a section without those that represent others."""
     return {name: part for name, part in parts.items() if not stands_in(part)}

@@ -37,6 +37,7 @@ from pitchpoint.model.checks.tooth_faults import check_fault_laws
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import add_scissor_gears
 from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
 CHECKS = (
@@ -46,6 +47,7 @@ CHECKS = (
     check_solids,
     add_shafts,
     add_elastic_bodies,
+    add_scissor_gears,
     check_references,
     check_bevel_gears,
     check_bevel_names,

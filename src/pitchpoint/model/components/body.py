@@ -114,7 +114,7 @@ class Body(Component):
     """The elastic body that the body represents, if any; its markers are the nodes."""
 
     stage: str | None = derived()
-    """Planetary stage that contains the body, if any."""
+    """Planetary stage, or path of the scissor gear, that contains the body, if any."""
 
     @property
     def moves(self) -> str:

@@ -158,7 +158,7 @@ class Gear(Component):
         "tooth_profile", "measured or calculated points of the tooth, from a file", None, of=ToothProfile
     )
     stage: str | None = derived()
-    """Planetary stage that contains the gear, if any."""
+    """Planetary stage, or path of the scissor gear, that contains the gear, if any."""
     x: float | None = derived()
     """Effective profile shift coefficient: as given, or from the centre distance."""
 

@@ -246,7 +246,7 @@ class Mesh(Component):
         return self.stiffness if self.contact is None else self.contact
 
     stage: str | None = derived()
-    """Planetary stage that contains the mesh, if any."""
+    """Planetary stage, or path of the scissor gear, that contains the mesh, if any."""
     a_w: float | None = derived()
     """Effective centre distance [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

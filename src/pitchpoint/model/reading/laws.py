@@ -102,7 +102,11 @@ def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, ove
     if isinstance(rows, str):
         return BAD if over is BAD else data_files.pairs(reader, rows, (x_key.dimension, key.dimension), at)
     if not isinstance(rows, list | tuple) or len(rows) < 2:
-        return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]], or name a text file")
+        return reader.problem(
+            at,
+            "is not a list of at least two rows",
+            remedy="write [[0 s, 0], [1 s, 150]], or name a text file",
+        )
     if over is BAD:
         return BAD
     points = []
