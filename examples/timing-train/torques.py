@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Torques of the engine over the crank angle or the cam angle, as text files: `python torques.py`.
+"""Torques of the engine over the angle of the crankshaft or a camshaft, as tables: `python torques.py`.
 
-Crank: polytropic compression and expansion, heat release by Wiebe's function, slider-crank kinematics. Cams: work
-against the valve springs over a polynomial lift. `python torques.py` also prints the coefficients of the inertia torques
-in train.yaml.
+Crankshaft: polytropic compression and expansion, heat release by Wiebe's function, slider-crank kinematics.
+Camshafts: work against the valve springs over a polynomial lift. The inertia torques in train.yaml are the
+orders that `orders` prints.
 """
 
 from __future__ import annotations
@@ -64,24 +64,44 @@ def gas_torque(charge, heat):
 
 
 def lift(x):
-    """Lift (1 - x^2)^3 within its half angle, and its derivatives over the cam angle [m, m/rad, m/rad^2]."""
+    """Lift (1 - u^2)^3 within its half angle, and its derivatives over the cam angle [m, m/rad, m/rad^2]."""
     s = np.maximum(1.0 - (x / HALF) ** 2, 0.0)
     u = x / HALF
     return LIFT * s**3, -6.0 * LIFT / HALF * u * s**2, LIFT / HALF**2 * (24.0 * u**2 * s - 6.0 * s**2)
 
 
-def cam_torque(top, speed=0.0):
-    """Torque on a camshaft [N m] over 0 to 90 deg of its angle; `top` is the crank angle of largest lift [deg].
+def cam_torque(top):
+    """Torque of the valve springs on a camshaft [N m] over 0 to 90 deg; `top`: crank angle of largest lift.
 
-    The camshaft turns clockwise at half the speed of the crank: its angle is -theta/2.
+    The camshaft turns clockwise at half the speed of the crank: its angle is -theta/2. The torque -dW/dphi of
+    the work W in the springs has zero mean.
     """
     angle = np.linspace(0.0, 90.0, 181)
     total = np.zeros(angle.size)
     for lobe in range(-2, 3):
-        x = np.radians(angle + (top / 2.0) % 90.0 + 90.0 * (lobe - 1))
-        h, dh, ddh = lift(x)
-        total -= np.where(h > 0.0, (PRELOAD + RATE * h) * dh + MASS * speed**2 * dh * ddh, 0.0)
+        h, slope, _ = lift(np.radians(angle + (top / 2.0) % 90.0 + 90.0 * (lobe - 1)))
+        total -= np.where(h > 0.0, (PRELOAD + RATE * h) * slope, 0.0)
     return angle, total
+
+
+def orders():
+    """Inertia torques over the square of the speed [kg m^2]: sine amplitudes of the crank orders 2, 4 and of
+    the cam orders 4, 8, 12 about the middle of a lobe.
+
+    T = -(dJ/dphi)/2 omega^2 with J = sum m (ds/dphi)^2 of all masses.
+    """
+    theta = np.linspace(0.0, 2.0 * np.pi, 7200, endpoint=False)
+    pistons = sum(PISTON * slider(theta + shift)[1] ** 2 for shift in 0.5 * np.pi * np.array([0, 2, 4, 6]))
+    valves = sum(
+        MASS * lift(np.mod(theta + shift + np.pi, 2.0 * np.pi) - np.pi)[1] ** 2
+        for shift in np.arange(4) * np.pi / 2
+    )
+
+    def sines(inertia, numbers):
+        """-1/2 d/dphi of the cosine series."""
+        return [k * np.mean(inertia * np.cos(k * theta)) for k in numbers]
+
+    return sines(pistons, (2, 4)), sines(valves, (4, 8, 12))
 
 
 def write(name, angle, torque):
@@ -90,15 +110,19 @@ def write(name, angle, torque):
     Path(name).write_text(f"angle [deg], torque [N m]\n{rows}\n")
 
 
+TABLES = {
+    "gas_idle.csv": gas_torque(1.0e5, 230.0),
+    "gas_rated.csv": gas_torque(2.2e5, 1900.0),
+    "inlet.csv": cam_torque(INLET),
+    "exhaust.csv": cam_torque(EXHAUST),
+}
+
 if __name__ == "__main__":
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    for name, (angle, torque) in {
-        "gas_idle.csv": gas_torque(1.0e5, 230.0),
-        "gas_rated.csv": gas_torque(2.2e5, 1900.0),
-        "inlet.csv": cam_torque(INLET),
-        "exhaust.csv": cam_torque(EXHAUST),
-    }.items():
+    for name, (angle, torque) in TABLES.items():
         write(folder / name, angle, torque)
         print(
-            f"{name:14} mean {np.mean(torque[:-1]):8.3f} N m, from {torque.min():8.2f} to {torque.max():8.2f} N m"
+            f"{name:14} mean {torque[:-1].mean():7.2f} N m, from {torque.min():.1f} to {torque.max():.1f} N m"
         )
+    for what, sizes in zip(("pistons", "valves"), orders(), strict=True):
+        print(f"{what:14} {', '.join(f'{size:.4g} kg m^2' for size in sizes)}")

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+    *("bevel_meshes", "planetary_stages", "scissor_gears", "bearings", "couplings", "loads", "scenarios"),
+    *SIGNALS,
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -82,6 +83,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
+    from pitchpoint.report.scissor_gears import scissors_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
@@ -137,6 +139,7 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.bevel_meshes.items()
         },
         "planetary_stages": stages_of_model(model),
+        "scissor_gears": scissors_of_model(model),
         "shafts": shaft_stations(model),
         "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
@@ -300,13 +303,19 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
         from pitchpoint.cli.planets import show_stages
 
         show_stages(found["planetary_stages"])
+    if found["scissor_gears"]:
+        from pitchpoint.cli.scissor_gears import show_scissors
+
+        show_scissors(found["scissor_gears"])
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
     if found["balance"]:
         show_balance(found["balance"])
     if model.rolling_bearings:
-        _show_bearings(model)
+        from pitchpoint.cli.bearings import show_bearings
+
+        show_bearings(model)
     if found["signals"]:
         table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
@@ -315,16 +324,6 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
         table("Defaults in effect", ["key", "value"], rows)
-
-
-def _show_bearings(model: Model) -> None:
-    """Print the data of rolling bearings, given or estimated."""
-    from pitchpoint.report.bearing_data import HEAD, bearing_lines
-
-    rows, notes = bearing_lines(model)
-    table("Rolling bearings", list(HEAD), rows)
-    for note in notes:
-        show(note)
 
 
 def _show_bodies(found: dict[str, Any]) -> None:

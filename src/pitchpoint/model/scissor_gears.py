@@ -162,7 +162,7 @@ def members(parts: Any, name: str, scissor: ScissorGear) -> Iterator[tuple[str, 
 
 
 def places_of_free_half(machine: Any, name: str, scissor: ScissorGear) -> dict[Place, Place]:
-    """Paths in the file that describe the components of a free half: of its meshes those of the fixed half."""
+    """Paths in the file that describe the components of a free half; for its meshes those of the other."""
     at: Place = (SECTION, name)
     found: dict[Place, Place] = {
         ("gears", name): (*at, "gear"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scissor gears: contact of both flanks against the closed form, on all kinds of bodies, and what is refused."""
+"""Scissor gears: contact of both flanks against the closed form, on all kinds of bodies; what is refused."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scissor gear: a free gear next to a fixed one, turned against it by a spring, so that there is no backlash."""
+"""Scissor gear: a free gear next to a fixed one, turned against it by a spring to take up the backlash."""
 
 from __future__ import annotations
 

@@ -82,7 +82,9 @@ def _quantities(
             if faults <= _SHOWN:
                 remedy = "write numbers separated by commas or blanks; a first line [um] gives the unit"
                 if len(dimensions) > 1:
-                    remedy = "write two values in each line; a first line such as angle [deg], torque [N m] gives the units"
+                    remedy = (
+                        "write two values in each line; a first line angle [deg], torque [N m] gives units"
+                    )
                 reader.problem(path, f"{error} (file '{name}', line {number})", remedy=remedy)
     if faults > _SHOWN:
         reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
