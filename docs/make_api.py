@@ -27,6 +27,7 @@ GROUPS = {
         "Shaft",
         "ElasticBody",
         "PlanetaryStage",
+        "ScissorGear",
         "Joint",
         "Mesh",
         "BevelMesh",

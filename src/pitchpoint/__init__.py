@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.ratio import Ratio
     from pitchpoint.model.components.rod import Rod
     from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+    from pitchpoint.model.components.scissor_gear import ScissorGear
     from pitchpoint.model.components.shaft import Shaft
     from pitchpoint.model.components.spring import Maxwell, Spring
     from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
@@ -107,6 +108,7 @@ __all__ = [
     "Rod",
     "RollingBearing",
     "Scenario",
+    "ScissorGear",
     "Shaft",
     "SolverError",
     "Spring",
@@ -183,6 +185,7 @@ _HOMES = {
     "model.components.mesh": ("Mesh",),
     "model.components.parameter": ("Parameter",),
     "model.components.planetary_stage": ("PlanetaryStage",),
+    "model.components.scissor_gear": ("ScissorGear",),
     "model.components.ratio": ("Ratio",),
     "model.components.rod": ("Rod",),
     "model.components.rolling_bearing": (

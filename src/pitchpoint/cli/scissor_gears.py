@@ -18,7 +18,7 @@ def show_scissors(scissors: Mapping[str, Mapping[str, Any]]) -> None:
             f"{row['gear']} of {row['body']}",
             " + ".join(shown(width, "length") for width in row["face_widths"]),
             shown(row["twist"], "angle", 3),
-            shown(row["torque"], "torque", 4),
+            shown(row["spring_torque"], "torque", 4),
             shown(row["flank_force"], "force", 4),
         ]
         for name, row in scissors.items()

@@ -43,7 +43,7 @@ def scissors_of_model(model: Model) -> dict[str, dict[str, Any]]:
             "body": model.body_of(scissor.gear),
             "face_widths": [model.gears[scissor.gear].face_width, scissor.face_width],
             "twist": twist,
-            "torque": math.copysign(torque, scissor.torque),
+            "spring_torque": math.copysign(torque, scissor.torque),
             "flank_force": torque / radius,
         }
     return found
