@@ -54,6 +54,19 @@ def test_a_table_over_two_revolutions(tmp_path, table):
     assert again.abscissa == pytest.approx(found.loads["gas"].torque.abscissa, rel=1e-12)
 
 
+def test_a_shifted_table(tmp_path):
+    """The torque of a cylinder that fires 180 deg later."""
+    table = "0 deg, 0\n360 deg, 10\n540 deg, -4\n720 deg, 0\n"
+    first = model(tmp_path, table)
+    (tmp_path / "model.yaml").write_text(MODEL.replace("over: angle", "over: angle, shift: 180 deg"))
+    later = load_model(tmp_path / "model.yaml")
+    one, two = (solve_time(compile_model(m, "run"))["torque[gas]"].values for m in (first, later))
+    assert two[50:] == pytest.approx(one[:-50], abs=1e-6)  # 600 rpm, 1 ms: 180 deg are 50 samples
+    (tmp_path / "model.yaml").write_text(MODEL.replace("over: angle", "over: angle, shift: 1 mm"))
+    with pytest.raises(ModelError, match=r"gas\.torque\.shift \(line 4\).*mm"):
+        load_model(tmp_path / "model.yaml")
+
+
 def test_bad_files_are_refused_with_their_lines(tmp_path):
     for table, message in {
         "0 deg, 1\n90 deg\n": r"gas\.torque\.table \(line 4\): there are 1 values instead of 2 .*line 2",

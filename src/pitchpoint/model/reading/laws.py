@@ -87,14 +87,15 @@ def formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[s
 
 
 def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, variables: tuple[str, ...]) -> Any:
-    reader.unknown(data, ("table", "over"), path)
+    reader.unknown(data, ("table", "over", "shift"), path)
     choices = ("time", *(v for v in AXES if v in variables))
     over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
     x_key = Key("quantity", "", dimension=AXES.get(over, "time"))
     points = table_points(reader, key, data["table"], (*path, "table"), x_key, over)
-    if points is BAD or over is BAD:
+    shift = reader.number(x_key, data.get("shift", 0.0), (*path, "shift")) if "shift" in data else 0.0
+    if BAD in (points, shift, over):
         return BAD
-    return TableLaw(tuple(p[0] for p in points), tuple(p[1] for p in points), over)
+    return TableLaw(tuple(p[0] + shift for p in points), tuple(p[1] for p in points), over)
 
 
 def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, over: Any) -> Any:
