@@ -174,8 +174,10 @@ def energies_of(
     """
     groups, parts = motions.groups, motions.parts
     z = np.asarray(shapes, dtype=np.complex128)
-    twist, wrench = motions.of(z)
-    kinetic, whole = _kinetic(groups, z, parts.M, twist, wrench)
+    moved = z.copy()
+    moved[:, motions.system.states] = 0.0  # coordinates of element states have no mass
+    twist, wrench = motions.of(moved)
+    kinetic, whole = _kinetic(groups, moved, parts.M, twist, wrench)
     strain = np.zeros((len(z), len(groups.components)))
     for e, share in enumerate(parts.shares):
         strain[:, groups.component[e]] += share.energy(z.real) + share.energy(z.imag)

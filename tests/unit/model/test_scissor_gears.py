@@ -12,6 +12,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.write import model_text
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.modal import solve_modal
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
@@ -157,3 +158,11 @@ def test_messages_are_on_the_key_that_is_wrong():
     }.items():
         with pytest.raises(ModelError, match=message):
             loads_model(text().replace(*change))
+
+
+def test_states_of_the_friction_have_no_kinetic_energy():
+    """Bristles of the clutch between the halves are coordinates without mass; the bodies share the energy."""
+    found = solve_modal(compile_model(loads_model(text(more=", friction: 2 N m")), "turning"))
+    shares = found["kinetic_share"].sum("motion")
+    assert np.all(shares.sel(part="free-friction.state") == 0.0)
+    assert shares.sum("part").values == pytest.approx(1.0)

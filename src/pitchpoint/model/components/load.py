@@ -18,7 +18,8 @@ class Load(Component):
     torque: Law | None = key(
         "law",
         "torque about the spin axis, counter-clockwise positive: a quantity, a formula of t, angle, speed, "
-        "{table: [[t, T], ...] or FILE.csv, over: time|angle, shift: ...}, {python: 'file.py:function', parameters: [...]}, balance",
+        "{table: [[t, T], ...] or FILE.csv, over: time|angle, shift: ...}, "
+        "{python: 'file.py:function', parameters: [...]}, balance",
         None,
         dimension="torque",
     )
