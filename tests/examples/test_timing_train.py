@@ -92,12 +92,12 @@ def test_meshes_of_the_crank_gear_are_above_five_kilohertz():
 
 
 def test_scissor_gears_keep_the_meshes_of_the_camshafts_in_contact():
-    """120 ms at idle. The motion is not periodic: the share of contact loss differs by some per cent."""
+    """80 ms at idle. The motion is not periodic: the share of contact loss differs by some per cent."""
     shares = []
     for name in ("idle.yaml", "idle-scissor.yaml"):
         model = load_model(FOLDER / name).replace_all(
             {
-                "scenarios.idle.duration": 0.12,
+                "scenarios.idle.duration": 0.08,
                 "scenarios.idle.settle_time": 0.02,
                 "scenarios.idle.sample_rate": 2e4,
             }

@@ -30,7 +30,7 @@ def scissors_of_model(model: Model) -> dict[str, dict[str, Any]]:
     Notes
     -----
     Both halves are twisted by the backlash j_bt/r_b, and the torque of the spring T_0 decreases to
-    T = T_0 - k j_bt/r_b (docs/scissor_gears.md).
+    T = T_0 - k j_bt/r_b (docs/howto/scissor_gears.md).
     """
     found = {}
     for name, scissor in model.scissor_gears.items():
