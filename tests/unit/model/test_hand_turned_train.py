@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Phases of all meshes of a gear train that is turned by hand: flanks in space against the mesh phases.
+"""Phases of all meshes of a train turned by hand (GT-IDLER): flanks in space against the mesh phases.
 
 The outlines of both gears of each mesh are turned in space by the ratios of the tooth numbers. Gear 2 is
 then turned until its front, and until its back flanks touch: both angles must be half of the backlash, and

@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.model.write import model_text
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
@@ -65,6 +66,14 @@ def test_a_shifted_table(tmp_path):
     (tmp_path / "model.yaml").write_text(MODEL.replace("over: angle", "over: angle, shift: 1 mm"))
     with pytest.raises(ModelError, match=r"gas\.torque\.shift \(line 4\).*mm"):
         load_model(tmp_path / "model.yaml")
+
+
+def test_an_angle_without_unit_is_remarked(tmp_path):
+    """720 without unit are 720 rad."""
+    found = model(tmp_path, "0, 0\n720, 1\n")
+    (text,) = [str(each) for each in remarks_of_file(found) if "gas" in str(each)]
+    assert "loads.gas.torque.table" in text and "720 rad" in text and "720 deg" in text
+    assert not remarks_of_file(model(tmp_path, "angle [deg], torque [N m]\n0, 0\n720, 1\n"))
 
 
 def test_bad_files_are_refused_with_their_lines(tmp_path):

@@ -14,6 +14,7 @@ from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points, ToothProfile
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading.bare_numbers import Bare, is_doubtful
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -103,6 +104,10 @@ def pairs(reader: Reader, name: str, dimensions: tuple[str, str], path: Place) -
         if not after[0] > before[0]:
             problem = f"line {number} of '{name}' is not larger than the line before in its first value"
             return reader.problem(path, problem, remedy="sort the table")
+    largest = rows[-1][0]
+    without = len(found) == len(rows) and _NUMBER.fullmatch(found[-1][1][0]) is not None
+    if without and is_doubtful(largest, dimensions[0]):
+        reader.bare.append(Bare(path, largest, dimensions[0]))
     return rows
 
 
