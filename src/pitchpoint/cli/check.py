@@ -39,10 +39,13 @@ FREEDOMS = {
     is_flag=True,
     help="Compute the torques of loads with torque: balance for every scenario.",
 )
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario of the power flow; default: all.")
 @set_option
 @common
-def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) -> int:
-    """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.
+def check(file: str, solve: bool, scenario: str | None, as_json: bool, allow_code: bool, quiet: bool) -> int:
+    """Check FILE; show its power flow, bodies, meshes, bearings, loads, scenarios and defaults.
+
+    The power flow is that of constant speed without losses, from ratios and balance; nothing is solved.
 
     If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
@@ -60,7 +63,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     messages = named(remarks, settings, model.lines) if settings else remarks
     for message in messages:
         say(f"warning: {message}")
-    found = summary(model)
+    found = {"power_flow": _powers(model, scenario), **summary(model)}
     torques = solved(model, quiet=quiet) if solve else {}
     if torques:
         found["balance"]["scenarios"] = torques
@@ -71,6 +74,14 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
+
+
+def _powers(model: Model, scenario: str | None) -> dict[str, Any]:
+    """Power flow of one scenario or of all."""
+    from pitchpoint.cli.results import known_scenario
+    from pitchpoint.report.static_power import static_powers
+
+    return static_powers(model, None if scenario is None else known_scenario(model, scenario))
 
 
 def summary(model: Model) -> dict[str, Any]:
@@ -260,12 +271,14 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
     """Print the data as tables, after the number of warnings."""
     from pitchpoint.cli.balance import show_balance
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
+    from pitchpoint.cli.power_flow import show_power_flows
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
     passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
     show(f"{file}: {passed}" + (f" – {model.title}" if model.title else ""))
     if found["included"]:
         show(f"included files: {', '.join(found['included'])}")
+    show_power_flows(found["power_flow"])
     if model.parameters:
         table("Parameters", HEAD, parameter_lines(model))
     _show_bodies(found)

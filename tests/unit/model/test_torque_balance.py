@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Torques and speeds at constant speed from balance alone, against closed forms and the full model."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.model.model import Model
+from pitchpoint.report.static_power import static_power
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+from pitchpoint.system.compile import compile_model
+
+RPM = math.pi / 30.0
+EXACT = 1e-12
+HOUSE = Path(__file__).parents[3]
+STARTERS = HOUSE / "src/pitchpoint/cli/starters"
+
+
+def flow_of(model: Model, name: str = "run") -> dict[str, Any]:
+    """Power flow of one scenario, whose power must balance."""
+    found = static_power(model, model.scenarios[name], name)
+    if found["power_in"]:
+        assert found["power_out"] == pytest.approx(found["power_in"], rel=EXACT)
+    return found
+
+
+def gear(z: int, m: int = 4, *, internal: bool = False) -> str:
+    kind = "type: internal, " if internal else ""
+    size = f"number_of_teeth: {z}, normal_module: {m} mm, face_width: 30 mm"
+    return f"{{{kind}{size}, profile_shift_coefficient: 0}}"
+
+
+def torques(flow: dict[str, Any]) -> dict[str, float]:
+    return {row["name"]: row["torque"] for row in flow["external"]}
+
+
+def test_two_stages_by_hand() -> None:
+    flow = flow_of(load_model(STARTERS / "two-stage.yaml"), "steady")
+    i_1, i_2 = 75 / 21, 61 / 20
+    speeds = {name: row["speed"] / RPM for name, row in flow["shafts"].items()}
+    assert speeds == pytest.approx({"input": 1500.0, "middle": -1500.0 / i_1, "output": 1500.0 / i_1 / i_2})
+    assert flow["links"]["stage_1"]["torques"] == pytest.approx([-60.0, -60.0 * i_1], rel=EXACT)
+    assert flow["links"]["stage_2"]["torques"] == pytest.approx([60.0 * i_1, 60.0 * i_1 * i_2], rel=EXACT)
+    assert torques(flow)["machine"] == pytest.approx(-60.0 * i_1 * i_2, rel=EXACT)
+    stage = flow["links"]["stage_1"]
+    d_w1 = 2.0 * 0.1 / (1.0 + i_1)
+    assert stage["tangential_force"] == pytest.approx(120.0 / d_w1, rel=EXACT)
+    assert stage["pitch_line_velocity"] == pytest.approx(math.pi * d_w1 * 25.0, rel=EXACT)
+    assert stage["mesh_frequency"] == pytest.approx(21 * 25.0, rel=EXACT)
+
+
+GRC = f"""
+gears:
+  sun: {gear(21, 10)}
+  ring: {gear(99, 10, internal=True)}
+  wheel_1: {gear(82)}
+  pinion_1: {gear(23)}
+  wheel_2: {gear(88)}
+  pinion_2: {gear(22)}
+bodies:
+  carrier: {{inertia: 60 kg m^2}}
+  ring: {{gears: [ring], motion: fixed}}
+  low: {{gears: [sun, wheel_1]}}
+  middle: {{gears: [pinion_1, wheel_2]}}
+  high: {{gears: [pinion_2]}}
+planetary_stages:
+  stage: {{sun: sun, ring: ring, carrier: carrier, planets: 3, planet: {gear(39, 10)}}}
+meshes:
+  one: {{gears: [wheel_1, pinion_1]}}
+  two: {{gears: [wheel_2, pinion_2]}}
+loads:
+  rotor: {{body: carrier, torque: 323 kN m}}
+  generator: {{body: high, torque: balance}}
+scenarios:
+  run: {{speed: {{carrier: 22.09 rpm}}, duration: 1 s}}
+"""
+
+
+def test_the_wind_drive_train_of_the_reliability_collaborative() -> None:
+    """NREL GRC 750 kW, 21/39/99, 82/23, 88/22: 22.09 rpm to 1800 rpm (machine data of the GRC reports)."""
+    flow = flow_of(loads_model(GRC))
+    ratio = (1.0 + 99 / 21) * (82 / 23) * (88 / 22)
+    assert ratio == pytest.approx(81.490683, abs=5e-7)
+    assert flow["shafts"]["high"]["speed"] / RPM == pytest.approx(22.09 * ratio, rel=EXACT)
+    assert 1.0 / flow["shafts"]["high"]["ratio"] == pytest.approx(ratio, rel=EXACT)
+    assert torques(flow)["generator"] == pytest.approx(-323e3 / ratio, rel=EXACT)
+    assert torques(flow)["ring, fixed"] == pytest.approx(-323e3 * 99 / 120, rel=EXACT)
+    for k in (1, 2, 3):  # equal planets carry a third each
+        on_sun, _ = flow["links"][f"sun-planet_{k}"]["torques"]
+        assert on_sun == pytest.approx(323e3 * 21 / 120 / 3, rel=1e-9)
+
+
+SET = f"""
+gears: {{sun: {gear(21, 3)}, ring: {gear(99, 3, internal=True)}}}
+bodies:
+  sun: {{gears: [sun]}}
+  ring: {{gears: [ring], inertia: 0.2 kg m^2}}
+  carrier: {{inertia: 0.1 kg m^2}}
+planetary_stages: {{stage: {{sun: sun, ring: ring, carrier: carrier, planets: 3, planet: {gear(39, 3)}}}}}
+loads:
+"""
+HELD = {
+    "ring": ("sun", "carrier", 1.0 + 99 / 21),
+    "carrier": ("sun", "ring", -99 / 21),
+    "sun": ("ring", "carrier", 1.0 + 21 / 99),
+}
+
+
+@pytest.mark.parametrize("held", HELD)
+def test_any_member_of_a_planetary_set_can_be_held(held: str) -> None:
+    """Willis: i = 1 - i_0, i_0, 1 - 1/i_0 with i_0 = -z_r/z_s; the held member takes the difference."""
+    driving, driven, ratio = HELD[held]
+    text = SET + (
+        f"  motor: {{body: {driving}, torque: 100 N m}}\n  machine: {{body: {driven}, torque: balance}}\n"
+        f"scenarios: {{run: {{speed: {{{driving}: 900 rpm, {held}: 0 rpm}}, "
+        f"hold: [{held}], duration: 1 s}}}}\n"
+    )
+    flow = flow_of(loads_model(text))
+    assert flow["shafts"][driven]["speed"] == pytest.approx(900 * RPM / ratio, rel=EXACT)
+    assert torques(flow)["machine"] == pytest.approx(-100.0 * ratio, rel=EXACT)
+    assert torques(flow)[f"{held}, held"] == pytest.approx(100.0 * (ratio - 1.0), rel=EXACT)
+
+
+def test_a_power_split_with_recirculation() -> None:
+    """The input drives the sun and, through wheels of ratio -k, the ring; the carrier is the output.
+
+    Torques of the members are as 1 : z_r/z_s : -(1 + z_r/z_s). Input balance: M = T_s + T_r w_r/w_s. With the
+    ring driven backwards its power comes back to the input: the sun transmits more than the input power.
+    """
+    text = SET.replace("loads:", "ratios: {split: {terms: {sun: 12, ring: 99}}}\nloads:") + (
+        "  motor: {body: sun, torque: 100 N m}\n  machine: {body: carrier, torque: balance}\n"
+        "scenarios: {run: {speed: {sun: 900 rpm}, duration: 1 s}}\n"
+    )
+    flow = flow_of(loads_model(text))
+    k, i_0 = 12 / 99, 99 / 21
+    T_s = 100.0 / (1.0 - k * i_0)
+    assert torques(flow)["machine"] == pytest.approx(-T_s * (1.0 + i_0), rel=EXACT)
+    assert flow["shafts"]["carrier"]["speed"] == pytest.approx(
+        900 * RPM * (1.0 - k * i_0) / (1.0 + i_0), rel=EXACT
+    )
+    on_sun = -sum(flow["links"][f"sun-planet_{j}"]["torques"][0] for j in (1, 2, 3))
+    assert on_sun == pytest.approx(T_s, rel=EXACT)
+    assert on_sun > 200.0  # more than twice the input power circulates through the sun
+    assert flow["links"]["split"]["torques"][1] * flow["shafts"]["ring"]["speed"] < 0.0
+
+
+PATHS = f"""
+gears: {{a: {gear(20)}, b: {gear(60)}, c: {gear(60)}, d: {gear(25)}, e: {gear(25)}, f: {gear(55)}}}
+bodies:
+  input: {{gears: [a], position: [0, 0, 0]}}
+  left: {{gears: [b, d], position: [-160 mm, 0, 0]}}
+  right: {{gears: [c, e], position: [160 mm, 0, 0]}}
+  output: {{gears: [f], position: [0, 0, 0]}}
+meshes:
+  ab: {{gears: [a, b]}}
+  ac: {{gears: [a, c]}}
+  df: {{gears: [d, f]}}
+  ef: {{gears: [e, f]}}
+loads: {{motor: {{body: input, torque: 90 N m}}, machine: {{body: output, torque: balance}}}}
+scenarios: {{run: {{speed: {{input: 600 rpm}}, duration: 1 s}}}}
+"""
+
+
+def test_equal_parallel_paths_share_equally() -> None:
+    flow = flow_of(loads_model(PATHS))
+    for mesh, share in (("ab", -45.0), ("ac", -45.0), ("df", 135.0), ("ef", 135.0)):
+        assert flow["links"][mesh]["torques"][0] == pytest.approx(share, rel=EXACT)
+    assert torques(flow)["machine"] == pytest.approx(-90.0 * 3 * 55 / 25, rel=EXACT)
+    assert "as if equally stiff" in flow["notes"][-1]
+
+
+def test_several_outputs_and_an_unloaded_branch() -> None:
+    text = f"""
+gears: {{a: {gear(20)}, b: {gear(40)}, c: {gear(30)}, d: {gear(25)}}}
+bodies: {{one: {{gears: [a]}}, two: {{gears: [b]}}, three: {{gears: [c]}}, four: {{gears: [d]}}}}
+meshes:
+  ab: {{gears: [a, b]}}
+  ac: {{gears: [a, c], direction: 180 deg}}
+  ad: {{gears: [a, d], direction: 90 deg}}
+loads: {{pump: {{body: two, torque: 20 N m}}, fan: {{body: three, torque: 15 N m}}}}
+scenarios: {{run: {{drive: {{one: {{speed: 1000 rpm}}}}, duration: 1 s}}}}
+"""
+    flow = flow_of(loads_model(text))
+    assert torques(flow)["drive of one"] == pytest.approx(20.0 * 20 / 40 + 15.0 * 20 / 30, rel=EXACT)
+    assert flow["links"]["ad"]["torques"] == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_what_balance_does_not_decide_is_not_given() -> None:
+    """Two drives on one train; loads that do not balance."""
+    twice = loads_model(
+        PATHS.replace(
+            "speed: {input: 600 rpm}", "drive: {input: {speed: 600 rpm}, output: {speed: 90.90909 rpm}}"
+        )
+    )
+    flow = flow_of(twice)
+    assert torques(flow)["drive of input"] is None and flow["links"]["ab"]["torques"] == [None, None]
+    assert any("does not determine" in note for note in flow["notes"])
+    loose = flow_of(loads_model(PATHS.replace("torque: balance", "torque: -500 N m")))
+    assert loose["power_in"] is None and any("do not balance" in note for note in loose["notes"])
+    assert "-94 N m on output" in loose["notes"][-1]  # 90 * 3 * 55/25 = 594
+
+
+def test_a_train_about_any_axis_has_the_same_torques() -> None:
+    text = (STARTERS / "two-stage.yaml").read_text()
+    turned = text.replace(
+        "    position: [0, 0, 0]", "    position: [0, 0, 0]\n    axes: {z: [0, 1, 0], x: [0, 0, 1]}"
+    )
+    assert turned != text
+    one, two = (flow_of(loads_model(each), "steady") for each in (text, turned))
+    assert two["links"] == one["links"]
+
+
+@pytest.mark.parametrize(
+    ("file", "tolerance"),
+    [(STARTERS / "two-stage.yaml", 3e-3), (HOUSE / "examples/planetary-set/model.yaml", 8e-3)],
+)
+def test_tooth_forces_are_those_of_the_static_solution(file: Path, tolerance: float) -> None:
+    """Deflections of shafts and bearings change lever arms and pressure angles by less than the tolerance."""
+    model = load_model(file)
+    rest = solve_equilibrium(compile_model(model, "steady"))
+    for name, row in flow_of(model, "steady")["links"].items():
+        part = {key: float(rest[f"{key}_force[{name}]"]) for key in ("circumferential", "radial", "axial")}
+        size = row["tangential_force"]
+        assert row["tangential_force"] == pytest.approx(abs(part["circumferential"]), abs=tolerance * size)
+        assert row["radial_force"] == pytest.approx(part["radial"], abs=tolerance * size)
+        assert row["axial_force"] == pytest.approx(-part["axial"], abs=tolerance * size)
+
+
+@pytest.mark.parametrize("kind", ["straight", "spiral"])
+def test_forces_of_bevel_gears_are_those_of_a_slow_roll(kind: str) -> None:
+    """Without motion of the shafts. The contact moves about the pitch point: the mean over a mesh cycle is
+    near."""
+    text = (HOUSE / f"examples/bevel-drive/{kind}.yaml").read_text()
+    text = text.replace("motion: free", "motion: torsion").replace(", friction: {mu: 0.04}", "")
+    text = text[: text.index("bearings:")] + text[text.index("bevel_meshes:") :].replace(
+        "points: 41", "points: 12"
+    )
+    model = loads_model(text)
+    roll = solve_quasistatic(compile_model(model, "roll"))
+    row = flow_of(model, "steady")["links"]["stage"]
+    for part in ("radial", "axial"):
+        mean = float(roll[f"{part}_force_1[stage]"].mean())
+        assert row[f"{part}_force"] == pytest.approx(mean, abs=0.025 * row["tangential_force"])
