@@ -79,7 +79,7 @@ def carried_speeds(
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
     rows = [row for link in links if (row := relation(parts, place, link)).any()]
-    free = _null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
+    free = null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
     taken: list[str] = []
     wrong = []
     y = np.zeros(free.shape[1])
@@ -211,7 +211,16 @@ def relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
     return np.asarray((w_2 - base) - ratio * (w_1 - base))
 
 
-def _null_space(rows: Array, n: int) -> Array:
+def null_space(rows: Array, n: int) -> Array:
+    """Orthonormal speeds that satisfy all relations, shape (n, freedoms).
+
+    Parameters
+    ----------
+    rows
+        Relations between the speeds.
+    n
+        Number of speeds.
+    """
     if not len(rows):
         return np.eye(n)
     _, sizes, basis = np.linalg.svd(rows / np.linalg.norm(rows, axis=1, keepdims=True))

@@ -13,6 +13,7 @@ from pitchpoint.model.checks.choices import exactly_one
 from pitchpoint.model.checks.references import known
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
+from pitchpoint.model.locked_loops import locked_loops
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import (
@@ -193,12 +194,14 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             reported.add(link)
             still = {one, two} & fixed
             where = ".".join(map(str, link))
+            loop = None if still else next((e for e in locked_loops(parts) if e.link == link), None)
             if still:
                 what = f"{where} connects its gear train to {still.pop()}, which is fixed"
                 remedy = "set the speed to zero, or give the fixed body another motion"
             else:
                 what = f"{where} locks {one} and {two}: other meshes and couplings give a different ratio"
-                remedy = "remove one link of the loop, or set the speed to zero"
+                what += "" if loop is None else f", {loop.words[0]} but {loop.words[1]}"
+                remedy = "correct a number of teeth, remove one link of the loop, or set the speed to zero"
             report.problem(place, f"cannot rotate {body}: {what}", remedy=remedy)
 
 
