@@ -37,7 +37,12 @@ OTHERWISE = {
         "coupling": "class of a link in the drawing",
         "ratio": "class of a link in the drawing",
     },
-    "report/power_tables.py": {"force": "dimension", "torque": "dimension"},
+    "report/power_tables.py": {
+        "bearing": "head of a column",
+        "force": "dimension",
+        "ratio": "head of a column",
+        "torque": "dimension",
+    },
     "report/rolls.py": {"force": "dimension"},
     "report/scene/build.py": {"torque": "quantity"},
     "report/scene/bearings.py": {"bearing": "class of a solid and of an arrow in the scene"},

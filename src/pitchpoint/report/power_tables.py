@@ -145,7 +145,7 @@ def _shafts(flow: Mapping[str, Any]) -> list[list[str]]:
             [[name], row["gears"], row["driven_by"], row["drives"]],
             [
                 _speed(row["speed"]),
-                NOTHING if row["ratio"] is None else f"{round(row['ratio'], 9) + 0.0:.7g}",
+                NOTHING if row["ratio"] is None else f"{round(row['ratio'], 9) + 0.0:.6g}",
                 _hertz(row["frequency"]),
                 shown(row[TORQUE], TORQUE, 5),
                 shown(row["power"] or None, "power", 5),
@@ -165,7 +165,7 @@ def _meshes(flow: Mapping[str, Any]) -> list[list[str]]:
             [[name], *([gear] for gear in row["gears"])],
             [
                 " / ".join(map(str, row["teeth"])),
-                f"{row['ratio']:.7g}",
+                f"{row['ratio']:.6g}",
                 *(shown(torque, TORQUE, 5) for torque in row["torques"]),
                 *(
                     shown(row[key] or None, FORCE, 5)
@@ -205,7 +205,7 @@ def _hertz(frequency: float | None) -> str:
 def _speed(speed: float | None) -> str:
     if speed is None:
         return NOTHING
-    return "at rest" if speed == 0.0 else f"{round(speed * 30.0 / math.pi, 9) + 0.0:.7g} rpm"
+    return "at rest" if speed == 0.0 else f"{round(speed * 30.0 / math.pi, 9) + 0.0:.6g} rpm"
 
 
 def _others(flow: Mapping[str, Any]) -> list[list[str]]:

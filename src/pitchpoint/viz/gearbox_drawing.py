@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from pitchpoint.viz import svg
+from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.section_content import Section
 from pitchpoint.viz.section_drawing import section_parts
 from pitchpoint.viz.transverse_drawing import Transverse, transverse_parts
@@ -37,4 +38,4 @@ def gearbox_svg(section: Section, transverse: Transverse | None = None) -> str:
             f'<svg x="{x:.0f}" y="{y:.0f}" width="{wide:.0f}" height="{tall:.0f}">{"".join(more)}</svg>'
         )
         width, height = max(width, x + wide), max(height, y + tall)
-    return svg.document(width, height, drawn, f"section of {section.title or 'the gearbox'}")
+    return svg.document(width, height, drawn, f"section of {printed(section.title) or 'the gearbox'}")

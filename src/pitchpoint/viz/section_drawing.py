@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.viz import svg, theme
 from pitchpoint.viz.label_placement import LETTER, LINE, Label, Rectangle, search
 from pitchpoint.viz.labels import spread
+from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis, SectionLink
 
 Array = NDArray[np.float64]
@@ -120,7 +121,8 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     view = _View(low, high, scale, column + 2.0 * AXIS_END + 12.0, head + MARGIN)
     width = view.left + wide * scale + MARGIN
     height = view.top + tall * scale + MARGIN
-    head_line = svg.text(10.0, 22.0, f"{section.title or 'Gearbox'}: section", "pp-head", "start")
+    title = f"{printed(section.title) if section.title else 'Gearbox'}: section"
+    head_line = svg.text(10.0, 22.0, title, "pp-head", "start")
     parts = [STYLE, _patterns()]
     parts += [
         svg.polygon(view(wall), "pp-house")
@@ -149,7 +151,7 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     if highest < head:
         body = f'<g transform="translate(0 {head - highest:.1f})">{body}</g>'
         total += head - highest
-    note_width = max(note_width, 8.0 * len(f"{section.title}: section") + 20.0)
+    note_width = max(note_width, 8.0 * len(title) + 20.0)
     return max(right, note_width), total, [head_line, body]
 
 
