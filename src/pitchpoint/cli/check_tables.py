@@ -21,12 +21,12 @@ DETAILED = (
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 
 
-def _modes(found: dict[str, Any]) -> str:
+def _modes(found: Mapping[str, Any]) -> str:
     """Elastic bodies, whose number of modes is known only after compilation."""
     return f" without the modes of {', '.join(found['elastic_bodies'])}" if found["elastic_bodies"] else ""
 
 
-def _show_joints(found: dict[str, Any]) -> None:
+def _show_joints(found: Mapping[str, Any]) -> None:
     """Print tree, loops and number of degrees of freedom."""
     rows = [
         [
@@ -166,7 +166,7 @@ def _show_bearings(model: Model) -> None:
         show(note)
 
 
-def _show_bodies(found: dict[str, Any]) -> None:
+def _show_bodies(found: Mapping[str, Any]) -> None:
     upright = all(body["axis"] == [0.0, 0.0, 1.0] for body in found["bodies"].values())
     rows = [
         [
@@ -197,7 +197,7 @@ def _show_bodies(found: dict[str, Any]) -> None:
         )
 
 
-def _show_meshes(found: dict[str, Any]) -> None:
+def _show_meshes(found: Mapping[str, Any]) -> None:
     rows = [
         [
             name,

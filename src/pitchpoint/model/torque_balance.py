@@ -36,6 +36,8 @@ Array = NDArray[np.float64]
 
 SAME = 1e-9
 """Relative singular value, torque and share of a vector that count as zero."""
+ROUND_OFF = 1e-13
+"""Force relative to the largest of a train that is rounding error."""
 
 
 @dataclass(frozen=True)
@@ -288,6 +290,7 @@ def _least(A: Array, b: Array, levers: Array) -> tuple[Array, Array]:
         toothed = np.flatnonzero(levers > 0.0)
         y = np.linalg.pinv(free[toothed], rcond=SAME) @ x[toothed]
         x = x - free @ y
+    x[np.abs(x) < ROUND_OFF * np.abs(x).max(initial=0.0)] = 0.0
     return x, free
 
 

@@ -5,27 +5,26 @@ distances."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.viz import svg, theme
-from pitchpoint.viz.label_placement import LETTER, LINE, Label, Rectangle, search
+from pitchpoint.viz.label_placement import LETTER, LINE
 from pitchpoint.viz.labels import spread
 from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis, SectionLink
+from pitchpoint.viz.section_labels import AXIS_END, axis_lines, reach, section_labels
 
 Array = NDArray[np.float64]
 
-FIELD, TALLEST = 620.0, 900.0
-"""Largest width and height of the machine [pixels]."""
-MARGIN, AXIS_END = 34.0, 16.0
-"""Space around the machine, and length of centre lines beyond it [pixels]."""
+FIELD, TALLEST, PER_AXIS = 620.0, 900.0, (240.0, 170.0)
+"""Largest width and height of the machine; height without axes, and with each of them [pixels]."""
+MARGIN = 34.0
+"""Space around the machine [pixels]."""
 COLUMN, STEP = 34.0, 17.0
 """Distance of dimension lines, and of lines of axis labels [pixels]."""
-LEADER = 26.0
-"""Distance of a label from its part from which it has a leader line [pixels]."""
 ORDER = (
     *("seat", "held", "pin", "plate", "spindle", "shaft", "mass", "flange", "gear", "teeth"),
     *("inner", "outer", "linear", "element", "pitch"),
@@ -33,8 +32,6 @@ ORDER = (
 """Kinds of parts from the back to the front."""
 WHOLE = ("shaft", "spindle", "mass", "flange", "pin")
 """Kinds of parts without a bore that are not cut along their axis: drawn whole."""
-BLOCKS = ("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "held", "shaft", "spindle")
-"""Kinds of parts that labels avoid."""
 STYLE = (
     "<style>"
     ".pp-shaft{fill:var(--pp-paper);stroke:var(--pp-edge);stroke-width:1.3}"
@@ -113,9 +110,10 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     )
     low, high = corners.min(axis=0), corners.max(axis=0)
     wide, tall = np.maximum(high - low, 1e-6)
-    scale = min(FIELD / wide, TALLEST / tall)
+    tallest = min(TALLEST, PER_AXIS[0] + PER_AXIS[1] * len(section.axes))
+    scale = min(FIELD / wide, tallest / tall)
     level = [axis for axis in section.axes if abs(float(axis.way[1])) < 1e-9]
-    names = [_lines(axis) for axis in level]
+    names = [axis_lines(axis) for axis in level]
     column = max([0.0, *(len(words) * LETTER[css] for lines in names for words, css in lines)])
     head = 30.0
     view = _View(low, high, scale, column + 2.0 * AXIS_END + 12.0, head + MARGIN)
@@ -138,7 +136,9 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     dims, width = _dimensions(view, section.distances, width)
     parts += dims
     parts += _axis_names(view, level, names, height)
-    labels, leaders = _labels(view, section, (view.left - AXIS_END, head, view.left + wide * scale + MARGIN))
+    labels, leaders = section_labels(
+        view, section, (view.left - AXIS_END, head, view.left + wide * scale + MARGIN)
+    )
     parts += [*leaders, *(label.svg() for label in labels)]
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
     highest = min([head, *(label.box[1] for label in labels)])
@@ -194,14 +194,9 @@ def _piece(view: _View, axis: SectionAxis, piece: Piece) -> str:
     return "".join(found)
 
 
-def _reach(axis: SectionAxis) -> tuple[float, float]:
-    ends = np.concatenate([piece.line[:, 0] for piece in axis.pieces])
-    return float(ends.min()), float(ends.max())
-
-
 def _centre_line(view: _View, axis: SectionAxis, width: float) -> str:
     """Centre line over the whole axis, to both edges for a horizontal one."""
-    low, high = _reach(axis)
+    low, high = reach(axis)
     ends = view(axis.at(np.array([(low, 0.0), (high, 0.0)])))
     along = (ends[1] - ends[0]) / max(float(np.hypot(*(ends[1] - ends[0]))), 1e-9)
     return svg.line(ends[0] - AXIS_END * along, ends[1] + AXIS_END * along, "pp-axis")
@@ -218,7 +213,8 @@ def _apart(view: _View, link: SectionLink) -> str:
 # --- dimensions and names -----------------------------------------------------------------------------------
 def _dimensions(view: _View, links: Sequence[SectionLink], width: float) -> tuple[list[str], float]:
     """Vertical dimension lines at the right, and the width with them."""
-    parts, columns = [], []
+    parts: list[str] = []
+    columns: list[list[tuple[float, float]]] = []
     right = width - MARGIN + AXIS_END
     spans = [(sorted(float(view(p)[1]) for p in (link.start, link.end)), link.words) for link in links]
     for (top, bottom), words in sorted(spans, key=lambda each: each[0][1] - each[0][0]):
@@ -250,13 +246,6 @@ def _arrow(tip: Array, way: float) -> str:
     return svg.polygon(tip + np.array([(0.0, 0.0), (2.6, way * 8.0), (-2.6, way * 8.0)]), "pp-dim")
 
 
-def _lines(axis: SectionAxis) -> list[tuple[str, str]]:
-    """Name and numbers of an axis, by style."""
-    if not axis.name:
-        return []
-    return [(axis.name, "pp-halo"), *((words, "pp-small") for words in axis.words)]
-
-
 def _axis_names(
     view: _View, axes: Sequence[SectionAxis], names: Sequence[list[tuple[str, str]]], height: float
 ) -> list[str]:
@@ -270,89 +259,9 @@ def _axis_names(
     for (axis, lines), middle, top in zip(named, middles, tops, strict=True):
         start = middle - 0.5 * STEP * (len(lines) - 1) + 5.0
         parts += [svg.text(x, start + STEP * k, words, css, "end") for k, (words, css) in enumerate(lines)]
-        begin = float(view(axis.at(np.array([(_reach(axis)[0], 0.0)])))[0, 0]) - AXIS_END
+        begin = float(view(axis.at(np.array([(reach(axis)[0], 0.0)])))[0, 0]) - AXIS_END
         if abs(middle - top) > 3.0 or begin > x + 14.0:
             parts.append(
                 svg.polyline(np.array([(x + 3.0, middle), (x + 8.0, top), (begin, top)]), "pp-leader")
             )
     return parts
-
-
-def _labels(view: _View, section: Section, room: tuple[float, float, float]) -> tuple[list[Label], list[str]]:
-    """Names of gears, bearings, couplings and masses, and of inclined axes; with leader lines."""
-    blocks = [
-        _box(view(axis.at(p.line, s)))
-        for axis in section.axes
-        for p in axis.pieces
-        if p.kind in BLOCKS
-        for s in (1.0, -1.0)
-    ]
-    wanted: list[tuple[Label, Array]] = []
-    for axis in section.axes:
-        for piece in axis.pieces:
-            if piece.name and piece.kind != "pitch":
-                wanted.append(_wanted(view, axis, piece, blocks))
-        if axis.name and abs(float(axis.way[1])) >= 1e-9:
-            low, high = _reach(axis)
-            ends = view(axis.at(np.array([(low, 0.0), (high, 0.0)])))
-            top = ends[int(np.argmin(ends[:, 1]))]
-            lines = tuple(_lines(axis))
-            wanted.append(
-                (
-                    Label(
-                        float(top[0]),
-                        float(top[1]) - AXIS_END - 6.0 - LINE * (len(lines) - 1),
-                        "middle",
-                        lines,
-                    ),
-                    top,
-                )
-            )
-    wanted.sort(key=lambda each: each[0].lines[0][1] == "pp-sub")
-    wanted += [
-        (Label(float(m[0]), float(m[1]), "middle", ((link.words, "pp-sub"),)), m)
-        for link in section.apart
-        for m in [view(0.5 * (link.start + link.end))]
-    ]
-    labels = search([(_inside(label, room), spot) for label, spot in wanted], blocks)
-    leaders = []
-    for label, (first, spot) in zip(labels, wanted, strict=True):
-        left, top, right, bottom = label.box
-        near = np.array([min(max(spot[0], left), right), min(max(spot[1], top), bottom)])
-        if max(abs(label.y - first.y), abs(label.x - first.x)) > LEADER:
-            leaders.append(svg.line(near, spot, "pp-leader") + svg.circle(spot, 2.0, "pp-leader-dot"))
-    return labels, leaders
-
-
-def _wanted(view: _View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectangle]) -> tuple[Label, Array]:
-    """Label of a part above or below it, where fewer other parts are, and the point that it marks."""
-    words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "gear" else piece.name
-    line = ((words, "pp-name" if piece.kind in ("gear", "plate") else "pp-sub"),)
-    tried = []
-    for sign in (1.0, -1.0):
-        box = _box(view(axis.at(piece.line, sign)))
-        middle = 0.5 * (box[0] + box[2])
-        above = Label(middle, box[1] - 9.0, "middle", line)
-        below = Label(middle, box[3] + 17.0, "middle", line)
-        spot = np.array([middle, 0.5 * (box[1] + box[3])])
-        upper = box[1] <= float(view(axis.origin)[1]) if abs(float(axis.way[1])) < 0.5 else sign > 0.0
-        tried.append((above if upper else below, spot))
-    covered = [sum(_common(label.box, block) for block in blocks) for label, _ in tried]
-    return tried[int(covered[1] < covered[0])]
-
-
-def _inside(label: Label, room: tuple[float, float, float]) -> Label:
-    """Label moved sideways into the drawing."""
-    left, _, right, _ = label.box
-    shift = max(room[0] - left, 0.0) - max(right - room[2], 0.0)
-    return replace(label, x=label.x + shift)
-
-
-def _box(points: Array) -> Rectangle:
-    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
-    return float(x0), float(y0), float(x1), float(y1)
-
-
-def _common(a: Rectangle, b: Rectangle) -> float:
-    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-    return max(wide, 0.0) * max(high, 0.0)

@@ -154,7 +154,7 @@ def _turn(centre: Array, radius: float, way: float) -> str:
     """Arc with an arrow head around the bottom of a gear; anticlockwise for `way` 1."""
     middle = -0.5 * math.pi
     ends = [middle - 0.5 * SPAN * way, middle + 0.5 * SPAN * way]
-    angles = np.linspace(*ends, 24)
+    angles = np.linspace(ends[0], ends[1], 24)
     line = centre + radius * np.column_stack([np.cos(angles), -np.sin(angles)])
     along = line[-1] - line[-2]
     along /= max(float(np.hypot(*along)), 1e-9)

@@ -150,6 +150,50 @@ def test_a_power_split_with_recirculation() -> None:
     assert flow["links"]["split"]["torques"][1] * flow["shafts"]["ring"]["speed"] < 0.0
 
 
+RAVIGNEAUX = f"""
+gears:
+  large_sun: {gear(30)}
+  small_sun: {gear(24)}
+  ring: {gear(70, internal=True)}
+  long: {gear(20)}
+  short: {gear(15)}
+bodies:
+  large: {{gears: {{large_sun: 0 mm}}, position: [0, 0, 0]}}
+  small: {{gears: {{small_sun: 40 mm}}, position: [0, 0, 0]}}
+  hollow: {{gears: {{ring: 0 mm}}, position: [0, 0, 0], inertia: 0.3 kg m^2}}
+  carrier: {{inertia: 0.1 kg m^2, position: [0, 0, 0]}}
+  long: {{gears: {{long: 20 mm}}, position: [100 mm, 0, 0]}}
+  short: {{gears: {{short: 40 mm}}, position: [55.916666667 mm, 54.380967805 mm, 0]}}
+joints:
+  long_pin: {{type: revolute, bodies: [carrier, long]}}
+  short_pin: {{type: revolute, bodies: [carrier, short]}}
+meshes:
+  a: {{gears: [large_sun, long]}}
+  b: {{gears: [long, ring]}}
+  c: {{gears: [small_sun, short]}}
+  d: {{gears: [short, long]}}
+loads: {{motor: {{body: small, torque: 50 N m}}, out: {{body: hollow, torque: balance}}}}
+scenarios:
+  first: {{speed: {{small: 3000 rpm, carrier: 0 rpm}}, hold: [carrier], duration: 1 s}}
+  second: {{speed: {{small: 3000 rpm, large: 0 rpm}}, hold: [large], duration: 1 s}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("gear_", "ratio", "held"),
+    [("first", 70 / 24, "carrier"), ("second", (1 + 30 / 24) / (1 + 30 / 70), "large")],
+)
+def test_the_gears_of_a_ravigneaux_set(gear_: str, ratio: float, held: str) -> None:
+    """Two suns, long and short planets on one carrier, one ring.
+
+    With the carrier speed c: ring - c = (z_small/z_ring)(small - c) = -(z_large/z_ring)(large - c).
+    """
+    flow = flow_of(loads_model(RAVIGNEAUX), gear_)
+    assert flow["shafts"]["hollow"]["ratio"] == pytest.approx(ratio, rel=1e-11)
+    assert torques(flow)["out"] == pytest.approx(-50.0 * ratio, rel=1e-11)
+    assert torques(flow)[f"{held}, held"] == pytest.approx(50.0 * (ratio - 1.0), rel=1e-11)
+
+
 PATHS = f"""
 gears: {{a: {gear(20)}, b: {gear(60)}, c: {gear(60)}, d: {gear(25)}, e: {gear(25)}, f: {gear(55)}}}
 bodies:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gearboxes in section: gears in mesh touch at the pitch line, whatever the train and the direction of its axes."""
+"""Gearboxes in section: gears in mesh touch at the pitch line, for any train and direction of its axes."""
 
 from __future__ import annotations
 

@@ -29,6 +29,8 @@ SEAT = 0.3
 relative to the outside diameter."""
 THIN_SEAT = 0.06
 CORNERS = 24
+BUSH, WIDE = 0.2, 0.8
+"""Thickness and half width of a bush, relative to the radius of the shaft."""
 
 
 def bearing_pieces(model: Model, line: Line, at: Positions, size: float) -> list[Piece]:
@@ -59,20 +61,24 @@ def bearing_pieces(model: Model, line: Line, at: Positions, size: float) -> list
         found += rolling(
             name, size_of(part, radius), float(line.way @ place), way, _is_housed(model, outer.body)
         )
-    for name, part in [*model.bearings.items(), *model.plain_bearings.items()]:
-        body = getattr(part, "body", None)
+    for name, plain in model.plain_bearings.items():
+        inner, outer = rings_of(model, plain)
+        if inner.place is None or inner.body not in line.bodies:
+            continue
+        radius = shaft_radius(model, inner.body, plain.position[2]) or 0.03 * size
+        found += bush(name, radius, float(line.way @ inner.place), _is_housed(model, outer.body))
+    for name, bearing in model.bearings.items():
+        body = bearing.body
         if body not in line.bodies or model.bodies[body].stage is not None:
             continue
-        z = at.starts[body] + line.bodies[body] * part.position[2]
-        drawn = linear_size(model, name, size) if name in model.bearings else None
-        places = _beside(model, line, at, body, z, drawn.width if drawn else 0.0)
+        z = at.starts[body] + line.bodies[body] * bearing.position[2]
+        drawn = linear_size(model, name, size)
+        places = _beside(model, line, at, body, z, drawn.width)
         if any(_carries(model, other) for other in line.bodies):
             places = places[:1]  # plates of a carrier are on the other side
-        for k, place in enumerate(places):
-            if drawn is not None:
-                found += linear(
-                    "" if k else name, drawn, place, _is_housed(model, split(part.housing or GROUND)[0])
-                )
+        housed = _is_housed(model, split(bearing.housing or GROUND)[0])
+        for k, at_z in enumerate(places):
+            found += linear("" if k else name, drawn, at_z, housed)
     return found
 
 
@@ -150,6 +156,15 @@ def linear(name: str, size: BearingSize, z: float, housed: bool) -> list[Piece]:
     return [Piece(kind="linear", line=box, name=name), *([seat(size, z)] if housed else [])]
 
 
+def bush(name: str, radius: float, z: float, housed: bool) -> list[Piece]:
+    """Bush of a plain bearing, and its seat."""
+    line = box_line(z - WIDE * radius, z + WIDE * radius, radius, (1.0 + BUSH) * radius)
+    around = box_line(
+        z - WIDE * radius, z + WIDE * radius, (1.0 + BUSH) * radius, (1.0 + 2.5 * BUSH) * radius
+    )
+    return [Piece(kind="outer", line=line, name=name), *([Piece(kind="seat", line=around)] if housed else [])]
+
+
 def seat(size: BearingSize, z: float) -> Piece:
     """Housing around a bearing."""
     outer = 0.5 * size.outside
@@ -162,7 +177,12 @@ def box_line(low: float, high: float, inner: float, outer: float) -> Array:
     return np.array([(low, inner), (high, inner), (high, outer), (low, outer)])
 
 
+def span_line(start: float, length: float, inner: float, outer: float) -> Array:
+    """Corners of a rectangle from a position over a length of either sign [m]."""
+    return box_line(min(start, start + length), max(start, start + length), inner, outer)
+
+
 def extent(pieces: list[Any]) -> tuple[float, float]:
-    """Least and greatest position of some pieces [m]."""
+    """Ends of some pieces along the axis [m]."""
     ends = np.concatenate([piece.line[:, 0] for piece in pieces])
     return float(ends.min()), float(ends.max())

@@ -120,7 +120,7 @@ def gearbox_drawing(model: Model, flows: Mapping[str, Any] | None = None) -> str
 
 
 def _names(model: Model, lines: list[Line], groups: Mapping[int, list[int]]) -> dict[str, list[str]]:
-    """Gears that the gears of the first of several equal axes stand for."""
+    """Gears that the gears of the first of several equal axes represent."""
     found: dict[str, list[str]] = {}
     for first, members in groups.items():
         own = [g for b in lines[first].bodies for g in model.bodies[b].gears]
@@ -166,7 +166,7 @@ def _apexes(model: Model) -> dict[str, Any]:
 
 
 def _title(lines: list[Line], k: int, groups: Mapping[int, list[int]]) -> str:
-    """Names of the bodies of an axis, and of the axes that it stands for."""
+    """Names of the bodies of an axis, and of the axes that it represents."""
     members = next((m for m in groups.values() if k in m), [k])
     return ranges([body for m in members for body in lines[m].bodies])
 
@@ -181,7 +181,7 @@ def _words(flow: Mapping[str, Any], bodies: list[str]) -> list[str]:
         speed = row["speed"]
         turns = "at rest" if speed == 0.0 else format_quantity(speed, SPEED, 5) if speed else ""
         parts = [turns] if turns else []
-        parts += [] if row[TORQUE] is None else [format_quantity(row[TORQUE], TORQUE, 4)]
+        parts += [] if not row[TORQUE] else [format_quantity(row[TORQUE], TORQUE, 4)]
         found.setdefault(", ".join(parts), []).append(body)
     if len(found) == 1:
         return list(found)

@@ -15,7 +15,7 @@ from pitchpoint.model.frames import split
 from pitchpoint.report.scene.bearing_sizes import size_of
 from pitchpoint.report.scene.supports import shaft_radius, spindle_radius
 from pitchpoint.report.section.axes import Line
-from pitchpoint.report.section.bearings import bearing_pieces, box_line, extent
+from pitchpoint.report.section.bearings import bearing_pieces, box_line, extent, span_line
 from pitchpoint.report.section.joined_bodies import connected
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
@@ -49,7 +49,7 @@ def pieces_of(
     size
         Size of the machine [m].
     named
-        Gears that a drawn gear stands for.
+        Gears that a drawn gear represents.
     """
     gears = [piece for body in line.bodies for piece in gear_pieces(model, line, at, body, named)]
     bearings = bearing_pieces(model, line, at, size)
@@ -226,7 +226,7 @@ def _shaft(
     found = []
     for start, end, outside in steps if low <= high else [(*ends, None)]:
         seats = [p for p in bearings if outside and p.kind == "outer" and outside(float(p.line[:, 0].mean()))]
-        bores = [_bore(model, p.name) for p in seats]
+        bores = [_bore(model, p.name) for p in seats if p.name in model.rolling_bearings]
         if end > start:
             found.append(
                 Piece(kind="spindle", line=box_line(start, end, 0.0, min(bores, default=radius) or radius))
@@ -267,13 +267,10 @@ def _carrier(model: Model, line: Line, at: Positions, body: str) -> list[Piece]:
     outer = far + 1.7 * pin
     way = -1.0 if leads_on(model, line, at, body, high) else 1.0
     start, end = (high, low) if way > 0.0 else (low, high)  # sides of the closed and of the open plate
-    closed = sorted((start + way * gap, start + way * (gap + thick)))
-    open_ = sorted((end - way * gap, end - way * (gap + thick)))
-    stub = sorted((start + way * (gap + thick), start + way * (gap + 2.4 * thick)))
     return [
-        Piece(kind="plate", line=box_line(*open_, min(hole, 0.7 * far), outer)),
-        Piece(kind="plate", line=box_line(*closed, 0.0, outer), name=body),
-        Piece(kind="plate", line=box_line(*stub, 0.0, 0.2 * far)),
+        Piece(kind="plate", line=span_line(end - way * gap, -way * thick, min(hole, 0.7 * far), outer)),
+        Piece(kind="plate", line=span_line(start + way * gap, way * thick, 0.0, outer), name=body),
+        Piece(kind="plate", line=span_line(start + way * (gap + thick), way * 1.4 * thick, 0.0, 0.2 * far)),
     ]
 
 
