@@ -18,13 +18,9 @@ from sheet import FILLS, INK, SOFT, Sheet
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.placement import mesh_outlines
 from pitchpoint.geometry.tooth_form import gear_outline, tooth_form
-from pitchpoint.io.yaml_model import load_model
-from pitchpoint.report.section.build import gearbox_drawing
-from pitchpoint.report.static_power import static_powers
 from pitchpoint.viz.theme import FORCE_PARTS, GREEN, PURPLE, RED
 
 Array = NDArray[np.float64]
-STARTER = Path(__file__).parents[1] / "src" / "pitchpoint" / "cli" / "starters" / "two-stage.yaml"
 
 
 def moved(point: Array, x: float, y: float) -> Array:
@@ -301,17 +297,10 @@ def forces(target: Path) -> None:
     sheet.save(target / "forces.svg", "Parts of the mesh force on gear 2")
 
 
-def gearbox(target: Path) -> None:
-    """Gearbox in section: the starter of two stages."""
-    model = load_model(STARTER)
-    drawing = gearbox_drawing(model, static_powers(model))
-    (target / "gearbox.svg").write_text(drawing or "", encoding="utf-8")
-
-
 def write_drawings(target: Path) -> None:
     """Write all drawings into a folder."""
     target.mkdir(parents=True, exist_ok=True)
-    for drawing in (signs, path_of_contact, backlash, flanks, hands, internal, forces, gearbox):
+    for drawing in (signs, path_of_contact, backlash, flanks, hands, internal, forces):
         drawing(target)
 
 

@@ -86,7 +86,7 @@ class TorqueBalance:
         External torques [N m] by their keys; nan if balance does not determine them.
     unbalanced
         Trains with given torques that do not balance: their bodies, one of them, and the torque on it [N m]
-        that would balance them.
+        that would balance them; None with several free motions.
     undetermined
         Groups of external torques of which balance determines only the sum, or nothing.
     shared
@@ -95,7 +95,7 @@ class TorqueBalance:
 
     links: Mapping[Place, TorqueLink]
     external: Mapping[Place, float]
-    unbalanced: Sequence[tuple[tuple[str, ...], str, float]] = ()
+    unbalanced: Sequence[tuple[tuple[str, ...], str, float | None]] = ()
     undetermined: Sequence[tuple[Place, ...]] = ()
     shared: Sequence[tuple[str, ...]] = ()
 
@@ -203,9 +203,9 @@ def _link(path: _Path, value: float) -> TorqueLink:
 
 
 def _trains(count: int, paths: list[_Path], outer: list[tuple[External, Array]]) -> list[_Train]:
-    """Sets of spins that links or external torques connect, with both."""
+    """Sets of spins that links or unknown external torques connect; given torques act on each of them."""
     groups: list[set[int]] = [{s} for s in range(count)]
-    for row in [*(p.row for p in paths), *(row for _, row in outer)]:
+    for row in [*(p.row for p in paths), *(row for one, row in outer if one.torque is None)]:
         touched = set(np.flatnonzero(row).tolist())
         if touched:
             joined = [g for g in groups if g & touched]
@@ -215,8 +215,8 @@ def _trains(count: int, paths: list[_Path], outer: list[tuple[External, Array]])
     for path in paths:
         of[int(np.flatnonzero(path.row)[0])].paths.append(path)
     for one, row in outer:
-        if row.any():
-            of[int(np.flatnonzero(row)[0])].outer.append((one, row))
+        for train in {id(t): t for t in (of[int(s)] for s in np.flatnonzero(row))}.values():
+            train.outer.append((one, row))
     return found
 
 
@@ -226,7 +226,7 @@ class _Found:
 
     paths: list[float]
     outer: dict[Place, float]
-    left: tuple[int, float] | None = None
+    left: tuple[int, float | None] | None = None
     undetermined: tuple[Place, ...] = ()
     shared: tuple[str, ...] = ()
 
@@ -246,14 +246,14 @@ def _solve(train: _Train) -> _Found | None:
     for one, row in given:
         load += float(one.torque or 0.0) * row[train.spins]
     if not rows:
-        return _Found([], {}, left=_left(load, load) if load.any() else None)
+        return _Found([], {}, left=_left(train, load, load) if load.any() else None)
     A = np.array(rows)[:, train.spins].T * scale
     x, free = _least(A, -load, levers)
     rest = A @ x + load
     size = float(np.abs(A * x).max(initial=0.0)) + float(np.abs(load).max())
     nothing = [math.nan] * len(train.paths)
     if float(np.abs(rest).max()) > SAME * size:
-        return _Found(nothing, {one.name: math.nan for one, _ in unknown}, left=_left(rest, load))
+        return _Found(nothing, {one.name: math.nan for one, _ in unknown}, left=_left(train, rest, load))
     n = len(train.paths)
     loose = [
         one.name
@@ -294,12 +294,13 @@ def _least(A: Array, b: Array, levers: Array) -> tuple[Array, Array]:
     return x, free
 
 
-def _left(rest: Array, load: Array) -> tuple[int, float]:
-    """Number of the most loaded spin, and the torque on it that would balance a train with one free motion [N
-    m].
+def _left(train: _Train, rest: Array, load: Array) -> tuple[int, float | None]:
+    """Number of the most loaded spin, and the torque on it that would balance the train [N m].
 
-    The torques `rest` left over are proportional to the speeds w of the free motion, and the missing torque M
-    has the power M w_k = -rest w.
+    With one free motion, the torques `rest` left over are proportional to its speeds w, and the missing
+    torque M has the power M w_k = -rest w. With several free motions no single torque balances the train.
     """
     k = int(np.argmax(np.abs(load) * (np.abs(rest) > SAME * np.abs(rest).max())))
-    return k, -float(rest @ rest) / float(rest[k])
+    rows = [p.row[train.spins] for p in train.paths]
+    rank = int(np.linalg.matrix_rank(np.array(rows), tol=SAME)) if rows else 0
+    return k, -float(rest @ rest) / float(rest[k]) if len(train.spins) - rank == 1 else None

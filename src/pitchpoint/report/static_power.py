@@ -52,7 +52,13 @@ def static_powers(model: Model, only: str | None = None) -> dict[str, dict[str, 
             found[name] = static_power(model, scenario, name)
         except ModelError as error:
             found[name] = {"failure": str(error)}
-    return {name: flow for name, flow in found.items() if "failure" in flow or flow["shafts"]}
+    return {name: flow for name, flow in found.items() if "failure" in flow or _flows(flow)}
+
+
+def _flows(flow: Mapping[str, Any]) -> bool:
+    """Whether there is a mesh, a torque or a rolling bearing to show."""
+    torques = [row["torque"] for row in flow["external"]]
+    return bool(flow["bearings"] or any("gears" in row for row in flow["links"].values()) or any(torques))
 
 
 def static_power(model: Model, scenario: Scenario, name: str = "") -> dict[str, Any]:
@@ -312,7 +318,7 @@ def _notes(model: Model, balance: TorqueBalance) -> list[str]:
         names = listed([WORDS.get(str(n[0]), "{}").format(n[1]) for n in group])
         found.append(f"balance does not determine the torques of {names}; a run does")
     for train, body, missing in balance.unbalanced:
-        torque = format_quantity(missing, "torque", 5)
+        torque = "a torque" if missing is None else format_quantity(missing, "torque", 5)
         others = _others(model, train)
         found.append(
             f"the loads of {body} do not balance without {ranges(others)}, whose forces a run gives"
@@ -327,6 +333,7 @@ def _others(model: Model, train: Sequence[str]) -> list[str]:
     """Elements that may transmit forces to bodies of a train, other than along its gears and couplings."""
     from pitchpoint.model.frames import bodies_of
 
+    train = [*train, *(name for body in train for name in model.mechanism.carried_by(body))]
     found = [name for name in model.mechanism.cut if {*bodies_of(model.joints[name].bodies)} & {*train}]
     groups = ("springs", "maxwells", "rods", "bushings", "beams", "cam_contacts", "curve_contacts")
     for group in (*groups, "surface_contacts"):

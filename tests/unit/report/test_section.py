@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.io.target import SVG_MARK
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.section.build import gearbox_drawing, section_of
@@ -116,6 +117,14 @@ def test_the_drawing_does_not_depend_on_the_direction_of_the_axes() -> None:
     turned = text.replace(at, f"{at}\n    axes: {{z: [0, 1, 0], x: [0, 0, 1]}}")
     one, two = (gearbox_drawing(m, static_powers(m)) for m in (loads_model(text), loads_model(turned)))
     assert one == two
+
+
+def test_the_picture_of_the_first_page_is_current() -> None:
+    """`pitchpoint check src/pitchpoint/cli/starters/two-stage.yaml --drawing docs/images/gearbox.svg`."""
+    model = load_model(TWO_STAGE)
+    drawing = gearbox_drawing(model, static_powers(model)) or ""
+    shown = (HOUSE / "docs/images/gearbox.svg").read_text(encoding="utf-8")
+    assert shown == drawing.replace(">", f">{SVG_MARK}", 1)
 
 
 def test_bevel_axes_are_drawn_at_their_shaft_angle() -> None:
