@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.speed_ratios import Link
 
-SAMPLES = 3600
-"""Instants of a mean: half a degree of two revolutions."""
+REVOLUTIONS, SAMPLES = 12, 8640
+"""Revolutions of a mean over an angle, whole periods of orders 1/2, 1/3, 1/4 and 1/6; and its instants."""
 
 
 def external_torques(
@@ -89,7 +89,7 @@ def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | Non
     """Torque of a load at constant speed [N m], and in words what it is if it varies.
 
     Loads over time count with their mean over the evaluated part of the run, loads over an angle with their
-    mean over the revolution or period, loads over a speed at this speed.
+    mean over twelve revolutions or the period, loads over a speed at this speed.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | Non
     >>> from pitchpoint.model.scenario import Scenario
     >>> run = Scenario(duration=2.0, settle_time=1.0)
     >>> mean_torque(FormulaLaw("10 + 5*sin(3*angle)"), run, 1.0)
-    (10.0, 'mean over one revolution')
+    (10.0, 'mean over 12 revolutions')
     >>> mean_torque(TableLaw((0.0, 1.0), (0.0, 8.0)), run, 0.0)
     (8.0, 'mean from 1 s to 2 s')
     """
@@ -125,11 +125,11 @@ def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | Non
 
         formula = Formula.parse(law.text, law.variables)
         timed, turned = formula.uses("t"), formula.uses("angle")
-        angle = math.tau * share if turned else np.zeros(SAMPLES)
+        angle = REVOLUTIONS * math.tau * share if turned else np.zeros(SAMPLES)
         values = formula(t if timed else 0.0 * t, angle, np.full(SAMPLES, speed))
         if not timed and not turned:
             return float(values[0]), ""
-        words = " and ".join([over_time] * timed + ["mean over one revolution"] * turned)
+        words = " and ".join([over_time] * timed + [f"mean over {REVOLUTIONS} revolutions"] * turned)
         return round_off(float(np.mean(values)), float(np.abs(values).max())), words
     if isinstance(law, TableLaw) and law.over == "time":
         return float(np.mean(np.interp(t, law.abscissa, law.values))), over_time

@@ -114,14 +114,23 @@ def search(labels: Sequence[tuple[Label, NDArray[np.float64]]], blocks: Sequence
     """
     steps = np.array([(x * WIDE_STEP, y * TALL_STEP) for x in range(-12, 13) for y in range(-14, 15)])
     avoided = np.array(list(blocks)).reshape(-1, 4)
+    reach = steps.max(axis=0)
     taken: list[Rectangle] = []
     found = []
     for label, _ in labels:
         left, top, right, bottom = label.box
+        near = (
+            (avoided[:, 0] < right + reach[0])
+            & (avoided[:, 2] > left - reach[0])
+            & (avoided[:, 1] < bottom + reach[1])
+            & (avoided[:, 3] > top - reach[1])
+        )
         boxes = np.column_stack(
             [left + steps[:, 0], top + steps[:, 1], right + steps[:, 0], bottom + steps[:, 1]]
         )
-        cost = _covered(boxes, avoided) + LABEL_COST * _covered(boxes, np.array(taken).reshape(-1, 4), MARGIN)
+        cost = _covered(boxes, avoided[near]) + LABEL_COST * _covered(
+            boxes, np.array(taken).reshape(-1, 4), MARGIN
+        )
         cost += DISTANCE_COST * np.hypot(steps[:, 0], steps[:, 1])
         dx, dy = steps[int(np.argmin(cost))]
         found.append(replace(label, x=label.x + float(dx), y=label.y + float(dy)))

@@ -18,7 +18,7 @@ View = Callable[[Array], Array]
 
 AXIS_END = 16.0
 """Length of centre lines beyond the parts [pixels]."""
-LEADER = 12.0
+LEADER = 20.0
 """Distance of a label from its part from which it has a leader line [pixels]."""
 BLOCKS = (
     *("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "held"),
@@ -110,8 +110,8 @@ def _of_axis(view: View, axis: SectionAxis) -> _Wanted:
 
 def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectangle]) -> _Wanted:
     """Label of a part above or below it, where fewer other parts are."""
-    named = piece.kind in ("gear", "plate")
-    words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "gear" else piece.name
+    named = piece.kind in ("teeth", "plate")
+    words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "teeth" else piece.name
     line = ((words, NAMES if named else OTHERS),)
     tried = []
     for sign in (1.0, -1.0):

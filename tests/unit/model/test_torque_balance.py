@@ -4,16 +4,20 @@
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.model.carried_trains import relation
 from pitchpoint.model.model import Model
+from pitchpoint.model.speed_ratios import links_of
 from pitchpoint.report.static_power import static_power
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+from pitchpoint.solvers.torque_paths import torque_paths
 from pitchpoint.system.compile import compile_model
 
 RPM = math.pi / 30.0
@@ -105,6 +109,7 @@ bodies:
 planetary_stages: {{stage: {{sun: sun, ring: ring, carrier: carrier, planets: 3, planet: {gear(39, 3)}}}}}
 loads:
 """
+SET_FREE = SET.replace("loads:\n", "")
 HELD = {
     "ring": ("sun", "carrier", 1.0 + 99 / 21),
     "carrier": ("sun", "ring", -99 / 21),
@@ -291,3 +296,31 @@ def test_forces_of_bevel_gears_are_those_of_a_slow_roll(kind: str) -> None:
     for part in ("radial", "axial"):
         mean = float(roll[f"{part}_force_1[stage]"].mean())
         assert row[f"{part}_force"] == pytest.approx(mean, abs=0.025 * row["tangential_force"])
+
+
+@pytest.mark.parametrize("text", [SET_FREE, RAVIGNEAUX, PATHS], ids=["planetary", "ravigneaux", "split"])
+def test_rows_of_meshes_are_those_of_the_compiled_model(text: str) -> None:
+    """The relation of the model file and that of the equations are the same row, but for a factor."""
+    model = loads_model(text)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # gears of the split at one position
+        system = compile_model(model)
+    names = {
+        int(body["spin"]): name
+        for body, name in zip(system.program["body"], system.layout.bodies, strict=True)
+    }
+    compiled = {
+        system.names[path.kind][path.number]: {names[s]: value for s, value in path.row.items()}
+        for path in torque_paths(system)
+        if path.kind in ("gear_mesh",)
+    }
+    machine: Any = model
+    turning = [name for name, seat in model.mechanism.seats.items() if "spin" in seat.coordinates]
+    place = {name: k for k, name in enumerate(turning)}
+    for link in links_of(machine):
+        row = relation(machine, place, link)
+        own = {turning[k]: float(row[k]) for k in range(len(row)) if abs(row[k]) > 1e-12}
+        other = compiled[str(link[0][1])]
+        assert own.keys() == other.keys()
+        factors = [other[name] / value for name, value in own.items()]
+        assert factors == pytest.approx([factors[0]] * len(factors), rel=EXACT)

@@ -104,16 +104,15 @@ def gear_pieces(
         root, tip = 0.5 * abs(shape.d_f), 0.5 * abs(shape.d_a)
         if shape.is_internal:
             outer = max(0.5 * gear.bore_diameter, root + RIM_MODULES * gear.normal_module)
-            found.append(
-                Piece(kind="gear", line=box_line(z - half, z + half, root, outer), name=label, words=words)
-            )
+            found.append(Piece(kind="gear", line=box_line(z - half, z + half, root, outer)))
             if model.bodies[body].moves == "fixed":
                 held = box_line(z - 0.8 * half, z + 0.8 * half, outer, outer + 0.5 * (outer - root))
                 found.append(Piece(kind="held", line=held))
         else:
             hub = min(shaft_radius(model, body, place) or 0.35 * root, 0.999 * root)
-            found.append(Piece(kind="gear", line=_blank(gear, z, hub, root), name=label, words=words))
-        found.append(Piece(kind="teeth", line=box_line(z - half, z + half, root, tip)))
+            found.append(Piece(kind="gear", line=_blank(gear, z, hub, root)))
+        teeth = box_line(z - half, z + half, root, tip)
+        found.append(Piece(kind="teeth", line=teeth, name=label, words=words))
         r_w = 0.5 * pitch_diameter(model, name)
         more = 0.12 * half
         found.append(Piece(kind="pitch", line=np.array([(z - half - more, r_w), (z + half + more, r_w)])))
@@ -176,8 +175,8 @@ def _bevel(model: Model, line: Line, at: Positions, body: str, name: str, apex: 
     solid = np.array([(start + way * z, r) for r, z in corners])
     pitch = np.array([point(0.97 * gear.R_i, 0.0), point(1.03 * gear.R_e, 0.0)])
     return [
-        Piece(kind="gear", line=solid, name=name, words=str(gear.z)),
-        Piece(kind="teeth", line=np.array(teeth)),
+        Piece(kind="gear", line=solid),
+        Piece(kind="teeth", line=np.array(teeth), name=name, words=str(gear.z)),
         Piece(kind="pitch", line=pitch),
     ]
 
