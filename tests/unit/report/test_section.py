@@ -12,9 +12,11 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.target import SVG_MARK
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.model import Model
+from pitchpoint.report.pictures import plot
 from pitchpoint.report.section.build import gearbox_drawing, section_of
 from pitchpoint.report.section.transverse import transverse_of
 from pitchpoint.report.static_power import static_powers
@@ -179,6 +181,12 @@ def test_the_transverse_view_shows_circles_at_their_distance() -> None:
         "pinion_2": -1.0,
         "wheel_2": 1.0,
     }
+
+
+def test_plot_gives_the_drawing() -> None:
+    assert plot(loads_model(PAIR), "gearbox").html.startswith("<svg")
+    with pytest.raises(PitchpointError, match="no gears or shafts"):
+        plot(loads_model("bodies: {flywheel: {inertia: 1 kg m^2}}"), "gearbox")
 
 
 def test_check_writes_the_drawing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
