@@ -4,6 +4,7 @@ rotate."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -77,6 +78,11 @@ def locked_loops(parts: Parts) -> list[LockedLoop]:
         if not any({*link[1:3]} & fixed for link, _ in links) and (loop := _locked(parts, place, links)):
             found.append(loop)
     return found
+
+
+def loop_with(loops: Sequence[LockedLoop], link: Place) -> LockedLoop | None:
+    """Loop that contains a link, if any."""
+    return next((loop for loop in loops if link in (loop.link, *loop.through)), None)
 
 
 def _locked(parts: Parts, place: dict[str, int], links: list[tuple[Link, np.ndarray]]) -> LockedLoop | None:

@@ -298,7 +298,8 @@ def _links(model: Model, balance: TorqueBalance, rates: Mapping[str, Any]) -> di
                 "pitch_line_velocity": math.pi * d * mesh["rotation"][0],
                 "mesh_frequency": mesh["frequency"],
             }
-        found[name] = row
+        # names are unique within a section
+        found[name if name not in found else f"{section}.{name}"] = row
     return found
 
 

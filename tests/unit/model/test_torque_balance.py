@@ -132,6 +132,57 @@ def test_any_member_of_a_planetary_set_can_be_held(held: str) -> None:
     assert torques(flow)[f"{held}, held"] == pytest.approx(100.0 * (ratio - 1.0), rel=EXACT)
 
 
+def test_a_set_with_two_inputs() -> None:
+    """Sun and ring driven at given speeds add up on the carrier, with torques as z_s : z_r : -(z_s + z_r)."""
+    text = SET + (
+        "  machine: {body: carrier, torque: -240 N m}\n"
+        "scenarios: {run: {drive: {sun: {speed: 900 rpm}, ring: {speed: 100 rpm}}, duration: 1 s}}\n"
+    )
+    flow = flow_of(loads_model(text))
+    assert flow["shafts"]["carrier"]["speed"] == pytest.approx((21 * 900 + 99 * 100) / 120 * RPM, rel=EXACT)
+    assert torques(flow)["drive of sun"] == pytest.approx(240.0 * 21 / 120, rel=EXACT)
+    assert torques(flow)["drive of ring"] == pytest.approx(240.0 * 99 / 120, rel=EXACT)
+    assert flow["power_in"] == pytest.approx(240.0 * flow["shafts"]["carrier"]["speed"], rel=EXACT)
+
+
+def test_a_bevel_differential_divides_the_torque_equally() -> None:
+    """In a bend: half of the torque on each wheel at different speeds, whose mean is that of the cage."""
+    flow = flow_of(load_model(HOUSE / "examples/bevel-drive/differential.yaml"), "bend")
+    speed = {name: row["speed"] for name, row in flow["shafts"].items()}
+    assert speed["one"] + speed["two"] == pytest.approx(2.0 * speed["cage"], rel=EXACT)
+    assert speed["one"] != pytest.approx(speed["two"], rel=0.1)
+    assert torques(flow)["engine"] == pytest.approx(120.0, rel=EXACT)
+    assert [flow["shafts"][name]["torque"] for name in ("one", "two")] == pytest.approx(
+        [60.0, 60.0], rel=EXACT
+    )
+
+
+def test_clutches_transmit_their_capacity_or_like_a_coupling() -> None:
+    text = """
+bodies: {engine: {inertia: 0.2 kg m^2, position: [0, 0, 0]}, load: {inertia: 0.4 kg m^2, position: [0, 0, 0]}}
+clutches: {plate: {bodies: [engine, load], capacity: 80 N m}}
+loads: {gas: {body: engine, torque: balance}, drag: {body: load, torque: -50 N m}}
+scenarios:
+  stuck: {speed: {engine: 900 rpm, load: 900 rpm}, duration: 1 s}
+  slip: {speed: {engine: 900 rpm, load: 300 rpm}, hold: [load], duration: 1 s}
+"""
+    model = loads_model(text)
+    stuck = flow_of(model, "stuck")
+    assert stuck["links"]["plate"]["torques"] == pytest.approx([-50.0, 50.0], rel=EXACT)
+    slip = static_power(model, model.scenarios["slip"], "slip")
+    assert torques(slip)["gas"] == pytest.approx(80.0, rel=EXACT)
+    assert torques(slip)["load, held"] == pytest.approx(-30.0, rel=EXACT)
+    # in and out differ by the heat in the clutch, which is one of the external powers
+    assert slip["power_out"] == pytest.approx(slip["power_in"], rel=EXACT)
+
+
+def test_links_of_one_name_are_all_listed() -> None:
+    flow = flow_of(
+        loads_model(PATHS.replace("loads:", "ratios: {ab: {terms: {input: 1, output: -6.6}}}\nloads:"))
+    )
+    assert {"ab", "ratios.ab"} <= flow["links"].keys()
+
+
 def test_a_power_split_with_recirculation() -> None:
     """The input drives the sun and, through wheels of ratio -k, the ring; the carrier is the output.
 

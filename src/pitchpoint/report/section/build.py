@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 SOLID = ("gear", "teeth", "shaft", "spindle", "mass", "outer", "linear", "plate", "flange")
-SPEED, TORQUE = "angular_speed", "torque"
+SPEED, TORQUE, POWER = "angular_speed", "torque", "power"
 """Dimensions of the numbers of a shaft."""
 SCHEMATIC = {
     "spindle": "shafts of bodies without sections",
@@ -172,7 +172,7 @@ def _title(lines: list[Line], k: int, groups: Mapping[int, list[int]]) -> str:
 
 
 def _words(flow: Mapping[str, Any], bodies: list[str]) -> list[str]:
-    """Speed and torque of the bodies of an axis, once for those with equal numbers."""
+    """Speed and torque of the bodies of an axis, once for equal numbers; power of its inputs and outputs."""
     found: dict[str, list[str]] = {}
     for body in bodies:
         row = flow["shafts"].get(body)
@@ -183,9 +183,14 @@ def _words(flow: Mapping[str, Any], bodies: list[str]) -> list[str]:
         parts = [turns] if turns else []
         parts += [] if not row[TORQUE] else [format_quantity(row[TORQUE], TORQUE, 4)]
         found.setdefault(", ".join(parts), []).append(body)
+    outer = [
+        f"{'in' if row[POWER] > 0.0 else 'out'}: {row['name']}, {format_quantity(abs(row[POWER]), POWER, 4)}"
+        for row in flow["external"]
+        if row["body"] in bodies and row[POWER]
+    ]
     if len(found) == 1:
-        return list(found)
-    return [f"{ranges(names)}: {words}" for words, names in found.items()]
+        return [*found, *outer]
+    return [*(f"{ranges(names)}: {words}" for words, names in found.items()), *outer]
 
 
 def _distances(
