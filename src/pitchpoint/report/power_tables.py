@@ -15,6 +15,8 @@ from pitchpoint.core.words import ranges
 NOTHING = "–"
 TORQUE, FORCE = "torque", "force"
 """Dimensions."""
+SPRING = "torsion_springs"
+"""Section of the springs of scissor gears."""
 ZERO = 1e-9
 """Share of the largest torque that counts as none."""
 SHAFT = ("shaft", "gears", "speed", "ratio", "frequency", TORQUE, "power", "driven by", "drives")
@@ -121,8 +123,8 @@ def _summary(flow: Mapping[str, Any]) -> str:
     largest = max((abs(row[TORQUE] or 0.0) for row in flow["external"]), default=0.0)
     for row in flow["external"]:
         torque = row[TORQUE]
-        if torque is None or abs(torque) <= ZERO * largest:
-            continue
+        if torque is None or abs(torque) <= ZERO * largest or row["section"] == SPRING:
+            continue  # springs of scissor gears are within the train
         power = row["power"]
         words = f"{row['name']} ({shown(torque, 'torque', 5)})"
         if not flow["turns"]:

@@ -11,6 +11,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.write import model_text
+from pitchpoint.report.static_power import static_powers
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import solve_modal
 from pitchpoint.solvers.time import solve_time
@@ -166,3 +167,16 @@ def test_states_of_the_friction_have_no_kinetic_energy():
     shares = found["kinetic_share"].sum("motion")
     assert np.all(shares.sel(part="free-friction.state") == 0.0)
     assert shares.sum("part").values == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_power_flow_contains_the_preload(sense):
+    """Torques of balance with rigid teeth: T on the free half, L + T on the fixed one."""
+    model = loads_model(text(load=sense * 3.0, torque=-sense * SPRING, more=", friction: 2 N m"))
+    flow = static_powers(model)["turning"]
+    gap = model.backlash("stage") / (0.5 * model.gears["wheel"].geometry.d_b)
+    spring = SPRING - RATE * gap
+    torques = [flow["links"][name]["torques"][1] for name in ("stage", "stage-free")]
+    assert torques == pytest.approx([-sense * (3.0 + spring), sense * spring], rel=1e-9)
+    powers = [row["power"] for row in flow["external"] if row["section"] != "torsion_springs"]
+    assert sum(powers) == pytest.approx(0.0, abs=1e-9)
