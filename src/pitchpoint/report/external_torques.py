@@ -147,7 +147,7 @@ def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | Non
     if isinstance(law, TableLaw):
         x, y = np.array(law.abscissa), np.array(law.values)
         mean = float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x)) / (x[-1] - x[0]))
-        return mean, "mean over its period"
+        return round_off(mean, float(np.abs(y).max())), "mean over its period"
     return None, ""
 
 
