@@ -2,8 +2,8 @@
 """Torques of the engine over the angle of the crankshaft or a camshaft, as tables: `python torques.py`.
 
 Crankshaft: polytropic compression and expansion, heat release by Wiebe's function, slider-crank kinematics.
-Camshafts: work against the valve springs over a polynomial lift. The inertia torques in train.yaml are the
-orders that `orders` prints.
+Camshafts: work against the valve springs over a polynomial lift. The inertia torques of parts/train.yaml are
+the orders that `orders` prints.
 """
 
 from __future__ import annotations

@@ -115,7 +115,7 @@ def _own(parts: Mapping[str, Any], section: str, name: str, report: Reader) -> d
     if stage is not None:
         report.problem(
             (section, name),
-            f"belongs to {path_of(stage)}",
+            "belongs to " + (stage if "." in stage else f"the planetary stage {stage}"),
             remedy=f"replace keys of {path_of(stage)}",
         )
     return own_parts(parts)
