@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.checks.planetary_stages import planet_gaps
-from pitchpoint.model.components.planetary_stage import PinError
-from pitchpoint.model.planetary_stages import nominal_distance
+from pitchpoint.model.components.planetary_stage import MeshGroup, PinError
+from pitchpoint.model.planet_places import nominal_distance
 from pitchpoint.system.planet_loads import as_data, loads_in, planet_loads
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def load_sharing(model: Model, data: xr.Dataset, settle_time: float = 0.0) -> di
     if not model.planetary_stages:
         return {}
     stored = {str(n): s for n, v in data.data_vars.items() if (s := stored_statistics(v.attrs)) is not None}
-    return loads_in(model, stored) or as_data(model, planet_loads(model, data, settle_time))
+    return loads_in(model, stored) or as_data(planet_loads(model, data, settle_time))
 
 
 def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
@@ -51,14 +51,14 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
     dict
         By stage: gears and carrier, center_distance [m] without pin errors, planet_gap [m]: least distance
         between the tips of neighbouring planets (None for one planet), and by planet its angle [rad], pin
-        errors [m] and the phases of its meshes after those of the first planet [base pitches], in [0, 1).
+        errors [m] and by mate the phases of its meshes after those of the first planet [base pitches], in
+        [0, 1).
     """
     found = {}
     for name, stage in model.planetary_stages.items():
         gaps = planet_gaps(model, stage)
         angles = planet_angles(model, stage.carrier, stage.names)
-        central = {"sun": stage.sun, "ring": stage.ring}
-        phases = {side: mesh_phases(model, gear, angles) for side, gear in central.items() if gear}
+        phases = {group.mate: group_phases(model, group, angles) for group in stage.groups}
         planets = {}
         for k, planet in enumerate(stage.names):
             error = stage.pin_errors.get(planet, PinError())
@@ -66,17 +66,29 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
                 "angle": stage.places[k],
                 "tangential_pin_error": error.tangential,
                 "radial_pin_error": error.radial,
-                **{f"phase_{side}": values[k] for side, values in phases.items()},
+                "phases": {mate: values[k] for mate, values in phases.items()},
             }
         found[name] = {
             "sun": stage.sun,
             "ring": stage.ring,
+            "mates": [group.mate for group in stage.groups],
             "carrier": stage.carrier,
             "center_distance": nominal_distance(model, stage),
             "planet_gap": min((gap for gap, _ in gaps), default=None),
             "planets": planets,
         }
     return found
+
+
+def group_phases(model: Model, group: MeshGroup, angles: Array) -> list[float]:
+    """Phases of the parallel meshes of a group after the first one [base pitches], in [0, 1).
+
+    Meshes of planets with inner planets: from the teeth as assembled.
+    """
+    if group.side != "planet":
+        return mesh_phases(model, group.mate, angles)
+    pitches = np.array([model.phasing.travel[n] / abs(model.pairs[n].p_et) for n in group.names])
+    return (np.round(pitches[0] - pitches, ROUNDING) % 1.0).tolist()
 
 
 def planet_angles(model: Model, carrier: str, planets: Sequence[str]) -> Array:

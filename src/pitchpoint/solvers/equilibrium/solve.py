@@ -54,7 +54,14 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     rest_matrix,
     unsettled_states,
 )
-from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
+from pitchpoint.solvers.gear_trains import (
+    complete,
+    exchange,
+    exchange_all,
+    free_spins,
+    held_spins,
+    is_independent,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
@@ -367,7 +374,7 @@ def solve_equilibrium(
         The compiled model.
     angles
         Spin angle at which bodies are held, by name [rad]; every group of bodies that can rotate freely needs
-        one held body, by default its first.
+        one held body: by default those that the scenario drives or holds, else the first.
     speeds
         Speeds by body [rad/s] for friction and dampers; default zero.
 
@@ -386,7 +393,7 @@ def solve_equilibrium(
 
     forget_contacts(system)
     start = system.initial_state()
-    held = free_spins(system)
+    held = held_spins(system)
     for name, angle in (angles or {}).items():
         spin = system.spin(name)
         start.q[spin] = angle

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compound planetary gearboxes from model files: ratios of every gear in closed form, torques, power.
+
+Willis's relation of each stage, with z_r/z_s positive for single planets and negative for planets in series,
+gives the ratios of the Ravigneaux, Simpson, Lepelletier, stepped and Wolfrom sets below (H. W. Müller,
+Epicyclic Drive Trains, 1982). The torques of members on fixed axes are in proportion to these ratios.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.system.compile import compile_model
+from tests.support.planet_gearboxes import lepelletier, ravigneaux, simpson, stepped
+
+I_1, I_2 = 72 / 27, 72 / 36
+RAVIGNEAUX = {
+    "first": ("small_sun", "carrier", I_1),
+    "second": ("small_sun", "large_sun", (I_1 + I_2) / (1 + I_2)),
+    "overdrive": ("carrier", "large_sun", I_2 / (1 + I_2)),
+    "reverse": ("large_sun", "carrier", -I_2),
+    "on_small": ("carrier", "small_sun", I_1 / (I_1 - 1)),
+}
+"""Driven member, held member, speed of the driven member over that of the ring."""
+
+
+@pytest.mark.parametrize("name", RAVIGNEAUX)
+def test_ratios_of_a_ravigneaux_set(name):
+    """Speeds at the start of a run, torques in equilibrium, and the torque of the held member: the sum."""
+    driven, held, ratio = RAVIGNEAUX[name]
+    model = loads_model(
+        ravigneaux(
+            f"loads:\n  in: {{body: {driven}, torque: 100 N m}}\n  out: {{body: ring, torque: balance}}\n",
+            f"scenarios:\n  run: {{hold: [{held}], speed: {{{driven}: 1000 rpm}}, duration: 1 ms}}\n",
+        )
+    )
+    speeds = model.start_speeds("run")
+    assert speeds[driven] / speeds["ring"] == pytest.approx(ratio, rel=1e-12)
+    found = solve_equilibrium(compile_model(model, "run"))
+    # of constant mesh stiffness and rigid pins: only the pressure of contact moves the lines of action
+    assert float(found["torque[out]"]) == pytest.approx(-100.0 * ratio, rel=1e-6)
+    holding = float(found["holding_torque"].sel(held=f"{held}.spin"))
+    assert holding == pytest.approx(100.0 * (ratio - 1.0), rel=1e-6)
+    # power: the held member is at rest
+    power = 100.0 * speeds[driven] + float(found["torque[out]"]) * speeds["ring"]
+    assert power == pytest.approx(0.0, abs=1e-6 * 100.0 * abs(speeds[driven]))
+
+
+def test_forces_of_a_ravigneaux_set_in_first_gear():
+    """The large sun is idle; every planet passes on F = T/(N r_b) of the small sun."""
+    text = ravigneaux(
+        "loads:\n  in: {body: small_sun, torque: 100 N m}\n  out: {body: ring, torque: balance}\n",
+        "scenarios:\n  run: {hold: [carrier], speed: {small_sun: 1000 rpm}, duration: 1 ms}\n",
+    )
+    found = solve_equilibrium(compile_model(loads_model(text), "run"))
+    force = 100.0 / (3 * 27e-3 * math.cos(math.radians(20.0)))
+    for k in (1, 2, 3):
+        assert abs(float(found[f"mesh_force[small_sun-short_{k}]"])) == pytest.approx(force, rel=1e-6)
+        assert abs(float(found[f"mesh_force[short_{k}-long_{k}]"])) == pytest.approx(force, rel=1e-6)
+        assert abs(float(found[f"mesh_force[long_{k}-ring]"])) == pytest.approx(force, rel=1e-6)
+        assert float(found[f"mesh_force[large_sun-long_{k}]"]) == pytest.approx(0.0, abs=1e-3)
+
+
+RHO = 30 / 72
+
+
+@pytest.mark.parametrize(
+    ("driven", "held", "ratio"),
+    [("input", "rear_carrier", 2 + RHO), ("input", "sun", 1 + RHO), ("sun", "rear_carrier", -1 / RHO)],
+)
+def test_ratios_of_a_simpson_set(driven, held, ratio):
+    model = loads_model(
+        simpson(
+            f"scenarios:\n  run: {{hold: [{held}], speed: {{{driven}: 1000 rpm}}, duration: 1 ms}}\n"
+            f"loads:\n  in: {{body: {driven}, torque: 50 N m}}\n  out: {{body: output, torque: balance}}\n"
+        )
+    )
+    speeds = model.start_speeds("run")
+    assert speeds[driven] / speeds["output"] == pytest.approx(ratio, rel=1e-12)
+    found = solve_equilibrium(compile_model(model, "run"))
+    assert float(found["torque[out]"]) == pytest.approx(-50.0 * ratio, rel=1e-6)
+
+
+FRONT = 1 + 40 / 80
+CLUTCHES = {
+    "A": ("front_carrier", "small_sun"),
+    "B": ("front_carrier", "large_sun"),
+    "E": ("input", "carrier"),
+}
+LEPELLETIER = {
+    "1": ("A", "carrier", FRONT * I_1),
+    "2": ("A", "large_sun", FRONT * (I_1 + I_2) / (1 + I_2)),
+    "3": ("AB", "", FRONT),
+    "4": ("AE", "", I_1 * FRONT / (1 + (I_1 - 1) * FRONT)),
+    "5": ("BE", "", I_2 * FRONT / ((1 + I_2) * FRONT - 1)),
+    "6": ("E", "large_sun", I_2 / (1 + I_2)),
+    "R": ("B", "carrier", -FRONT * I_2),
+}
+
+
+@pytest.mark.parametrize("name", LEPELLETIER)
+def test_ratios_of_a_lepelletier_gearbox(name):
+    """Six gears and reverse of a simple set in front of a Ravigneaux set."""
+    clutches, held, ratio = LEPELLETIER[name]
+    model = loads_model(
+        lepelletier(
+            tuple(CLUTCHES[word] for word in clutches),
+            f"scenarios:\n  run: {{hold: [{held}], speed: {{input: 1000 rpm}}, duration: 1 ms}}\n",
+        )
+    )
+    speeds = model.start_speeds("run")
+    assert speeds["input"] / speeds["ring"] == pytest.approx(ratio, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("how", "out", "ratio"),
+    [
+        ({}, "carrier", 1 + 78 * 39 / (21 * 18)),
+        (
+            {"step": 36, "output": 96, "first_ring": 99, "fixed": "first_ring"},
+            "output_ring",
+            (1 + 99 / 21) / (1 - 99 * 36 / (39 * 96)),
+        ),
+    ],
+)
+def test_ratios_of_stepped_planets(how, out, ratio):
+    """A stepped planet between sun and ring, and a Wolfrom set of 118.9."""
+    loads = f"loads:\n  in: {{body: sun, torque: 20 N m}}\n  out: {{body: {out}, torque: balance}}\n"
+    loads += "scenarios:\n  run: {speed: {sun: 1000 rpm}, duration: 1 ms}\n"
+    model = loads_model(stepped(loads=loads, **how))
+    speeds = model.start_speeds("run")
+    assert speeds["sun"] / speeds[out] == pytest.approx(ratio, rel=1e-9)
+    found = solve_equilibrium(compile_model(model, "run"))
+    assert float(found["torque[out]"]) == pytest.approx(-20.0 * ratio, rel=1e-6)
+
+
+@pytest.mark.parametrize("equal_leads", [True, False])
+def test_axial_forces_on_stepped_planets(equal_leads):
+    """Of one hand and lead they cancel on the planet; the bearing has the rest.
+
+    F_t r is the same at both gears, and F_a = F_t tan(beta): T_p (tan(beta_1)/r_1 - tan(beta_2)/r_2) remains.
+    """
+    z_1, z_2, module = 39, 18, 3e-3
+    first = math.tan(math.radians(15.0))
+    slope = {z_1: first, z_2: first * (z_2 / z_1 if equal_leads else 1.0)}
+    text = stepped(
+        more="motion: free\nbearing: {stiffness: {radial: 1e9 N/m, axial: 1e8 N/m, tilt: 1e7 N m/rad}}",
+        loads="loads:\n  in: {body: sun, torque: 200 N m}\n  out: {body: carrier, torque: balance}\n",
+    )
+    for z, mate, hand in ((z_1, 21, "left"), (z_2, 78, "right")):  # of the transverse module 3 mm
+        angle = math.degrees(math.atan(slope[z]))
+        for teeth, own in ((z, "right"), (mate, hand)):
+            text = text.replace(
+                f"{{number_of_teeth: {teeth}, normal_module: 3.0 mm",
+                f"{{number_of_teeth: {teeth}, helix_angle: {angle!r} deg, hand: {own}, "
+                f"normal_module: {module * math.cos(math.radians(angle))!r} m",
+            )
+    found = solve_equilibrium(compile_model(loads_model(text)))
+    torque = 200.0 / 3 * z_1 / 21
+    leads = [slope[z] / (0.5 * module * z) for z in (z_1, z_2)]
+    axial = [float(found[f"bearing_force[planet_{k}-bearing.fz]"]) for k in (1, 2, 3)]
+    # a planet that tilts by the moment of its axial forces turns its lines of action
+    assert np.abs(axial) == pytest.approx(abs(torque * (leads[0] - leads[1])), abs=2e-3 * torque * leads[0])
