@@ -54,8 +54,8 @@ def test_forces_and_angles_of_the_page(model):
 
 
 def test_all_modes_have_a_kind(model):
-    """Alike around the set: three coordinates of each planet and the rotation of suns and ring, as the carrier is
-    held. The rest, twice as many coordinates of planets, are planet modes in pairs."""
+    """Alike around the set: three coordinates of each planet and the rotation of suns and ring, as
+    the carrier is held. The rest, twice as many coordinates of planets, are planet modes in pairs."""
     names = find_modes(compile_model(model, "first")).names
     kinds = [next((k for k in ("rotational", "planet mode") if k in name), name) for name in names]
     assert kinds[0] == "rigid rotation"

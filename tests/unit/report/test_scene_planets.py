@@ -9,7 +9,7 @@ import pytest
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report.scene.planets import grouped, planet_members
 from pitchpoint.viz.scene.content import SceneChannel
-from tests.validation.test_planet_sets import planet_set
+from tests.support.planet_stages import planet_set
 
 ON_BEARINGS = """\
 gears:
