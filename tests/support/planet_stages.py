@@ -105,7 +105,7 @@ def by_hand(
 
 
 def planet_set(sun: int, planet: int, ring: int, count: int, module: float = 4.0) -> Model:
-    """Model with every planet written by hand, of a set with its ring held, torque into the sun and out of the carrier."""
+    """Model of a set with its ring held, planets written by hand; torque into the sun, out of the carrier."""
     gear = (
         "number_of_teeth: {}, normal_module: {} mm, face_width: 40 mm, profile_shift_coefficient: 0, "
         "normal_pressure_angle: 25 deg"
