@@ -152,7 +152,13 @@ def _inner(parts: Parts, key: Place, stage: PlanetaryStage, mate: str, count: in
     other = others.get(mate)
     if len(parts.planetary_stages) < len(parts.known(SECTION)) and other is None:
         return  # may be the planets of a stage that could not be read
-    if count > 1:
+    if mate == stage.planet_name:
+        report.problem(
+            key,
+            f"names its own planets, {mate}",
+            remedy="give the stages different planet_name, and name that of the other one",
+        )
+    elif count > 1:
         report.problem(key, "is the second of the planets", limit="1", remedy="remove one inner_planets")
     elif other is None:
         report.problem(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of planetary stages: spacing of the planets, equal centre distances, room between the planets.
+"""Checks of planetary stages: pin errors, spacing of the planets, equal centre distances.
 
 With sun and ring, all planets can be assembled if the angles between them are whole multiples of
 2 pi/(z_s + z_r); for N planets at equal angles (z_s + z_r)/N is then a whole number. Other sets:
@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.gear_pairs import pair_of
 from pitchpoint.model.keys import Place
-from pitchpoint.model.planet_places import inner_stage, nominal_distance
+from pitchpoint.model.planet_places import inner_stage
 from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
 from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
@@ -70,8 +70,9 @@ def check_spacing(parts: Parts, report: Reader) -> None:
             continue
         teeth = spacing_teeth(stage_meshes(parts, tuple(stages.values())))
         for name, stage in stages.items():
-            if teeth and (stage.angles is not None or inner_stage(parts, stage) is None):
-                _spacing(parts, (SECTION, name), stage, teeth, report)
+            own = stage.angles is not None or inner_stage(parts, stage) is None
+            if teeth and own and not _spacing(parts, (SECTION, name), stage, teeth, report):
+                report.tainted.update(("meshes", mesh) for s in stages.values() for mesh in s.meshes)
             if stage.center_distance is None:
                 _distances(parts, (SECTION, name), stage, report)
 
@@ -97,7 +98,8 @@ def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
     return tuple(angles[0] + round((angle - angles[0]) / step) * step for angle in angles)
 
 
-def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report: Reader) -> None:
+def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report: Reader) -> bool:
+    """Check the angles of planets, which fit at a number of places on a turn; False if they do not."""
     nearest = possible_angles(stage.places, teeth)
     largest = max(wheel.gear.normal_module * wheel.gear.number_of_teeth for wheel in stage.wheels)
     central = [parts.gears[g.mate] for g in stage.groups if g.side != "planet"]
@@ -105,8 +107,7 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report:
     missed = [(abs(a - b), b) for a, b in zip(stage.places, nearest, strict=True)]
     worst = max(missed)[0]
     if worst * radius <= SAME:
-        return
-    report.tainted.update(("meshes", mesh) for mesh in stage.meshes)
+        return True
     listed = ", ".join(f"{round(math.degrees(b), 9):.9g} deg" for b in nearest)
     count = len(stage.places)
     simple = len(stage.wheels) == 1 and set(stage.wheels[0].mates) == {"sun", "ring"}
@@ -135,6 +136,7 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report:
             remedy=said_of(report, (*at, "angles"))
             or f"give angles: [{listed}], and errors of the pins as pin_errors{fitted}",
         )
+    return False
 
 
 def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
@@ -164,40 +166,3 @@ def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -
                 remedy=f"give center_distance: {min(first, other) * 1e3:.7g} mm, or change a profile shift",
             )
             return
-
-
-def check_planets(parts: Parts, report: Reader) -> None:
-    """Check that neighbouring planets do not touch."""
-    for name, stage in parts.planetary_stages.items():
-        bare = said_of(report, (SECTION, name, "angles"))
-        if bare and (SECTION, name, "angles") in report.tainted:
-            continue  # the same unit has been reported
-        for gap, (one, two) in planet_gaps(parts, stage):
-            if gap > 0.0:
-                continue
-            report.problem(
-                (SECTION, name, "planets" if stage.angles is None else "angles"),
-                f"makes {one} and {two} overlap by {format_quantity(-gap, 'length', 3)} at their tips",
-                remedy=bare or "use fewer planets, or planets with a smaller tip diameter",
-                taint=False,
-            )
-            break
-
-
-def planet_gaps(parts: Any, stage: PlanetaryStage) -> list[tuple[float, tuple[str, str]]]:
-    """Distances between the tip circles of neighbouring planets, without pin errors [m], and their names."""
-    distance = nominal_distance(parts, stage)
-    order = sorted(range(len(stage.places)), key=lambda k: stage.places[k] % math.tau)
-    if distance is None or len(order) < 2 or not all(name in parts.gears for name in stage.names):
-        return []
-    found = []
-    for k, one in enumerate(order):
-        two = order[(k + 1) % len(order)]
-        chord = 2.0 * distance * abs(math.sin(0.5 * (stage.places[two] - stage.places[one])))
-        names = stage.names[one], stage.names[two]
-        tips = [
-            0.5 * sum(parts.gears[wheel.of(planet)].geometry.d_a for planet in names)
-            for wheel in stage.wheels
-        ]
-        found.append((chord - max(tips), names))
-    return found if len(order) > 2 else found[:1]
