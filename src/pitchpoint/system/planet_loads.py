@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+IDLE = 1e-3
+"""Mean force over the largest of all meshes up to which one of several mates of a stage runs idle."""
 WORDS = "mesh load factor of the planets, from mean mesh forces"
 
 
@@ -102,7 +104,10 @@ def loads_of_planets(model: Model, mean: Callable[[str], float | None]) -> dict[
         known = [force for force in forces if force is not None and math.isfinite(force)]
         if len(known) < len(meshes):
             continue
-        factor = mesh_load_factor(known, max(least[mesh] for mesh in meshes))
+        limit = max(least[mesh] for mesh in meshes)
+        if "." in name:  # members that run idle only have the rest of a vibration
+            limit = max(limit, IDLE * largest)
+        factor = mesh_load_factor(known, limit)
         total = math.nan if factor is None else math.fsum(known)
         share = tuple(force / total for force in known)
         found[name] = PlanetLoads(planets, meshes, tuple(known), share, factor)
