@@ -21,6 +21,7 @@ def show_stages(stages: Mapping[str, Mapping[str, Any]]) -> None:
                 planet,
                 shown(row["angle"], "angle"),
                 *(f"{row['phases'][mate]:.4f}" for mate in stage["mates"]),
+                *(shown(angle, "angle", 5) for angle in row["orientations"].values()),
                 *(shown(row[key], "length", 4) for key in errors),
             ]
             for planet, row in planets.items()
@@ -31,5 +32,7 @@ def show_stages(stages: Mapping[str, Mapping[str, Any]]) -> None:
         if stage["planet_gap"] is not None:
             notes.append(f"distance between neighbouring planets {shown(stage['planet_gap'], 'length', 4)}")
         title = f"Planetary stage {name}: planets on {stage['carrier']}"
-        columns = ["angle", *(f"phase, {mate}" for mate in stage["mates"]), *(ERRORS[key] for key in errors)]
+        steps = next(iter(planets.values()))["orientations"]
+        columns = ["angle", *(f"phase, {mate}" for mate in stage["mates"])]
+        columns += [*(f"teeth of {step}" for step in steps), *(ERRORS[key] for key in errors)]
         table(title, ["planet", *columns], rows, notes)

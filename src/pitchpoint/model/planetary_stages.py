@@ -101,6 +101,13 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
                     "is not a planet of the stage",
                     remedy=did_you_mean(planet, stage.names) + f"its planets are {', '.join(stage.names)}",
                 )
+    for name_of_step, step_part in stage.steps.items():
+        if step_part.orientation is not None and step_part.gear.initial_angle is not None:
+            report.problem(
+                (*at, "steps", name_of_step, "orientation"),
+                "is given twice: the gear has an initial_angle",
+                remedy="remove one of them",
+            )
     for planet, own in stage.single_planets.items():
         for step in own.steps.keys() - stage.steps.keys():
             report.problem(
@@ -353,6 +360,9 @@ def _gear(name: str, stage: PlanetaryStage, planet: str, wheel: Wheel) -> Gear:
     changes: dict[str, Any] = {"stage": name}
     changes |= {key: value for key, value in given.items() if value is not None}
     changes |= {"faults": {**wheel.gear.faults, **own.faults}} if own.faults else {}
+    if wheel.step and planet == stage.names[0]:  # the others follow from their meshes, as they are equal
+        angle = stage.steps[wheel.step].orientation
+        changes["aligned"] = None if angle is None else (planet, angle)
     return replace(wheel.gear, **changes)
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -51,8 +52,8 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
     dict
         By stage: gears and carrier, center_distance [m] without pin errors, planet_gap [m]: least distance
         between the tips of neighbouring planets (None for one planet), and by planet its angle [rad], pin
-        errors [m] and by mate the phases of its meshes after those of the first planet [base pitches], in
-        [0, 1).
+        errors [m], by step the orientation of its teeth [rad], and by mate the phases of its meshes after
+        those of the first planet [base pitches], in [0, 1).
     """
     found = {}
     for name, stage in model.planetary_stages.items():
@@ -67,6 +68,7 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
                 "tangential_pin_error": error.tangential,
                 "radial_pin_error": error.radial,
                 "phases": {mate: values[k] for mate, values in phases.items()},
+                "orientations": {step: orientation(model, planet, step) for step in stage.steps},
             }
         found[name] = {
             "sun": stage.sun,
@@ -78,6 +80,17 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
             "planets": planets,
         }
     return found
+
+
+def orientation(model: Model, planet: str, step: str) -> float:
+    """Angle from a tooth of a stepped planet to the next tooth of its step, at their mid-faces [rad].
+
+    In [0, 2 pi/lcm(z_1, z_2)): other pairs of teeth have other angles.
+    """
+    names = planet, f"{planet}-{step}"
+    pitch = math.tau / math.lcm(*(model.gears[name].number_of_teeth for name in names))
+    one, two = (model.phasing.tooth_angle[name] for name in names)
+    return round((two - one) / pitch, ROUNDING) % 1.0 * pitch
 
 
 def group_phases(model: Model, group: MeshGroup, angles: Array) -> list[float]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from fractions import Fraction
 
 import pytest
@@ -11,6 +12,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.planet_spacing import spacing_teeth
+from pitchpoint.report.planets import stages_of_model
 from tests.support.planet_gearboxes import stepped
 
 
@@ -86,3 +88,46 @@ def test_stepped_planets_that_cannot_be_assembled():
     assert "whole multiples of 360 deg/1140 between the planets" in problem
     assert "give angles: [0 deg, 51.4736842 deg," in problem
     assert "or 6 planets, or fitted: true at a step" in problem
+
+
+def orientations(text):
+    """Orientation of the step of every planet [deg]."""
+    rows = stages_of_model(loads_model(text))["planet"]["planets"].values()
+    return [math.degrees(row["orientations"]["small"]) for row in rows]
+
+
+def test_equal_planets_have_one_orientation():
+    """As assembled, or as given; other teeth of 39 and 18 have other angles by multiples of 360/234 deg."""
+    assert orientations(stepped()) == pytest.approx([0.0] * 3, abs=1e-6)
+    assert orientations(stepped(step_more="orientation: 0.4 deg")) == pytest.approx([0.4] * 3, abs=1e-5)
+    turned = stepped(step_more=f"orientation: {0.4 + 5 * 360 / 234!r} deg")
+    assert orientations(turned) == pytest.approx([0.4] * 3, abs=1e-5)
+
+
+def test_the_orientation_moves_the_phase_of_the_step():
+    """Between the meshes of the first planet: by 18 teeth times the angle."""
+    travels = []
+    for angle in (0.0, 7.0):
+        model = loads_model(stepped(step_more=f"orientation: {angle!r} deg"))
+        found = model.phasing
+        assert max(map(abs, found.offset.values())) < 1e-12
+        travels.append(
+            [found.travel[n] / model.pairs[n].p_et for n in ("sun-planet_1", "planet_1-small-output_ring")]
+        )
+    change = [b - a for a, b in zip(*travels, strict=True)]
+    assert change[0] == pytest.approx(0.0, abs=1e-12)
+    assert math.remainder(change[1] - 18 * 7.0 / 360.0, 1.0) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_fitted_steps_fit_at_any_angle():
+    """The teeth of a step are turned on its planet by as much as the ring misses, modulo both pitches."""
+    text = stepped(step_more="fitted: true").replace("planets: 3", "angles: [0 deg, 101 deg, 220 deg]")
+    model = loads_model(text)
+    assert max(map(abs, model.phasing.offset.values())) < 1e-12
+    turned = orientations(text)
+    for psi, own in zip((0.0, 101.0, 220.0), turned, strict=True):
+        # the planet turns by z_s psi/39 for the sun, the step by -z_r psi/18 for the ring
+        wanted = turned[0] - 78 * psi / 18 - 21 * psi / 39
+        assert math.remainder(own - wanted, 360 / 234) == pytest.approx(0.0, abs=1e-5)
+    problem = refused(text.replace("fitted: true", "fitted: false"))[0]
+    assert "cannot be assembled: a planet is 0.1053 deg off" in problem

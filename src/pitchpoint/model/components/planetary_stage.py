@@ -108,6 +108,12 @@ class PlanetStep(Component):
     inner_planets: str | None = text(
         "planet_name of another stage, whose planets are in mesh with the step", None, display="none"
     )
+    orientation: float | None = quantity(
+        "angle",
+        "angle from the centre of a tooth of planet to that of a tooth of the step, at their mid-faces",
+        None,
+        display="that of the teeth in mesh, as rings and suns are assembled",
+    )
     fitted: bool = boolean(
         "the teeth of each planet are oriented at its assembly, so that planets need not be equal", False
     )
