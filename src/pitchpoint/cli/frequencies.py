@@ -61,7 +61,12 @@ def frequencies(
     Specify speeds by a scenario or --speed; the other speeds follow from the gear ratios.
     """
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.report.frequencies import frequencies_of, scenario_speeds, turning_speeds
+    from pitchpoint.report.frequencies import (
+        frequencies_of,
+        scenario_speeds,
+        turning_speeds,
+        undetermined_speeds,
+    )
 
     model = read_model(file, allow_code, quiet)
     remarks: list[str] = []
@@ -78,6 +83,7 @@ def frequencies(
     if not any(spins.values()):
         where = f"scenario {scenario}: nothing rotates" if scenario else "nothing rotates"
         raise click.UsageError(f"{where}; give a speed, such as --speed {next(iter(model.bodies))}=1500rpm")
+    remarks += undetermined_speeds(model, [*speeds, *held])
     found = {"scenario": scenario, **frequencies_of(model, spins), "remarks": remarks}
     if as_json:
         emit_json(found)

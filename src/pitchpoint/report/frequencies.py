@@ -15,6 +15,7 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
+from pitchpoint.core.words import listed
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.frames import GROUND
 from pitchpoint.report.planets import Array, mesh_phases, planet_angles
@@ -141,6 +142,26 @@ def turning_speeds(
             ]
         )
     return spins
+
+
+def undetermined_speeds(model: Model, known: Collection[str]) -> list[str]:
+    """Remarks on bodies whose speeds do not follow from those that are known or held."""
+    from pitchpoint.model.carried_trains import has_carriers, undetermined
+    from pitchpoint.model.speed_ratios import links_of
+    from pitchpoint.model.torsional_supports import supported_bodies
+
+    machine: Any = model
+    links = links_of(machine)
+    if not has_carriers(machine, links):
+        return []
+    loose = undetermined(machine, links, [*known, *supported_bodies(machine)])
+    own = [body for body in loose if model.bodies[body].stage is None]
+    if not own:
+        return []
+    return [
+        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: shown are the least that "
+        "fit; give the speed of another member, or hold it"
+    ]
 
 
 def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
