@@ -97,7 +97,7 @@ def test_a_floating_sun_and_four_planets(error, torque):
 
 @pytest.mark.parametrize("torque", [300.0, 600.0, 1200.0, 2400.0])
 def test_the_factor_of_one_pin_error_over_the_torque(torque):
-    """K_gamma of a pin that is ahead by e, with the mean force F: 1 for three planets with a floating sun, and
+    """K_gamma of a pin that is ahead by e, with the mean force F: 1 for three planets with a floating sun and
     1 + K e'/(3 F) on fixed axes; 1 + K e'/(4 F) for four planets with either sun."""
     error = 4e-6
     spring = 2.0 * math.cos(ALPHA) * error / (2.0 / K + 4.0 * math.cos(ALPHA) ** 2 / K_PIN)
