@@ -11,6 +11,8 @@ the sun floats. Its displacement is the translation, the mean deflection of all 
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -89,3 +91,40 @@ def test_motion_by_harmonic(teeth, count, phases):
         assert (moved[harmonic] > 1e-4) == (kind == "translational"), (harmonic, moved)
         for quiet in [turned] * (kind != "rotational") + [moved] * (kind != "translational"):
             assert quiet[harmonic] < 1e-6, (harmonic, kind, turned, moved)
+
+
+@pytest.mark.parametrize(("teeth", "shift"), [((48, 16, 80), 0.0), ((51, 17, 85), 0.25)])
+def test_sun_and_ring_meshes_of_one_planet(teeth, shift):
+    """From the entries of tooth pairs in a slow roll, where the stiffness jumps, and the path from A to C.
+
+    1/2 for even and 0 for odd numbers of teeth of planets without profile shift. Tolerance: the steps of the
+    roll, 1/200 of a mesh cycle, of both meshes.
+    """
+    text = set_of(*teeth, 4).replace("points: 32", "points: 200").replace("torque: 500", "torque: 1")
+    if shift:
+        none = "profile_shift_coefficient: 0,"
+        arm = 0.5 * 3.0 * (teeth[0] + teeth[1])
+        text = text.replace(
+            f"number_of_teeth: {teeth[1]}, {TEETH}",
+            f"number_of_teeth: {teeth[1]}, {TEETH}".replace(none, f"profile_shift_coefficient: {shift},"),
+        )
+        for z in (teeth[0], teeth[2]):
+            text = text.replace(
+                f"number_of_teeth: {z}, {TEETH}", f"number_of_teeth: {z}, {TEETH}".replace(none, "")
+            )
+        text = text.replace(
+            "    carrier: carrier\n", f"    carrier: carrier\n    center_distance: {arm} mm\n"
+        )
+    model = loads_model(text)
+    predicted = stages_of_model(model)["set"]["ring_after_sun"]
+    if not shift:
+        # thinner teeth of the planet by 60 um: both flanks are closer together
+        assert predicted == pytest.approx(0.5 * (teeth[1] % 2 == 0) + 0.02 / math.pi, abs=1e-6)
+    found = solve_quasistatic(compile_model(model, "slow"))
+    passes = []
+    for name in ("sun-planet_1", "planet_1-ring"):
+        stiffness = found[f"tangent_stiffness[{name}]"].values
+        pair = model.pairs[name]
+        entry = (np.argmax(np.diff(stiffness)) + 0.5) / (stiffness.size - 1)
+        passes.append(entry + (pair.T1C - pair.T1A) / pair.p_et)
+    assert abs(np.remainder(passes[1] - passes[0] - predicted + 0.5, 1.0) - 0.5) < 5e-3

@@ -32,6 +32,11 @@ def show_stages(stages: Mapping[str, Mapping[str, Any]]) -> None:
         if stage["planet_gap"] is not None:
             notes.append(f"distance between neighbouring planets {shown(stage['planet_gap'], 'length', 4)}")
         title = f"Planetary stage {name}: planets on {stage['carrier']}"
+        if stage["ring_after_sun"] is not None:
+            notes.append(
+                f"flanks pass the pitch point with {stage['ring']} {stage['ring_after_sun']:.4f} mesh cycles "
+                f"after those with {stage['sun']}, if {stage['sun']} drives"
+            )
         steps = next(iter(planets.values()))["orientations"]
         columns = ["angle", *(f"phase, {mate}" for mate in stage["mates"])]
         columns += [*(f"teeth of {step}" for step in steps), *(ERRORS[key] for key in errors)]

@@ -18,6 +18,8 @@ from pitchpoint.system.planet_loads import as_data, loads_in, planet_loads
 if TYPE_CHECKING:
     import xarray as xr
 
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.model.components.planetary_stage import PlanetaryStage
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -50,10 +52,10 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        By stage: gears and carrier, center_distance [m] without pin errors, planet_gap [m]: least distance
-        between the tips of neighbouring planets (None for one planet), and by planet its angle [rad], pin
-        errors [m], by step the orientation of its teeth [rad], and by mate the phases of its meshes after
-        those of the first planet [base pitches], in [0, 1).
+        By stage: gears and carrier, center_distance [m] without pin errors, ring_after_sun, planet_gap [m]:
+        least distance between the tips of neighbouring planets (None for one planet), and by planet its angle
+        [rad], pin errors [m], by step the orientation of its teeth [rad], and by mate the phases of its
+        meshes after those of the first planet [base pitches], in [0, 1).
     """
     found = {}
     for name, stage in model.planetary_stages.items():
@@ -76,6 +78,7 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
             "mates": [group.mate for group in stage.groups],
             "carrier": stage.carrier,
             "center_distance": nominal_distance(model, stage),
+            "ring_after_sun": ring_after_sun(model, stage),
             "planet_gap": min((gap for gap, _ in gaps), default=None),
             "planets": planets,
         }
@@ -91,6 +94,37 @@ def orientation(model: Model, planet: str, step: str) -> float:
     pitch = math.tau / math.lcm(*(model.gears[name].number_of_teeth for name in names))
     one, two = (model.phasing.tooth_angle[name] for name in names)
     return round((two - one) / pitch, ROUNDING) % 1.0 * pitch
+
+
+def ring_after_sun(model: Model, stage: PlanetaryStage) -> float | None:
+    """Mesh cycles by which flanks pass the pitch point with the ring after those with the sun, in [0, 1).
+
+    On the first planet, with a sun that drives in positive rotation against the carrier [1]_. The planet then
+    rotates in the negative sense, pushed at the trailing flanks of its teeth, and pushes the ring with the
+    leading ones; a flank is half a tooth thickness from the centre of its tooth at the working circle. For
+    teeth of half a pitch 0 if the planet has an odd number of them, else 1/2. None without sun and ring in
+    mesh with the gear given as `planet`.
+
+    References
+    ----------
+    .. [1] R. G. Parker, J. Lin, Mesh phasing relationships in planetary and epicyclic gears, Journal of
+       Mechanical Design 126(2), 2004, 365-370.
+    """
+    groups = {group.side: group.names[0] for group in stage.groups if not group.wheel.step}
+    if not {"sun", "ring"} <= groups.keys():
+        return None
+    sun, ring = (model.pairs[groups[side]] for side in ("sun", "ring"))
+    travel = [model.phasing.travel[groups[s]] / abs(p.p_et) for s, p in (("sun", sun), ("ring", ring))]
+    with_sun = 0.5 - travel[0] + 0.5 * _thickness(sun.gear2, sun.d_w2)
+    with_ring = travel[1] - 0.5 * _thickness(ring.gear1, ring.d_w1)
+    return round(with_ring - with_sun, ROUNDING) % 1.0
+
+
+def _thickness(gear: CylindricalGear, d_w: float) -> float:
+    """Tooth thickness at a diameter [m], in pitches."""
+    from pitchpoint.geometry.tooth_thickness import transverse_tooth_thickness
+
+    return transverse_tooth_thickness(gear, abs(d_w)) * abs(gear.z) / (math.pi * abs(d_w))
 
 
 def group_phases(model: Model, group: MeshGroup, angles: Array) -> list[float]:
