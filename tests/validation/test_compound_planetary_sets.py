@@ -13,6 +13,7 @@ import math
 import numpy as np
 import pytest
 
+from pitchpoint import planet_loads
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
@@ -166,3 +167,34 @@ def test_axial_forces_on_stepped_planets(equal_leads):
     axial = [float(found[f"bearing_force[planet_{k}-bearing.fz]"]) for k in (1, 2, 3)]
     # a planet that tilts by the moment of its axial forces turns its lines of action
     assert np.abs(axial) == pytest.approx(abs(torque * (leads[0] - leads[1])), abs=2e-3 * torque * leads[0])
+
+
+@pytest.mark.parametrize(("stage", "pin"), [("short", "short_1"), ("long", "long_1")])
+@pytest.mark.parametrize("error", [8e-6, -8e-6])
+def test_load_sharing_of_planets_in_series(stage, pin, error):
+    """In first gear each pair of planets is a chain of three meshes of stiffness k: K = k/3 at the sun.
+
+    A pin that moves by e changes the travel by e P/F, by virtual work, with the tangential force P on the pin at
+    the mesh force F; P is that of bearings in a set without errors. Then F_n = T/(N r_b) + K (mean - s_n).
+    """
+    loads = "loads:\n  in: {body: small_sun, torque: 300 N m}\n  out: {body: ring, torque: balance}\n"
+    held = "scenarios:\n  run: {hold: [carrier], speed: {small_sun: 1000 rpm}, duration: 1 ms}\n"
+    on_bearings = ravigneaux(loads, held, motion="planar", more="bearing: {stiffness: {radial: 1e10 N/m}}")
+    found = solve_equilibrium(compile_model(loads_model(on_bearings), "run"))
+    model = loads_model(ravigneaux(loads, held))
+    place = np.arctan2(*model.bodies[pin].origin[1::-1])
+    across = np.array([-np.sin(place), np.cos(place)])
+    pushed = across @ [float(found[f"bearing_force[{pin}-bearing.f{axis}]"]) for axis in "xy"]
+    mean = 300.0 / (3 * 27e-3 * math.cos(math.radians(20.0)))
+    # force of the bearing on the planet: a pin that moves along it shortens the chain and takes load
+    taken = 4e8 / 3 * error * pushed / mean
+    wanted = mean + taken * np.array([2, -1, -1]) / 3
+    moved = model.replace(f"planetary_stages.{stage}.pin_errors.{pin}.tangential", error)
+    result = solve_equilibrium(compile_model(moved, "run"))
+    forces = [abs(float(result[f"mesh_force[small_sun-short_{k}]"])) for k in (1, 2, 3)]
+    assert forces == pytest.approx(wanted, abs=2e-3 * mean)
+    loads_of = planet_loads(moved, result)
+    factor = wanted.max() / mean
+    for group in ("short", "long.ring", "long.short"):
+        assert loads_of[group].factor == pytest.approx(factor, rel=2e-3)
+    assert loads_of["long.large_sun"].factor is None
