@@ -16,6 +16,7 @@ import pytest
 from pitchpoint import planet_loads
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from tests.support.planet_gearboxes import lepelletier, ravigneaux, simpson, stepped
 
@@ -174,7 +175,7 @@ def test_axial_forces_on_stepped_planets(equal_leads):
 def test_load_sharing_of_planets_in_series(stage, pin, error):
     """In first gear each pair of planets is a chain of three meshes of stiffness k: K = k/3 at the sun.
 
-    A pin that moves by e changes the travel by e P/F, by virtual work, with the tangential force P on the pin at
+    A pin that moves by e changes the travel by e P/F, by virtual work, with the tangential force P on it at
     the mesh force F; P is that of bearings in a set without errors. Then F_n = T/(N r_b) + K (mean - s_n).
     """
     loads = "loads:\n  in: {body: small_sun, torque: 300 N m}\n  out: {body: ring, torque: balance}\n"
@@ -198,3 +199,29 @@ def test_load_sharing_of_planets_in_series(stage, pin, error):
     for group in ("short", "long.ring", "long.short"):
         assert loads_of[group].factor == pytest.approx(factor, rel=2e-3)
     assert loads_of["long.large_sun"].factor is None
+
+
+def test_a_gear_shift_by_two_brakes():
+    """From first to second gear: the brake of the carrier opens while that of the large sun closes.
+
+    Before and after, the speeds of small sun and ring have the ratio of the gear.
+    """
+    shift = """loads:
+  engine: {body: small_sun, torque: 50 N m}
+  road: {body: ring, torque: -100 N m}
+clutches:
+  low: {bodies: [carrier], capacity: {table: [[0, 200], [5 ms, 200], [20 ms, 0], [1, 0]]}}
+  high: {bodies: [large_sun], capacity: {table: [[0, 0], [5 ms, 0], [20 ms, 200], [1, 200]]}}
+scenarios:
+  shift: {speed: {small_sun: 1500 rpm, carrier: 0 rpm}, duration: 50 ms, step: 5 us, sample_rate: 1 kHz}
+"""
+    text = ravigneaux(shift)
+    for body, inertia in (("ring", 0.5), ("small_sun", 0.02)):
+        text = text.replace(f"{body}: {{gears: [{body}],", f"{body}: {{gears: [{body}], inertia: {inertia},")
+    found = solve_time(compile_model(loads_model(text), "shift"))
+    ratio = found["speed[small_sun]"].values / found["speed[ring]"].values
+    assert ratio[:4] == pytest.approx(np.full(4, I_1), rel=2e-3)
+    assert ratio[-5:] == pytest.approx(np.full(5, (I_1 + I_2) / (1 + I_2)), rel=2e-3)
+    assert found["speed[large_sun]"].values[-1] == pytest.approx(0.0, abs=0.1)
+    # torque of the brake: that of the large sun in second gear, less that of its inertia
+    assert abs(found["torque[high]"].values[-1]) == pytest.approx(28.4, rel=0.1)
