@@ -62,7 +62,7 @@ def settle_angles(parts: Parts, report: Reader) -> None:
         for name in ready:
             stage = waiting.pop(name)
             inner = inner_stage(parts, stage)
-            if inner is not None and stage.angles is None:
+            if inner is not None and stage.planets is not None:
                 lead = _lead(parts, name, stage, inner, report)
                 parts.planetary_stages[name] = replace(stage, inner_angles=inner.places, lead=lead)
 
@@ -99,11 +99,9 @@ def nominal_distance(parts: Any, stage: PlanetaryStage) -> float | None:
     """Distance of the pins from the axis without pin errors [m]; None if its meshes are not valid."""
     if stage.center_distance is not None:
         return stage.center_distance
-    for group in stage.groups:
-        name = group.names[0]
-        if group.side != "planet" and name in parts.meshes and (a := parts.meshes[name].a_w) is not None:
-            return abs(a)
-    return None
+    firsts = [name for group in stage.groups if group.side != "planet" for name in group.names[:1]]
+    known = (parts.meshes[name].a_w for name in firsts if name in parts.meshes)
+    return next((abs(a) for a in known if a is not None), None)
 
 
 def place_planets(parts: Parts) -> None:

@@ -23,6 +23,7 @@ from pitchpoint.model.components.planetary_stage import (
     SinglePlanet,
     SingleStep,
     Wheel,
+    names_of,
 )
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -157,8 +158,11 @@ def _inner(parts: Parts, key: Place, stage: PlanetaryStage, mate: str, count: in
     """Check that inner planets are those of another stage, as many, on the same carrier."""
     others = {s.planet_name: s for s in parts.planetary_stages.values() if s is not stage}
     other = others.get(mate)
-    if len(parts.planetary_stages) < len(parts.known(SECTION)) and other is None:
-        return  # may be the planets of a stage that could not be read
+    unread = len(parts.planetary_stages) < len(parts.known(SECTION))
+    if (other is None and unread) or (other is not None and not other.names):
+        # of a stage that could not be read, or without a number of planets: reported there
+        parts.names["gears"] = parts.known("gears") | set(names_of(mate, len(stage.names)))
+        return
     if mate == stage.planet_name:
         report.problem(
             key,
@@ -174,7 +178,7 @@ def _inner(parts: Parts, key: Place, stage: PlanetaryStage, mate: str, count: in
             remedy=did_you_mean(mate, others)
             + f"planet_name of other stages: {', '.join(others) or 'there is no other stage'}",
         )
-    elif len(other.names) != len(stage.names):
+    elif stage.names and len(other.names) != len(stage.names):
         report.problem(
             key,
             f"names {len(other.names)} planets for {len(stage.names)} planets",

@@ -164,6 +164,26 @@ def test_planets_in_series_that_are_refused(old, new, words):
 
 
 @pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (f"planet: {gear(18)}", f"planet: {gear(18)}".replace("20.0 mm", "20 kg"), "short.planet.face_width"),
+        ("    planets: 3\n", "", "planetary_stages.short (line 11): gives none of planets, angles"),
+        (
+            "number_of_teeth: 27",
+            "number_of_teeth: 28",
+            "planetary_stages.short.planets (line 14): 3 cannot be",
+        ),
+    ],
+)
+def test_one_mistake_is_one_problem(old, new, words):
+    """Of an unreadable stage, of planets without a number, and of teeth that do not fit."""
+    text = ravigneaux()
+    assert old in text
+    (problem,) = refused(text.replace(old, new, 1))
+    assert words in problem
+
+
+@pytest.mark.parametrize(
     ("how", "words"),
     [
         (
