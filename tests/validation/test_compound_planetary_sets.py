@@ -68,6 +68,33 @@ def test_forces_of_a_ravigneaux_set_in_first_gear():
         assert float(found[f"mesh_force[large_sun-long_{k}]"]) == pytest.approx(0.0, abs=1e-3)
 
 
+def test_two_stages_on_one_carrier():
+    """Both rings are at rest, so that both suns have the ratio 1 + z_r/z_s of their sets; the torques of both
+    sets add on the carrier."""
+    text = simpson(
+        "scenarios:\n  run: {speed: {output: 100 rpm}, duration: 1 ms}\n"
+        "loads:\n  in: {body: sun, torque: 50 N m}\n  rear: {body: rear, torque: 80 N m}\n"
+        "  out: {body: output, torque: balance}\n"
+    )
+    text = text.replace("carrier: rear_carrier", "carrier: output")
+    text = text.replace("  rear_carrier: {inertia: 0.01 kg m^2, position: [0, 0, 60 mm]}\n", "")
+    text = text.replace("{front_sun: 0, rear_sun: 60 mm}", "[front_sun]")
+    text = text.replace("{gears: {rear_ring: 60 mm}, inertia", "{inertia")
+    rear = "  rear: {gears: [rear_sun], position: [0, 0, 60 mm]}\n"
+    rear += "  rear_ring: {gears: [rear_ring], motion: fixed, position: [0, 0, 60 mm]}\n"
+    text = text.replace("bodies:\n", "bodies:\n" + rear).replace(
+        "gears: [front_ring],", "gears: [front_ring], motion: fixed,"
+    )
+    model = loads_model(text)
+    speeds = model.start_speeds("run")
+    ratio = 1 + 72 / 30
+    assert [speeds[sun] / speeds["output"] for sun in ("sun", "rear")] == pytest.approx(
+        [ratio] * 2, rel=1e-12
+    )
+    found = solve_equilibrium(compile_model(model, "run"))
+    assert float(found["torque[out]"]) == pytest.approx(-130.0 * ratio, rel=1e-6)
+
+
 RHO = 30 / 72
 
 

@@ -193,7 +193,7 @@ def test_one_mistake_is_one_problem(old, new, words):
         ({"step_more": "rng: x"}, "steps.small.rng (line 23): is an unknown key; did you mean ring?"),
         ({"step": 20}, "the planets would be 87 mm from the axis of output_ring, 3 mm less than 90 mm from"),
         ({"more": "single_planets: {planet_1: {steps: {big: {}}}}"}, "steps.big (line 18): is not a step of"),
-        ({"count": 5}, "makes planet_1 and planet_2 overlap by 17.2 mm at their tips"),
+        ({"count": 5}, "overlap by 17.2 mm at their tips; use fewer planets, 4 at most at equal angles"),
     ],
 )
 def test_stepped_planets_that_are_refused(how, words):

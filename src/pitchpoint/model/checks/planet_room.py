@@ -36,11 +36,21 @@ def check_planets(parts: Parts, report: Reader) -> None:
             report.problem(
                 (SECTION, name, "planets" if stage.angles is None else "angles"),
                 f"makes {one} and {two} overlap by {format_quantity(-gap, 'length', 3)} at their tips",
-                remedy=bare or "use fewer planets, or planets with a smaller tip diameter",
+                remedy=bare or f"{_most(parts, stage)}, or planets with a smaller tip diameter",
                 taint=False,
             )
             break
     _others(parts, report)
+
+
+def _most(parts: Parts, stage: PlanetaryStage) -> str:
+    """Number of planets that fit on their circle at equal angles, in words."""
+    distance = nominal_distance(parts, stage) or math.inf
+    tips = max(parts.gears[wheel.of(stage.names[0])].geometry.d_a for wheel in stage.wheels)
+    most = math.floor(math.pi / math.asin(min(0.5 * tips / distance, 1.0)))
+    if stage.angles is not None or most >= len(stage.places):
+        return "use fewer planets"
+    return f"use fewer planets, {most} at most at equal angles"
 
 
 class _Disc(NamedTuple):
