@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.report.static_power import static_power
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
@@ -41,6 +42,19 @@ def test_the_table_of_the_page(model, gear):
     assert float(found["torque[output]"]) == pytest.approx(output, abs=6e-3)
     assert float(found["torque[output]"]) == pytest.approx(-100.0 * ratio, abs=0.06)
     assert float(found["holding_torque"].sel(held=f"{held}.spin")) == pytest.approx(holding, abs=6e-3)
+
+
+@pytest.mark.parametrize(
+    ("scenario", "held", "ratio"), [("first", "carrier", 8 / 3), ("second", "large_sun", 14 / 9)]
+)
+def test_the_power_flow_of_check(model, scenario, held, ratio):
+    """Members in `hold` are at rest."""
+    flow = static_power(model, model.scenarios[scenario], scenario)
+    speeds = {name: row["speed"] for name, row in flow["shafts"].items()}
+    assert speeds[held] in (None, 0.0)
+    assert speeds["small_sun"] / speeds["ring"] == pytest.approx(ratio, rel=1e-12)
+    assert flow["power_in"] == pytest.approx(100.0 * 2000.0 * math.pi / 30.0, rel=1e-9)
+    assert flow["power_out"] == pytest.approx(flow["power_in"], rel=1e-9)
 
 
 def test_forces_and_angles_of_the_page(model):

@@ -108,8 +108,8 @@ def undetermined(parts: Parts, links: list[Link], known: Sequence[str]) -> list[
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
-    rows = [row for link in links if (row := _relation(parts, place, link)).any()]
-    free = _null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
+    rows = [row for link in links if (row := relation(parts, place, link)).any()]
+    free = null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
     taken = free[[place[name] for name in known if name in place]]
     if not free.shape[1] or not len(taken):
         return []
