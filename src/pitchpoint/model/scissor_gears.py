@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 SECTION = "scissor_gears"
 MOTIONS = ("torsion", "planar", "free")
 """Motions of the body of the fixed half."""
+TOUCHING = 1e-9
+"""Share of the distance of the halves that is rounding."""
 
 
 def add_scissor_gears(parts: Parts, report: Reader) -> None:
@@ -73,6 +75,15 @@ def _usable(parts: Parts, name: str, scissor: ScissorGear, report: Reader) -> bo
     body = parts.body_of(scissor.gear)
     if body is None or body not in parts.bodies or scissor.gear not in parts.gears:
         return False  # reported for the gear
+    least = 0.5 * (parts.gears[scissor.gear].face_width + scissor.face_width)
+    if scissor.position is not None and abs(scissor.position) < least * (1.0 - TOUCHING):
+        report.problem(
+            (*at, "position"),
+            f"lets the free half overlap {scissor.gear}",
+            value=f"{1e3 * scissor.position:.6g} mm",
+            limit=f"at least {1e3 * least:.6g} mm, half of both face widths, to either side",
+            remedy="remove position, or move the free half",
+        )
     _check_body(parts, name, scissor, body, report)
     for group, word, _ in members(parts, name, scissor):
         if word in parts.known(group):

@@ -153,6 +153,7 @@ def test_messages_are_on_the_key_that_is_wrong():
         ("-5.0 N m", "0 N m"): r"scissor_gears\.free\.torque .* is zero",
         ("free: {gear", "wheel: {gear"): r"scissor_gears\.wheel .* needs the name wheel",
         ("gear: wheel,", "gear: wheel, position: 30 mm,"): r"scissor_gears\.free\.position .* do not overlap",
+        ("gear: wheel,", "gear: wheel, position: -8 mm,"): r"free\.position .* overlap wheel .* 9 mm",
         ("motion: torsion}", "motion: planar}"): r"scissor_gears\.free\.hub_stiffness .* is missing: output",
         ("[wheel], motion: torsion", "[wheel], motion: fixed"): r"scissor_gears\.free\.gear .* motion: fixed",
         ("gear: wheel,", "gear: wheel, hub_stiffness: {radial: 1},"): r"hub_stiffness .* has no effect",
