@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The `pitchpoint` command: list of subcommands and handling of errors.
 
-A command is a module of this folder with a function of the same name. It is imported when called, so that
-`pitchpoint --help` does not load numerical libraries.
+A command is a module of this folder with a function of the same name; for words of Python both end in an
+underscore. It is imported when called, so that `pitchpoint --help` does not load numerical libraries.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import gc
 import importlib
 import io
+import keyword
 import os
 import sys
 import warnings
@@ -22,6 +23,7 @@ from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 
 COMMANDS = {
     "new": "Write a commented model to start from.",
+    "import": "Model from a REXS file of a gear unit.",
     "check": "Check a model file; list its parts and defaults.",
     "gears": "Geometry of gears and pairs; drawings.",
     "clearance": "Clearances between assembled gears, with pictures.",
@@ -68,6 +70,7 @@ class LazyGroup(click.Group):
         if cmd_name not in COMMANDS:
             return None
         name = cmd_name.replace("-", "_")
+        name += "_" if keyword.iskeyword(name) else ""
         command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
         return command
 

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Couplings between two shafts, and between a shaft and the casing; switched ones only if engaged."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pitchpoint.io.rexs.conversion.bearings import (
+    CASING,
+    COUPLINGS,
+    LINEAR_DAMPING,
+    sides_of,
+    stiffness_entry,
+    stiffness_of,
+)
+from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.document import RexsComponent
+
+__all__ = ["COUPLINGS", "convert_coupling", "engaged"]
+
+
+def engaged(conversion: Conversion, coupling: RexsComponent) -> bool:
+    """Whether a coupling is engaged in the gear of the gear unit; those without a switch are."""
+    states = conversion.value(coupling, "is_engaged")
+    if coupling.type != "switchable_coupling" or states is None:
+        if coupling.type == "switchable_coupling":
+            conversion.default(coupling, "is_engaged", "engaged", "", "it has no states")
+        return True
+    if not isinstance(states, tuple):
+        return bool(states)
+    index = 1
+    for unit in conversion.source.of_type("gear_unit"):
+        number = conversion.value(unit, "gear_shift_index")
+        index = number if isinstance(number, int) else 1
+    return bool(states[index - 1]) if 1 <= index <= len(states) else bool(states and states[0])
+
+
+def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
+    """Add a coupling: between shafts as such, to the casing as a bearing that also holds the rotation."""
+    if not engaged(conversion, coupling):
+        conversion.ignored(coupling, "all", "not engaged in the gear of the file")
+        return
+    sides = sides_of(conversion, coupling)
+    if len(sides) < 2:
+        conversion.problem(coupling, "connects no two parts", remedy="give a relation 'side' with both parts")
+        return
+    inner, outer = sides["inner_part"], sides["outer_part"]
+    key = "u_coordinate_on_shaft_inner_side"
+    if inner.id not in conversion.seats:
+        inner, outer, key = outer, inner, "u_coordinate_on_shaft_outer_side"
+    seat = conversion.seats.get(inner.id)
+    if seat is None:
+        if inner.id not in conversion.done:
+            conversion.problem(coupling, f"is on {inner}, which is no shaft of the model")
+        return
+    other = conversion.seats.get(outer.id)
+    if other is not None and other.body == seat.body:
+        conversion.ignored(coupling, "all", f"connects parts of the rigid body {seat.body}")
+        return
+    u = conversion.number(coupling, key)
+    if u is None:
+        frame = conversion.frames.get(coupling.id)
+        u = 0.0 if frame is None else float((frame.origin - seat.frame.origin) @ seat.frame.z) - seat.start
+        conversion.default(coupling, key, str(q(u, "length")), "", "from its position")
+    grounded = outer.type in CASING
+    section = "bearings" if grounded else "couplings"
+    name = conversion.name(coupling)
+    stiffness = stiffness_of(conversion, coupling, f"{section}.{name}.stiffness")
+    place = [0, 0, q(seat.place(u), "length")]
+    values: dict[str, Any] = {"stiffness": stiffness_entry(stiffness), "damping": {"ratio": LINEAR_DAMPING}}
+    if grounded:
+        conversion.put("bearings", coupling, {"body": seat.body, "position": place, **values}, name)
+    elif other is None:
+        if outer.id not in conversion.done:
+            conversion.problem(coupling, f"is on {outer}, which is no shaft of the model")
+        return
+    else:
+        bodies = [seat.body, other.body]
+        conversion.put("couplings", coupling, {"bodies": bodies, "position": place, **values}, name)
+    conversion.default(
+        coupling, "damping", f"ratio {LINEAR_DAMPING}", f"{section}.{name}.damping", "REXS has no damping"
+    )

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cylindrical stages: gears on their shafts, and the meshes between them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
+from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.document import RexsComponent
+
+MESH_DAMPING = 0.05
+"""Damping ratio of meshes that stands in: REXS has no damping."""
+BACKLASH = 0.04
+"""Circumferential backlash over module that stands in: without it both flanks would be in contact."""
+AGREE = 1e-6
+"""Difference of centre distances that counts as rounding [m]."""
+PARALLEL = 1e-9
+
+
+def gears_of_stage(conversion: Conversion, stage: RexsComponent) -> list[RexsComponent]:
+    """Gear 1 and gear 2 of a stage; empty with a problem if they are not two."""
+    for relation in conversion.source.related("stage", stage=stage.id):
+        ids = [relation.roles.get(role) for role in ("gear_1", "gear_2")]
+        if None not in ids:
+            return [conversion.source.components[i] for i in ids if i is not None]
+    conversion.problem(stage, "has no two gears", remedy="give a relation 'stage' with gear_1 and gear_2")
+    return []
+
+
+def seat_gear(conversion: Conversion, gear: RexsComponent) -> str | None:
+    """Add a gear to its shaft or body; its name, None with a problem if it has no place."""
+    name = conversion.name(gear)
+    values = gear_data(conversion, gear, f"gears.{name}")
+    shaft = conversion.owner(gear, "shaft")
+    if shaft is None:
+        conversion.problem(
+            gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
+        )
+        return None
+    seat = conversion.seats.get(shaft.id)
+    u = conversion.need(gear, "u_coordinate_on_shaft", "mm")
+    if values is None or seat is None or u is None:
+        return None
+    add_material(conversion, gear, f"gears.{name}", values)
+    if gear.type == "ring_gear" and "bore_diameter" not in values:
+        _rim(conversion, gear, values, seat.bore_at(u))
+    conversion.put("gears", gear, values, name)
+    section = "shafts" if seat.body in conversion.data.get("shafts", {}) else "bodies"
+    body = conversion.data[section][seat.body]
+    body.setdefault("gears", {})[name] = q(seat.place(u), "length")
+    for key in ("support_vector", "u_axis_vector", "w_axis_vector", "reference_component_for_position"):
+        if key in gear.attributes:
+            conversion.used.add((gear.id, key))
+    return name
+
+
+def _rim(conversion: Conversion, gear: RexsComponent, values: dict[str, Any], bore: float) -> None:
+    """Outside diameter of a ring: the inner diameter of the shaft that holds it."""
+    root = conversion.number(gear, "number_of_teeth") or 0.0
+    m_n = conversion.number(gear, "normal_module") or 0.0
+    beta = conversion.number(gear, "helix_angle_reference_diameter") or 0.0
+    least = root * m_n / math.cos(beta) + 2.5 * m_n
+    target = f"gears.{conversion.name(gear)}.bore_diameter"
+    if bore > least:
+        values["bore_diameter"] = q(bore, "length")
+        conversion.default(gear, "outer_diameter", str(q(bore, "length")), target, "bore of its shaft")
+
+
+def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
+    """Add the mesh of a cylindrical stage, and its gears."""
+    gears = gears_of_stage(conversion, stage)
+    if not gears:
+        return
+    wrong = [g for g in gears if g.type not in CYLINDRICAL]
+    if wrong:
+        conversion.problem(
+            stage, f"has the gear {wrong[0]}", remedy="cylindrical stages have cylindrical gears"
+        )
+        return
+    names = [
+        conversion.names.get(g.id) if g.id in conversion.done else seat_gear(conversion, g) for g in gears
+    ]
+    if None in names:
+        conversion.done.add(stage.id)
+        return
+    values: dict[str, Any] = {"gears": names, "damping": {"ratio": MESH_DAMPING}}
+    name = conversion.name(stage)
+    distance = conversion.number(stage, "center_distance", f"meshes.{name}.center_distance")
+    placed = _distance_of_places(conversion, gears)
+    if placed is not None and distance is not None and abs(placed - distance) > AGREE:
+        conversion.problem(
+            stage,
+            "differs from the distance of the axes of the shafts",
+            "center_distance",
+            f"{1e3 * distance:.6g} mm",
+            f"{1e3 * placed:.6g} mm by support_vector",
+            "correct one of the two",
+        )
+        return
+    if distance is None:
+        conversion.default(stage, "center_distance", _mm(placed), f"meshes.{name}", "from the positions")
+    final = distance if distance is not None else placed
+    if final is not None:
+        values["center_distance"] = q(final, "length")
+    settle_shifts(conversion, stage, gears, final)
+    values["backlash"] = backlash_of(conversion, stage, f"meshes.{name}.backlash")
+    conversion.put("meshes", stage, values)
+    conversion.default(
+        stage, "damping", f"ratio {MESH_DAMPING}", f"meshes.{name}.damping", "REXS has no damping"
+    )
+    conversion.default(
+        stage, "mesh stiffness", "law din3990", f"meshes.{name}.stiffness", "from the geometry"
+    )
+
+
+def backlash_of(conversion: Conversion, stage: RexsComponent, target: str) -> dict[str, Any]:
+    """Backlash of a mesh: the mean of the limits of the file, else one that is usual."""
+    for key, attribute in (("normal", "normal_backlash"), ("circumferential", "transverse_backlash")):
+        ends = [conversion.number(stage, f"{end}_{attribute}", f"{target}.{key}") for end in _ENDS]
+        given = [value for value in ends if value is not None]
+        if given and max(given) > 0.0:
+            return {key: q(sum(given) / len(given), "length")}
+    text = f"factor {BACKLASH}"
+    conversion.default(stage, "minimum_normal_backlash", text, target, "circumferential, over the module")
+    return {"factor": BACKLASH}
+
+
+_ENDS = ("minimum", "maximum")
+
+
+def _distance_of_places(conversion: Conversion, gears: list[RexsComponent]) -> float | None:
+    """Distance of the axes of two gears by the positions of their shafts [m]; None if not parallel."""
+    seats = []
+    for gear in gears:
+        shaft = conversion.owner(gear, "shaft")
+        seats.append(None if shaft is None else conversion.seats.get(shaft.id))
+    one, two = seats
+    if one is None or two is None:
+        return None
+    z = one.frame.z
+    if 1.0 - abs(float(z @ two.frame.z)) > PARALLEL:
+        conversion.problem(
+            gears[1],
+            "has an axis that is not parallel to that of its mate",
+            remedy="axes of cylindrical gears are parallel",
+        )
+        return None
+    between = two.frame.origin - one.frame.origin
+    return float(np.linalg.norm(between - (between @ z) * z))
+
+
+def _mm(value: float | None) -> str:
+    return "" if value is None else f"{1e3 * value:.6g} mm"
+
+
+def settle_shifts(
+    conversion: Conversion,
+    stage: RexsComponent,
+    gears: list[RexsComponent],
+    distance: float | None,
+    entries: list[dict[str, Any]] | None = None,
+) -> None:
+    """Leave a profile shift to the centre distance if it is missing or a placeholder.
+
+    The centre distance wins over a profile shift of exactly 0 that contradicts it. If both are missing or
+    placeholders, gear 1 has none: only the sum is determined.
+
+    Parameters
+    ----------
+    conversion, stage, gears
+        The conversion, the stage and its gears.
+    distance
+        Centre distance [m].
+    entries
+        Data of the gears, if they are not in `gears` of the model file.
+    """
+    data = entries or [conversion.data["gears"][conversion.name(g)] for g in gears]
+    key = "profile_shift_coefficient"
+    shifts = [d.get(key) for d in data]
+    target = [f"gears.{conversion.name(g)}.{key}" for g in gears]
+    if distance is None:
+        return
+    if None in shifts:
+        if shifts == [None, None]:
+            data[0][key] = 0.0
+            conversion.default(gears[0], "addendum_modification_coefficient", "0", target[0], _SUM)
+        open_gear = 1 if shifts[0] is not None or shifts == [None, None] else 0
+        conversion.default(
+            gears[open_gear],
+            "addendum_modification_coefficient",
+            "zero backlash",
+            target[open_gear],
+            f"from the centre distance {_mm(distance)} of {stage}",
+        )
+        return
+    off = _distance_without_backlash(data) - distance
+    limit = 1e-3 * _module(data[0])
+    if abs(off) <= limit:
+        if off > 0.0:  # rounded numbers would overlap
+            _leave(conversion, stage, gears, data, 1, f"rounded in the file, {1e6 * off:.3g} um of overlap")
+        return
+    zeros = [k for k in (0, 1) if shifts[k] == 0.0]
+    if not zeros:
+        return  # backlash by the centre distance, or an error that the model reports
+    _leave(
+        conversion,
+        stage,
+        gears,
+        data,
+        zeros[-1],
+        f"0 is a placeholder: it gives {_mm(distance + off)}, and the centre distance is {_mm(distance)}",
+    )
+
+
+_SUM = "the centre distance determines the sum of both only"
+
+
+def _leave(
+    conversion: Conversion,
+    stage: RexsComponent,
+    gears: list[RexsComponent],
+    data: list[dict[str, Any]],
+    k: int,
+    reason: str,
+) -> None:
+    del data[k]["profile_shift_coefficient"]
+    target = f"gears.{conversion.name(gears[k])}.profile_shift_coefficient"
+    conversion.changed(
+        gears[k], "addendum_modification_coefficient", "zero backlash", target, f"{stage}: {reason}"
+    )
+
+
+def _module(data: dict[str, Any]) -> float:
+    from pitchpoint.core.units import parse_quantity
+
+    return parse_quantity(data["normal_module"], "length")
+
+
+def _distance_without_backlash(data: list[dict[str, Any]]) -> float:
+    """Centre distance at which two gears with the given profile shifts have no backlash [m]."""
+    from pitchpoint.core.units import parse_quantity
+    from pitchpoint.geometry.involute import transverse_pressure_angle, working_pressure_angle
+
+    signs = [-1.0 if d.get("type") == "internal" else 1.0 for d in data]
+    z = sum(s * d["number_of_teeth"] for s, d in zip(signs, data, strict=True))
+    x = sum(d["profile_shift_coefficient"] for d in data)
+    m_n = _module(data[0])
+    alpha_n = parse_quantity(data[0].get("normal_pressure_angle", "20 deg"), "angle")
+    beta = parse_quantity(data[0].get("helix_angle", "0 deg"), "angle")
+    alpha_t = transverse_pressure_angle(alpha_n, beta)
+    alpha_wt = working_pressure_angle(z_sum=int(z), alpha_n=alpha_n, beta=beta, x_sum=x)
+    return abs(z) * m_n / (2.0 * math.cos(beta)) * math.cos(alpha_t) / math.cos(alpha_wt)
