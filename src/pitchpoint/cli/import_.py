@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 def import_(file: str, output: str | None, load_case: int | None, as_json: bool, quiet: bool) -> None:
     """Import the gear unit of a REXS file (XML, JSON, ZIP; versions 1.0 to 2.0.0) as a model.
 
-    The list shows what was taken, which values stand in for missing ones, what was changed, and what has no
+    The list shows what was taken, the defaults for missing values, what was changed, and what has no
     effect in a model. A file with a part that a model cannot represent is refused.
     """
     from pitchpoint.io.rexs.importing import import_rexs
@@ -80,7 +80,7 @@ def _show(found: Imported) -> None:
         show(f"remark: {remark}")
     table("taken", ["component", "values"], _by_component(found.of("taken")))
     for kind, title in (
-        ("default", "missing: these values stand in"),
+        ("default", "missing, with the default"),
         ("changed", "changed"),
     ):
         rows = [[cell or NOTHING for cell in row] for row in found.joined(kind)]

@@ -58,6 +58,20 @@ EPILOG = (
 )
 
 
+def command_of(name: str) -> click.Command:
+    """Import a command.
+
+    Parameters
+    ----------
+    name
+        One of `COMMANDS`.
+    """
+    module = name.replace("-", "_")
+    module += "_" if keyword.iskeyword(module) else ""
+    command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{module}"), module)
+    return command
+
+
 class LazyGroup(click.Group):
     """Command group that imports only the command that is called."""
 
@@ -67,12 +81,7 @@ class LazyGroup(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import a command; None for unknown names."""
-        if cmd_name not in COMMANDS:
-            return None
-        name = cmd_name.replace("-", "_")
-        name += "_" if keyword.iskeyword(name) else ""
-        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
-        return command
+        return command_of(cmd_name) if cmd_name in COMMANDS else None
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

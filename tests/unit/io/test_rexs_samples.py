@@ -19,11 +19,11 @@ NO_SHAFT = "has no shafts, so it is not a gear unit; export the whole gear unit"
 NO_FILE = (
     "does not exist; did you mean database_{0}.rexsj? paths start at the folder of placeholder_model.rexsj"
 )
-LOST = "that are no truth values"
+LOST = "numbers, texts and vectors"
 REFUSED = {
     "FVA_worm_stage_1-4.rexs": ["line 471, worm_stage 3 (Schneckenstufe [3]): cannot be imported"],
     "FVA_worm_stage_1-4.rexsj": ["worm_stage 15 (Schneckenstufe [3]): cannot be imported"],
-    f"{PLANETARY}.rexsj": ["support_vector: has no position", f"has false instead of 152 values {LOST}"],
+    f"{PLANETARY}.rexsj": ["support_vector: has no position", f"has false instead of 152 {LOST}"],
     "example_json.rexs.zip": [NO_SHAFT],
     "example_xml.rexs.zip": [NO_SHAFT],
     "no_rexs_file.rexsz": ["is a ZIP archive without a REXS model; it contains gde_file.gde, klingelnberg"],
@@ -86,7 +86,7 @@ def test_xml_json_and_zip_are_the_same_model():
 def test_lost_values_are_named_and_replaced_by_listed_defaults():
     found = import_rexs(sample(LOSSY))
     (lost,) = [remark for remark in found.source.remarks if "has lost" in remark]
-    assert "124 values" in lost and "axial_force_absorption (10)" in lost
+    assert "124 numbers" in lost and "axial_force_absorption (10)" in lost
     listed = [item for item in found.of("default") if item.attribute == "axial_force_absorption"]
     assert len(listed) == 10
     assert {item.value for item in listed} == {"both_directions"}

@@ -78,7 +78,7 @@ def _from_zip(data: bytes) -> bytes:
                 found = file.read(MOST_BYTES + 1)  # the size in the archive may be wrong
             _check_size(models[0], len(found))
             return found
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, OSError, ValueError) as error:
+    except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, OSError, ValueError) as error:
         if isinstance(error, ModelError):
             raise
         problem = Message("", f"is a damaged ZIP archive: {error}", remedy="copy or export it again")

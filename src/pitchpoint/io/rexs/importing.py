@@ -50,7 +50,7 @@ class Imported:
     model
         The model.
     items
-        What was taken, which defaults stood in, what was changed and what was ignored.
+        What was taken, defaults for missing values, what was changed and what was ignored.
     source
         The REXS model.
     load_case
@@ -90,7 +90,7 @@ class Imported:
         """The model file as YAML, with the defaults and changes as comments at its beginning."""
         head = [f"imported from {Path(self.source.file).name} (REXS {self.source.version}"]
         head[0] += f", {self.source.application})" if self.source.application else ")"
-        for kind, title in ((DEFAULT, "missing in the file; these values stand in:"), (CHANGED, "changed:")):
+        for kind, title in ((DEFAULT, "missing in the file, with the default:"), (CHANGED, "changed:")):
             rows = [row for row in self.joined(kind) if row[0]]
             head += [title] if rows else []
             head += [f"  {where}: {value}" + (f" ({why})" if why else "") for where, value, _, why in rows]
@@ -168,21 +168,24 @@ def _convert(conversion: Conversion) -> None:
         )
     convert_gravity(conversion)
     carriers = convert_carriers(conversion)
-
-    def each(types: tuple[str, ...], convert: Callable[[Conversion, RexsComponent], None]) -> None:
-        for component in source.of_type(*types):
-            if component.id not in conversion.done:
-                convert(conversion, component)
-
-    each(("shaft",), convert_shaft)
+    _each(conversion, ("shaft",), convert_shaft)
     for stage in source.of_type("planetary_stage"):
         if stage.id in carriers:
             convert_planetary_stage(conversion, stage, carriers[stage.id])
-    each(("cylindrical_stage",), convert_stage)
-    each(("concept_bearing", *ROLLING), convert_bearing)
-    each(COUPLINGS, convert_coupling)
+    _each(conversion, ("cylindrical_stage",), convert_stage)
+    _each(conversion, ("concept_bearing", *ROLLING), convert_bearing)
+    _each(conversion, COUPLINGS, convert_coupling)
     convert_loads(conversion)
     convert_speeds(conversion)
+
+
+def _each(
+    conversion: Conversion, types: tuple[str, ...], convert: Callable[[Conversion, RexsComponent], None]
+) -> None:
+    """Convert all components of some types that are not in the model yet."""
+    for component in conversion.source.of_type(*types):
+        if component.id not in conversion.done:
+            convert(conversion, component)
 
 
 def _ordered(conversion: Conversion) -> dict[str, object]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ from pitchpoint.io.rexs.document import (
     Value,
 )
 from pitchpoint.io.rexs.raw import RawAttribute, RawComponent, RawModel, RawSpectrum
+from pitchpoint.io.rexs.sources import with_sources
 from pitchpoint.io.rexs.units import RexsUnit, unit_of
 from pitchpoint.io.rexs.values import BadValueError, LostValueError, typed
 
@@ -53,9 +54,7 @@ def read_rexs(path: str | Path, *, external: bool = True) -> RexsModel:
     try:
         found = _Assembly(read_raw(file), str(file)).model()
         if external:
-            from pitchpoint.io.rexs.sources import with_sources
-
-            found = with_sources(found, file)
+            found = with_sources(found, file, partial(read_rexs, external=False))
     except ModelError as error:
         raise ModelError(error.problems, str(file)) from None
     return found
@@ -136,7 +135,7 @@ class _Assembly:
         listed = ", ".join(f"{name} ({count})" for name, count in sorted(self.lost.items()))
         self.remark(
             "",
-            f"has false instead of {sum(self.lost.values())} values that are no truth values: {listed}",
+            f"has false instead of {sum(self.lost.values())} numbers, texts and vectors: {listed}",
             remedy="the program that wrote the file has lost them; use its XML file",
         )
 
@@ -304,8 +303,3 @@ def _plain(value: Any) -> Value:
     if isinstance(value, list):
         return tuple(_plain(one) for one in value)
     return value if isinstance(value, bool | int | float | str) else str(value)
-
-
-def renumbered(component: RexsComponent, number: int, file: str) -> RexsComponent:
-    """Component of another file under a new number."""
-    return replace(component, id=number, file=file)

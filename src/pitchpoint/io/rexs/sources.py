@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
@@ -27,13 +27,17 @@ POSITIONS = ("reference_component_for_position", "support_vector", "u_axis_vecto
 """Attributes that belong to the place of a component in its own file."""
 
 
-def with_sources(model: RexsModel, file: Path, above: tuple[Path, ...] = ()) -> RexsModel:
+def with_sources(
+    model: RexsModel, file: Path, read: Callable[[Path], RexsModel], above: tuple[Path, ...] = ()
+) -> RexsModel:
     """Model with the data of all components that refer to other files, and with their sub-components.
 
     Parameters
     ----------
     model, file
         Model without them, and its file.
+    read
+        Function that reads a file without its external files.
     above
         Files that refer to this one.
 
@@ -47,23 +51,21 @@ def with_sources(model: RexsModel, file: Path, above: tuple[Path, ...] = ()) -> 
         return model
     chain = (*above, file.resolve())
     problems: list[Message] = []
-    read: dict[Path, RexsModel] = {}
+    others: dict[Path, RexsModel] = {}
     components, relations = dict(model.components), list(model.relations)
     for component in asking:
         source = component.attributes[SOURCE]
         try:
             path = _path(str(source.value), file, source.where, chain)
-            if path not in read:
-                from pitchpoint.io.rexs.reading import read_rexs
-
-                read[path] = with_sources(read_rexs(path, external=False), path, chain)
-            _add(component, read[path], components, relations)
+            if path not in others:
+                others[path] = with_sources(read(path), path, read, chain)
+            _add(component, others[path], components, relations)
         except ModelError as error:
             name = f"{error.file}: " if error.file else ""
             problems += [p.changed(where=f"{name}{p.where}") if name else p for p in error.problems]
     if problems:
         raise ModelError(problems)
-    remarks = [remark for one in read.values() for remark in one.remarks]
+    remarks = [remark for one in others.values() for remark in one.remarks]
     return replace(
         model, components=components, relations=tuple(relations), remarks=(*model.remarks, *remarks)
     )

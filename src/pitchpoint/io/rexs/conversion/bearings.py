@@ -26,9 +26,9 @@ TYPES = {
 }
 """Type of the model file for each `bearing_type`; the others have no rolling elements in a model."""
 RIGID, RIGID_TILT = 1e11, 1e7
-"""Stiffness [N/m], [N m/rad] that stands for "rigid": REXS files have 1e15 to 1e23 there."""
+"""Stiffness [N/m], [N m/rad] of rigid supports, for which REXS files have 1e15 to 1e23."""
 LINEAR_DAMPING, CONTACT_DAMPING = 0.03, 2.0
-"""Stand-ins: damping ratio of linear bearings, damping over elastic force [s/m] of rolling bearings."""
+"""Defaults: damping ratio of linear bearings, damping over elastic force [s/m] of rolling bearings."""
 SIDES = ("inner_part", "outer_part")
 CASING = ("gear_casing",)
 COUPLINGS = ("coupling", "switchable_coupling")
@@ -90,7 +90,7 @@ def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | No
     if seat is None:
         if inner.type == "shaft" and inner.id in conversion.done:
             return None  # the shaft has a problem of its own
-        conversion.problem(part, f"is on {inner}, which is no shaft of the model")
+        conversion.problem(part, f"is on {inner}, not on a shaft of the model")
         return None
     u = conversion.need(part, keys[0], "mm")
     if u is None:
@@ -101,7 +101,7 @@ def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | No
     other = conversion.seats.get(outer.id)
     if other is None:
         if outer.id not in conversion.done:
-            conversion.problem(part, f"is on {outer}, which is no shaft of the model")
+            conversion.problem(part, f"is on {outer}, not on a shaft of the model")
         return None
     u_other = conversion.number(part, keys[1])
     if u_other is None:

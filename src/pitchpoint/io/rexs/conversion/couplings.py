@@ -51,7 +51,7 @@ def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
     seat = conversion.seats.get(inner.id)
     if seat is None:
         if inner.id not in conversion.done:
-            conversion.problem(coupling, f"is on {inner}, which is no shaft of the model")
+            conversion.problem(coupling, f"is on {inner}, not on a shaft of the model")
         return
     other = conversion.seats.get(outer.id)
     if other is not None and other.body == seat.body:
@@ -72,7 +72,7 @@ def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
         conversion.put("bearings", coupling, {"body": seat.body, "position": place, **values}, name)
     elif other is None:
         if outer.id not in conversion.done:
-            conversion.problem(coupling, f"is on {outer}, which is no shaft of the model")
+            conversion.problem(coupling, f"is on {outer}, not on a shaft of the model")
         return
     else:
         bodies = [seat.body, other.body]

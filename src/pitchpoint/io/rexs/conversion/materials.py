@@ -11,7 +11,7 @@ from pitchpoint.io.rexs.document import RexsComponent
 STEEL = "steel"
 
 
-def material_of(conversion: Conversion, part: RexsComponent, target: str, of: str = "") -> Any:
+def material_of(conversion: Conversion, part: RexsComponent, target: str) -> Any:
     """Material of a part for the model file; steel if the part has none.
 
     Parameters
@@ -22,8 +22,6 @@ def material_of(conversion: Conversion, part: RexsComponent, target: str, of: st
         The part.
     target
         Key of the material in the model file.
-    of
-        Another part whose material stands in.
     """
     from pitchpoint.geometry.materials import material
 

@@ -13,9 +13,9 @@ from pitchpoint.io.rexs.conversion.state import Conversion, q
 from pitchpoint.io.rexs.document import RexsComponent
 
 MESH_DAMPING = 0.05
-"""Damping ratio of meshes that stands in: REXS has no damping."""
+"""Default damping ratio of meshes: REXS has no damping."""
 BACKLASH = 0.04
-"""Circumferential backlash over module that stands in: without it both flanks would be in contact."""
+"""Default circumferential backlash over module: without it both flanks would be in contact."""
 AGREE = 1e-6
 """Difference of centre distances that counts as rounding [m]."""
 PARALLEL = 1e-9

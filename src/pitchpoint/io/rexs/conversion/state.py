@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""State of a conversion: data of the model file, names, and the list of what was taken, changed, left out."""
+"""State of a conversion: data of the model file, names, and the list of what was taken, changed, ignored."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from pitchpoint.io.rexs.units import RexsUnit, unit_of
 from pitchpoint.model.write import quantity_text
 
 TAKEN, DEFAULT, CHANGED, IGNORED = "taken", "default", "changed", "ignored"
-"""Kinds of entries: value of the file; value that stands in for a missing one; value of the file that was
-replaced or simplified; value of the file without effect in the model."""
+"""Kinds of entries: value of the file; default for a missing one; value of the file that was replaced or
+simplified; value of the file without effect in the model."""
 LONGEST_NAME = 48
 
 
@@ -40,7 +40,7 @@ class Item:
     target
         Key of the model file; empty if there is none.
     reason
-        Why a value stands in, was changed, or was ignored.
+        Reason of a default, change or omission.
     """
 
     kind: str
@@ -166,7 +166,7 @@ class Conversion:
     def default(
         self, component: RexsComponent | str, attribute: str, value: str, target: str, reason: str = ""
     ) -> None:
-        """List a value that stands in for a missing one."""
+        """List a default for a missing value."""
         self.items.append(Item(DEFAULT, str(component), attribute, value, target, reason))
 
     def changed(
