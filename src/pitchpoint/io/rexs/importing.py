@@ -21,6 +21,7 @@ from pitchpoint.io.rexs.conversion.loads import (
 )
 from pitchpoint.io.rexs.conversion.meshes import convert_stage
 from pitchpoint.io.rexs.conversion.planetary import convert_carriers, convert_planetary_stage
+from pitchpoint.io.rexs.conversion.profile_shifts import settle_shifts
 from pitchpoint.io.rexs.conversion.shafts import convert_shaft
 from pitchpoint.io.rexs.conversion.state import CHANGED, DEFAULT, IGNORED, TAKEN, Conversion, Item
 from pitchpoint.io.rexs.document import RexsComponent, RexsModel
@@ -173,6 +174,7 @@ def _convert(conversion: Conversion) -> None:
         if stage.id in carriers:
             convert_planetary_stage(conversion, stage, carriers[stage.id])
     _each(conversion, ("cylindrical_stage",), convert_stage)
+    settle_shifts(conversion)
     _each(conversion, ("concept_bearing", *ROLLING), convert_bearing)
     _each(conversion, COUPLINGS, convert_coupling)
     convert_loads(conversion)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
-from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
 from pitchpoint.io.rexs.document import RexsComponent
 
 MESH_DAMPING = 0.05
@@ -106,7 +106,8 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     final = distance if distance is not None else placed
     if final is not None:
         values["center_distance"] = q(final, "length")
-    settle_shifts(conversion, stage, gears, final)
+        entries = [conversion.data["gears"][str(n)] for n in names]
+        conversion.meshings.append(Meshing(stage, gears, entries, final))
     values["backlash"] = backlash_of(conversion, stage, f"meshes.{name}.backlash")
     conversion.put("meshes", stage, values)
     conversion.default(
@@ -155,102 +156,3 @@ def _distance_of_places(conversion: Conversion, gears: list[RexsComponent]) -> f
 
 def _mm(value: float | None) -> str:
     return "" if value is None else f"{1e3 * value:.6g} mm"
-
-
-def settle_shifts(
-    conversion: Conversion,
-    stage: RexsComponent,
-    gears: list[RexsComponent],
-    distance: float | None,
-    entries: list[dict[str, Any]] | None = None,
-) -> None:
-    """Leave a profile shift to the centre distance if it is missing or a placeholder.
-
-    The centre distance wins over a profile shift of exactly 0 that contradicts it. If both are missing or
-    placeholders, gear 1 has none: only the sum is determined.
-
-    Parameters
-    ----------
-    conversion, stage, gears
-        The conversion, the stage and its gears.
-    distance
-        Centre distance [m].
-    entries
-        Data of the gears, if they are not in `gears` of the model file.
-    """
-    data = entries or [conversion.data["gears"][conversion.name(g)] for g in gears]
-    key = "profile_shift_coefficient"
-    shifts = [d.get(key) for d in data]
-    target = [f"gears.{conversion.name(g)}.{key}" for g in gears]
-    if distance is None:
-        return
-    if None in shifts:
-        if shifts == [None, None]:
-            data[0][key] = 0.0
-            conversion.default(gears[0], "addendum_modification_coefficient", "0", target[0], _SUM)
-        open_gear = 1 if shifts[0] is not None or shifts == [None, None] else 0
-        conversion.default(
-            gears[open_gear],
-            "addendum_modification_coefficient",
-            "zero backlash",
-            target[open_gear],
-            f"from the centre distance {_mm(distance)} of {stage}",
-        )
-        return
-    off = _distance_without_backlash(data) - distance
-    limit = 1e-3 * _module(data[0])
-    if abs(off) <= limit:
-        if off > 0.0:  # rounded numbers would overlap
-            _leave(conversion, stage, gears, data, 1, f"rounded in the file, {1e6 * off:.3g} um of overlap")
-        return
-    zeros = [k for k in (0, 1) if shifts[k] == 0.0]
-    if not zeros:
-        return  # backlash by the centre distance, or an error that the model reports
-    _leave(
-        conversion,
-        stage,
-        gears,
-        data,
-        zeros[-1],
-        f"0 is a placeholder: it gives {_mm(distance + off)}, and the centre distance is {_mm(distance)}",
-    )
-
-
-_SUM = "the centre distance determines the sum of both only"
-
-
-def _leave(
-    conversion: Conversion,
-    stage: RexsComponent,
-    gears: list[RexsComponent],
-    data: list[dict[str, Any]],
-    k: int,
-    reason: str,
-) -> None:
-    del data[k]["profile_shift_coefficient"]
-    target = f"gears.{conversion.name(gears[k])}.profile_shift_coefficient"
-    conversion.changed(
-        gears[k], "addendum_modification_coefficient", "zero backlash", target, f"{stage}: {reason}"
-    )
-
-
-def _module(data: dict[str, Any]) -> float:
-    from pitchpoint.core.units import parse_quantity
-
-    return parse_quantity(data["normal_module"], "length")
-
-
-def _distance_without_backlash(data: list[dict[str, Any]]) -> float:
-    """Centre distance at which two gears with the given profile shifts have no backlash [m]."""
-    from pitchpoint.core.units import parse_quantity
-    from pitchpoint.geometry.involute import transverse_pressure_angle, working_pressure_angle
-
-    signs = [-1.0 if d.get("type") == "internal" else 1.0 for d in data]
-    z = sum(s * d["number_of_teeth"] for s, d in zip(signs, data, strict=True))
-    x = sum(d["profile_shift_coefficient"] for d in data)
-    m_n = _module(data[0])
-    alpha_n = parse_quantity(data[0].get("normal_pressure_angle", "20 deg"), "angle")
-    beta = parse_quantity(data[0].get("helix_angle", "0 deg"), "angle")
-    alpha_t = transverse_pressure_angle(alpha_n, beta)
-    alpha_wt = working_pressure_angle(z_sum=int(z), alpha_n=alpha_n, beta=beta, x_sum=x)
-    return abs(z) * m_n / (2.0 * math.cos(beta)) * math.cos(alpha_t) / math.cos(alpha_wt)

@@ -25,10 +25,9 @@ from pitchpoint.io.rexs.conversion.meshes import (
     backlash_of,
     gears_of_stage,
     seat_gear,
-    settle_shifts,
 )
 from pitchpoint.io.rexs.conversion.shafts import sections_of
-from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
 from pitchpoint.io.rexs.document import RexsComponent
 
 EQUAL = 1e-6
@@ -95,7 +94,8 @@ def convert_planetary_stage(conversion: Conversion, stage: RexsComponent, carrie
         entries = [
             conversion.data["gears"][conversion.names[g.id]] if g.id == number else data for g in sides
         ]
-        settle_shifts(conversion, mesh, [g if g.id == number else first for g in sides], distance, entries)
+        pair = [g if g.id == number else first for g in sides]
+        conversion.meshings.append(Meshing(mesh, pair, entries, distance))
     values["carrier"] = carrier
     values["planet"] = data
     values["angles"] = [q(a, "angle") for a in angles]

@@ -81,6 +81,26 @@ class Seat:
         return next((inner for a, b, _, inner in self.sections if a <= u <= b), 0.0)
 
 
+@dataclass
+class Meshing:
+    """Two gears in mesh whose profile shifts may follow from the centre distance.
+
+    Attributes
+    ----------
+    stage, gears
+        Stage and gears of the file.
+    entries
+        Data of the gears for the model file.
+    distance
+        Centre distance [m].
+    """
+
+    stage: RexsComponent
+    gears: list[RexsComponent]
+    entries: list[dict[str, Any]]
+    distance: float
+
+
 class Conversion:
     """What the converters of the parts share.
 
@@ -102,6 +122,7 @@ class Conversion:
         self.given: set[str] = set()
         self.frames: dict[int, Frame] = {}
         self.seats: dict[int, Seat] = {}
+        self.meshings: list[Meshing] = []
         self.origins: dict[tuple[str, str], RexsComponent] = {}
         """Component of each entry of the model file."""
 
