@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """A two-stage industrial gearbox from REXS against the same gearbox written by hand, equal to rounding.
 
-Source: `FVA-Industriegetriebe_2stufig_1-4.rexs` of `fva-net/rexs-api-cpp` (Apache-2.0), exported by Bearinx:
-input and output shaft on one axis, the input shaft with a needle bearing in the output shaft, the middle shaft
-190 mm away. The model below is written from the numbers of that file as an engineer reads them: lengths from the
-start of each shaft, z along the shafts, hands by the signs of the helix angles. Both models must have the same
-natural frequencies, bearing forces and geometry; the tolerance is that of the eigenvalue solver.
+Source: `FVA-Industriegetriebe_2stufig_1-4.rexs` of `fva-net/rexs-api-cpp` (Apache-2.0), exported by Bearinx.
+Input and output shaft are on one axis, the input shaft has a needle bearing in the output shaft, and the
+middle shaft is 190 mm away. The model below is written from the numbers of that file as an engineer reads
+them: lengths from the start of each shaft, z along the shafts, hands by the signs of the helix angles. Both
+models must have the same natural frequencies, bearing forces and geometry; the tolerance is that of the
+eigenvalue solver.
 """
 
 from __future__ import annotations

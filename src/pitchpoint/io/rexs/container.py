@@ -54,10 +54,8 @@ def _limited(path: Path) -> bytes:
 
 def _check_size(where: str, size: int) -> None:
     if size > MOST_BYTES:
-        limit = f"{MOST_BYTES >> 20} MiB"
-        raise ModelError(
-            [Message(where, "is too large for a REXS file", f"{size >> 20} MiB", limit, "export fewer data")]
-        )
+        value, limit = (f"{n / 2**20:.4g} MiB" for n in (size, MOST_BYTES))
+        raise ModelError([Message(where, "is too large for a REXS file", value, limit, "export fewer data")])
 
 
 def _from_zip(data: bytes) -> bytes:

@@ -122,9 +122,16 @@ class _Assembly:
         )
 
     # --- messages -------------------------------------------------------------------------------------------
-    def problem(self, where: str, text: str, value: str | None = None, remedy: str | None = None) -> None:
+    def problem(
+        self,
+        where: str,
+        text: str,
+        value: str | None = None,
+        remedy: str | None = None,
+        limit: str | None = None,
+    ) -> None:
         """Add a problem."""
-        self.problems.append(Message(where, text, value, remedy=remedy))
+        self.problems.append(Message(where, text, value, limit, remedy))
 
     def remark(self, where: str, text: str, value: str | None = None, remedy: str | None = None) -> None:
         """Add a remark."""
@@ -198,7 +205,7 @@ class _Assembly:
                 where,
                 f"is {error}",
                 shown if len(shown) <= 40 else f"{shown[:37]}...",
-                f"REXS {self.version} defines it as {known.type}",
+                limit=f"{known.type} in REXS {self.version}",
             )
             return None
         return RexsAttribute(newest.id, known.number, value, raw.id, raw.unit or known.unit, where)
@@ -211,7 +218,7 @@ class _Assembly:
         try:
             unit = unit_of(name)
         except UnitError as error:
-            self.problem(where, f"{error}", remedy=f"REXS {self.version} defines it in {known.unit}")
+            self.problem(where, f"{error}", limit=f"{known.unit} in REXS {self.version}")
             return None
         expected, now = unit_of(known.unit), unit_of(newest.unit)
         if unit.si != expected.si:
@@ -224,8 +231,8 @@ class _Assembly:
             self.problem(
                 where,
                 "is the unit of another quantity",
-                repr(name),
-                f"REXS {self.version} defines it in {known.unit}",
+                repr(name[:40]),
+                limit=f"{known.unit} in REXS {self.version}",
             )
             return None
         if now.si != expected.si or now.offset != expected.offset:  # a correction of REXS: the number remains

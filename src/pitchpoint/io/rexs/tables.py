@@ -128,10 +128,15 @@ def definition(version: str, name: str, component: str = "") -> Definition | Non
     """
     known = _by_id().get(name, ())
     here = [one for one in known if one.holds_in(version)] or list(known)
-    here.sort(key=lambda one: (component in one.components, newest(one.number).until == NEWEST), reverse=True)
     if not here:
         return None
-    best = here[0]
+
+    def fits(one: Definition) -> tuple[bool, int, bool]:
+        """Order of preference: of the component, of few others, in use today."""
+        own = component in one.components
+        return own, -len(one.components) if own else 0, newest(one.number).until == NEWEST
+
+    best = max(here, key=fits)
     if newest(best.number).until != NEWEST:  # joined with that of another component
         joined = [one for one in known if newest(one.number).until == NEWEST]
         best = joined[0] if joined and joined[0].unit == best.unit else best

@@ -26,7 +26,7 @@ class RexsUnit:
 
     def from_si(self, value: float) -> float:
         """Value in this unit."""
-        return float((Fraction(value) - self.offset) / Fraction(self.factor))
+        return float((Fraction(repr(float(value))) - self.offset) / Fraction(self.factor))
 
 
 def _table() -> dict[str, RexsUnit]:

@@ -96,7 +96,7 @@ class _Parser:
             self.expat.Parse(data, True)
         except expat.ExpatError as error:
             text = expat.ErrorString(error.code)
-            cut = error.code in (expat.errors.codes[name] for name in _CUT)
+            cut = text in _CUT
             at = f" within {' > '.join(self.path)}" if self.path else ""
             self.problems.append(
                 Message(
@@ -265,4 +265,9 @@ class _Parser:
         return int(text)
 
 
-_CUT = ("XML_ERROR_NO_ELEMENTS", "XML_ERROR_UNCLOSED_TOKEN", "XML_ERROR_PARTIAL_CHAR")
+_CUT = (
+    expat.errors.XML_ERROR_NO_ELEMENTS,
+    expat.errors.XML_ERROR_UNCLOSED_TOKEN,
+    expat.errors.XML_ERROR_PARTIAL_CHAR,
+)
+"""Errors at the end of a file that is cut off."""

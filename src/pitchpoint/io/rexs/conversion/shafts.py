@@ -105,6 +105,17 @@ def sections_of(conversion: Conversion, shaft: RexsComponent) -> list[Section]:
                 part, "is not above zero", "length" if length <= 0.0 else "outer_diameter_begin"
             )
             return []
+        for at, bore, diameter in (("begin", a, d), ("end", b, e)):
+            if not 0.0 <= bore < diameter:
+                conversion.problem(
+                    part,
+                    "is not smaller than the outer diameter",
+                    f"inner_diameter_{at}",
+                    str(q(bore, "length")),
+                    f"from 0, below {q(diameter, 'length')}",
+                    "give diameters, not radii",
+                )
+                return []
         end = begin + length
         found.append((begin, part, (begin, end, d, a), e, b))
     found.sort(key=lambda one: one[0])
