@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A two-stage industrial gearbox from REXS against the same gearbox written by hand, equal to rounding.
 
-Source: `FVA-Industriegetriebe_2stufig_1-4.rexs` of `fva-net/rexs-api-cpp` (Apache-2.0), exported by Bearinx.
+Source: `FVA-Industriegetriebe_2stufig_1-4.rexs` of `fva-net/rexs-api-cpp` (Apache-2.0), exported by Bearinx,
+here `benchmarks/two_stage.rexs`.
 Input and output shaft are on one axis, the input shaft has a needle bearing in the output shaft, and the
 middle shaft is 190 mm away. The model below is written from the numbers of that file as an engineer reads
 them: lengths from the start of each shaft, z along the shafts, hands by the signs of the helix angles. Both
@@ -11,14 +12,16 @@ eigenvalue solver.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import pitchpoint as pp
 from pitchpoint.io.rexs.importing import import_rexs
 from pitchpoint.io.yaml_model import loads_model
-from tests.support.rexs_samples import sample
 
+FILE = Path(__file__).parents[2] / "benchmarks" / "two_stage.rexs"
 BY_HAND = """
 gears:
   pinion_1: {number_of_teeth: 27, normal_module: 4.5 mm, helix_angle: 21 deg, hand: right, face_width: 50 mm,
@@ -92,7 +95,7 @@ SAME = {
 
 @pytest.fixture(scope="module")
 def imported():
-    return import_rexs(sample("FVA-Industriegetriebe_2stufig_1-4.rexs")).model
+    return import_rexs(FILE).model
 
 
 @pytest.fixture(scope="module")

@@ -58,7 +58,7 @@ TEXTS = {
         swapped(">120<", ">12O<"),
         "length: '12O' is not a number (limit floating_point in REXS 1.4)",
     ),
-    "infinite": (swapped(">120<", ">1e999<"), "'1e999' is too large for a number"),
+    "infinite": (swapped(">120<", ">1e999<"), "'1e999' is larger than 1e+30"),
     "NaN": (swapped(">120<", ">nan<"), "'nan' is not a number"),
     "fraction": (swapped(">21<", ">21.5<"), "number_of_teeth: '21.5' is not a whole number"),
     "unknown unit": (

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.rexs.conversion.bearings import ROLLING, convert_bearing
-from pitchpoint.io.rexs.conversion.couplings import COUPLINGS, convert_coupling
+from pitchpoint.io.rexs.conversion.couplings import COUPLINGS, convert_coupling, convert_held_shaft
 from pitchpoint.io.rexs.conversion.loads import (
     convert_gravity,
     convert_loads,
@@ -169,6 +169,7 @@ def _convert(conversion: Conversion) -> None:
         )
     convert_gravity(conversion)
     carriers = convert_carriers(conversion)
+    _each(conversion, ("shaft",), convert_held_shaft)
     _each(conversion, ("shaft",), convert_shaft)
     for stage in source.of_type("planetary_stage"):
         if stage.id in carriers:

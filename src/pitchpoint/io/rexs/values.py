@@ -17,6 +17,8 @@ from pitchpoint.io.rexs.units import RexsUnit
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?")
 _CODES = {"int32": ("i", 4), "float32": ("f", 4), "float64": ("d", 8)}
+LARGEST = 1e30
+"""Largest number: REXS files have up to 1e23 for rigid couplings."""
 LONG = 1000
 """Length of an array above which numbers are multiplied by the factor of the unit, not exactly converted."""
 
@@ -132,8 +134,8 @@ def _fraction(value: Any) -> Fraction:
     text = value.strip() if isinstance(value, str) else repr(value)
     if len(text) > 400 or not _NUMBER.fullmatch(text):
         raise BadValueError("not a number")
-    if not math.isfinite(float(text)):
-        raise BadValueError("too large for a number")
+    if not abs(float(text)) <= LARGEST:
+        raise BadValueError(f"larger than {LARGEST:g}")
     return Fraction(text) if float(text) else Fraction(0)
 
 
@@ -142,10 +144,7 @@ def _scalar(value: Any, type: str, unit: RexsUnit) -> Value:
         raise BadValueError(f"an array, not a single {type.replace('_', ' ')}")
     if type == "floating_point":
         number = _fraction(value)
-        found = unit.to_si(number) if unit.factor != 1 or unit.offset else float(number)
-        if not math.isfinite(found):
-            raise BadValueError("too large for a number")
-        return found
+        return unit.to_si(number) if unit.factor != 1 or unit.offset else float(number)
     if type in ("integer", "reference_component"):
         number = _fraction(value)
         if number.denominator != 1 or abs(number) > 2**53:

@@ -13,7 +13,7 @@ from pitchpoint.io.rexs.conversion.bearings import RIGID_TILT, sides_of
 from pitchpoint.io.rexs.conversion.couplings import COUPLINGS, engaged
 from pitchpoint.io.rexs.conversion.frames import Frame, frame_of
 from pitchpoint.io.rexs.conversion.materials import density_of
-from pitchpoint.io.rexs.conversion.shafts import sections_of
+from pitchpoint.io.rexs.conversion.shafts import axes_of, sections_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Seat, counted, q, vector
 from pitchpoint.io.rexs.document import RexsComponent
 
@@ -89,16 +89,12 @@ def convert_carrier(conversion: Conversion, stage: RexsComponent) -> str | None:
     values: dict[str, Any] = {
         "motion": "free",
         "position": vector(frame.origin),
+        **axes_of(frame),
         "mass": q(mass.mass, "mass"),
         "inertia": q(mass.polar, "inertia"),
         "transverse_inertia": q(mass.transverse, "inertia"),
         "center_of_mass": q(mass.moment / mass.mass if mass.mass else 0.0, "length"),
     }
-    if not np.allclose(frame.z, (0.0, 0.0, 1.0), atol=1e-12):
-        values["axes"] = {
-            "z": vector(frame.z, "dimensionless"),
-            "x": vector(frame.axes[:, 0], "dimensionless"),
-        }
     given = conversion.number(main, "mass_of_component", f"bodies.{name}.mass")
     if given:
         values["mass"] = q(given, "mass")

@@ -9,14 +9,18 @@ from pitchpoint.io.rexs.conversion.bearings import (
     CASING,
     COUPLINGS,
     LINEAR_DAMPING,
+    RIGID,
+    RIGID_TILT,
     sides_of,
     stiffness_entry,
     stiffness_of,
 )
-from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.conversion.frames import frame_of
+from pitchpoint.io.rexs.conversion.shafts import axes_of, sections_of
+from pitchpoint.io.rexs.conversion.state import Conversion, Seat, q, vector
 from pitchpoint.io.rexs.document import RexsComponent
 
-__all__ = ["COUPLINGS", "convert_coupling", "engaged"]
+__all__ = ["COUPLINGS", "convert_coupling", "convert_held_shaft", "engaged"]
 
 
 def engaged(conversion: Conversion, coupling: RexsComponent) -> bool:
@@ -33,6 +37,44 @@ def engaged(conversion: Conversion, coupling: RexsComponent) -> bool:
         number = conversion.value(unit, "gear_shift_index")
         index = number if isinstance(number, int) else 1
     return bool(states[index - 1]) if 1 <= index <= len(states) else bool(states and states[0])
+
+
+def holding(conversion: Conversion, shaft: RexsComponent) -> list[RexsComponent]:
+    """Engaged couplings that hold a shaft rigidly in the casing, in all directions."""
+    found = []
+    for coupling in conversion.source.of_type(*COUPLINGS):
+        sides = sides_of(conversion, coupling)
+        grounded = any(part.type in CASING for part in sides.values())
+        if (
+            shaft.id not in [p.id for p in sides.values()]
+            or not grounded
+            or not engaged(conversion, coupling)
+        ):
+            continue
+        limits = {"radial": RIGID, "axial": RIGID, "bending": RIGID_TILT, "rotational": RIGID_TILT}
+        values = {key: coupling.get(f"{key}_stiffness") for key in limits}
+        if all(v is None or float(v) >= limits[key] for key, v in values.items()):  # type: ignore[arg-type]
+            found.append(coupling)
+    return found
+
+
+def convert_held_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
+    """Add a shaft that is held rigidly in the casing, such as that of a fixed ring, as a fixed body."""
+    couplings = holding(conversion, shaft)
+    frame = frame_of(conversion, shaft)
+    if not couplings or frame is None:
+        return
+    name = conversion.name(shaft)
+    sections = sections_of(conversion, shaft)
+    conversion.put("bodies", shaft, {"motion": "fixed", "position": vector(frame.origin), **axes_of(frame)})
+    conversion.seats[shaft.id] = Seat(name, 0.0, frame, sections)
+    conversion.done.update(material.id for material in conversion.referenced(shaft, "material"))
+    reason = f"held rigidly in the casing by {couplings[0]}"
+    conversion.changed(shaft, "shaft_section", "fixed body", f"bodies.{name}", reason)
+    for part in conversion.source.of_type(*COUPLINGS, "concept_bearing"):
+        sides = [side.id for side in sides_of(conversion, part).values()]
+        if shaft.id in sides and any(conversion.source.components[i].type in CASING for i in sides):
+            conversion.ignored(part, "all", f"within the fixed body {name}")
 
 
 def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:

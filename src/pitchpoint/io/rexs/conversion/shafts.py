@@ -36,7 +36,7 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
     name = conversion.name(shaft)
     if not sections:
         if not conversion.parts(shaft, "shaft_section"):
-            values: dict[str, Any] = {"motion": "free", "position": vector(frame.origin), **_axes(frame)}
+            values: dict[str, Any] = {"motion": "free", "position": vector(frame.origin), **axes_of(frame)}
             conversion.put("bodies", shaft, values)
             conversion.default(
                 shaft,
@@ -59,14 +59,14 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
         for a, b, outer, inner in sections
     ]
     material = material_of(conversion, shaft, f"shafts.{name}.material")
-    values = {"sections": entries, "position": vector(frame.origin), **_axes(frame)}
+    values = {"sections": entries, "position": vector(frame.origin), **axes_of(frame)}
     if material != "steel":
         values["material"] = material
     conversion.put("shafts", shaft, values)
     conversion.seats[shaft.id] = Seat(name, -start, frame, sections)
 
 
-def _axes(frame: Frame) -> dict[str, Any]:
+def axes_of(frame: Frame) -> dict[str, Any]:
     """Axes of a shaft that is not along the z axis of the world."""
     if np.allclose(frame.z, (0.0, 0.0, 1.0), atol=1e-12):
         return {}
