@@ -78,6 +78,9 @@ def _show(found: Imported) -> None:
     show(f"{Path(source.file).name}: REXS {source.version}{by}, {len(source.components)} components{case}")
     for remark in source.remarks:
         show(f"remark: {remark}")
+    for item in found.of("changed"):
+        if "placeholder" in item.reason:
+            show(f"warning: {item.target}: {item.reason}; {item.value}")
     table("taken", ["component", "values"], _by_component(found.of("taken")))
     for kind, title in (
         ("default", "missing, with the default"),

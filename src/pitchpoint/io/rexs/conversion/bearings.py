@@ -54,7 +54,7 @@ def convert_bearing(conversion: Conversion, bearing: RexsComponent) -> None:
         _linear(conversion, bearing, found)
         return
     name = conversion.name(bearing)
-    values = rolling_data(conversion, bearing, f"rolling_bearings.{name}")
+    values = rolling_data(conversion, bearing, f"rolling_bearings.{name}", _sign(conversion, bearing))
     if values is not None:
         conversion.put("rolling_bearings", bearing, {**found, **values}, name)
         _say_contact_damping(conversion, bearing, name)
@@ -105,7 +105,7 @@ def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | No
         return None
     u_other = conversion.number(part, keys[1])
     if u_other is None:
-        u_other = float((seat.frame.at(u) - other.frame.origin) @ other.frame.z)
+        u_other = other.coordinate(seat.point(u))
     if other.body == seat.body:
         conversion.ignored(part, "all", f"connects parts of the rigid body {seat.body}")
         return None
@@ -176,7 +176,15 @@ def _linear(conversion: Conversion, part: RexsComponent, place: dict[str, Any]) 
 
 
 # --- rolling bearings ---------------------------------------------------------------------------------------
-def rolling_data(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
+def _sign(conversion: Conversion, bearing: RexsComponent) -> float:
+    """-1 for a bearing on a shaft whose u is opposite to the z axis of its body, else +1."""
+    seats = [conversion.seats.get(part.id) for part in sides_of(conversion, bearing).values()]
+    return next((seat.sign for seat in seats if seat is not None), 1.0)
+
+
+def rolling_data(
+    conversion: Conversion, bearing: RexsComponent, path: str, sign: float = 1.0
+) -> dict[str, Any] | None:
     """Data of a rolling bearing for the model file, without its place; None if they are not sufficient.
 
     By designation if the catalogue has it, else by type, dimensions and load ratings, else by elements.
@@ -184,11 +192,13 @@ def rolling_data(conversion: Conversion, bearing: RexsComponent, path: str) -> d
     values = (
         _by_designation(conversion, bearing, path)
         or _by_ratings(conversion, bearing, path)
-        or _by_elements(conversion, bearing, path)
+        or _by_elements(conversion, bearing, path, sign)
     )
     if values is None:
         return None
     absorption = conversion.word(bearing, "axial_force_absorption", f"{path}.axial_force_absorption")
+    if sign < 0.0:
+        absorption = _OPPOSITE.get(absorption or "", absorption)
     if absorption is not None and _takes_absorption(values, absorption):
         values["axial_force_absorption"] = absorption
     clearance = conversion.number(bearing, "operating_radial_bearing_clearance", f"{path}.clearance")
@@ -199,6 +209,9 @@ def rolling_data(conversion: Conversion, bearing: RexsComponent, path: str) -> d
         values["preload"] = q(preload, "force")
     values["damping"] = CONTACT_DAMPING
     return values
+
+
+_OPPOSITE = {"positive": "negative", "negative": "positive"}
 
 
 def _takes_absorption(values: dict[str, Any], absorption: str) -> bool:
@@ -260,7 +273,9 @@ def _angle(conversion: Conversion, bearing: RexsComponent, path: str) -> float |
     return None if e is None else math.atan(e / 1.5)
 
 
-def _by_elements(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
+def _by_elements(
+    conversion: Conversion, bearing: RexsComponent, path: str, sign: float
+) -> dict[str, Any] | None:
     rows = conversion.parts(bearing, "rolling_bearing_row")
     if len(rows) != 1:
         return None
@@ -298,8 +313,8 @@ def _by_elements(conversion: Conversion, bearing: RexsComponent, path: str) -> d
         ]
     angle = conversion.number(row, "pressure_angle", f"{path}.contact_angle")
     if angle:
-        sign = -1.0 if bearing.get("axial_force_absorption") == "negative" else 1.0
-        values["contact_angle"] = q(sign * abs(angle), "angle")
+        supports = -1.0 if bearing.get("axial_force_absorption") == "negative" else 1.0
+        values["contact_angle"] = q(sign * supports * abs(angle), "angle")
     return values
 
 

@@ -83,6 +83,7 @@ def convert_carrier(conversion: Conversion, stage: RexsComponent) -> str | None:
     carriers = conversion.parts(stage, "planet_carrier")
     main = carriers[0] if carriers else shafts[0]
     name = conversion.name(main)
+    frame, _ = conversion.aligned(frame)
     mass = _Mass()
     for part in parts.values():
         _add_part(conversion, part, name, frame, mass)
@@ -136,9 +137,11 @@ def _add_part(conversion: Conversion, part: RexsComponent, name: str, base: Fram
             )
         else:
             density = density_of(conversion, part, f"bodies.{name}.mass")
+    sign = 1.0 if float(frame.z @ base.z) > 0.0 else -1.0
     for a, b, d, bore in sections:
-        mass.add((start + a, start + b, d, bore), density, radius)
-    conversion.seats[part.id] = Seat(name, start, frame, sections)
+        ends = sorted((start + sign * a, start + sign * b))
+        mass.add((ends[0], ends[1], d, bore), density, radius)
+    conversion.seats[part.id] = Seat(name, start, frame.along(base.z), sections, sign)
 
 
 def _drop_inner(conversion: Conversion, parts: dict[int, RexsComponent], name: str) -> None:

@@ -66,8 +66,9 @@ def convert_held_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
         return
     name = conversion.name(shaft)
     sections = sections_of(conversion, shaft)
+    frame, sign = conversion.aligned(frame)
     conversion.put("bodies", shaft, {"motion": "fixed", "position": vector(frame.origin), **axes_of(frame)})
-    conversion.seats[shaft.id] = Seat(name, 0.0, frame, sections)
+    conversion.seats[shaft.id] = Seat(name, 0.0, frame, sections, sign)
     conversion.done.update(material.id for material in conversion.referenced(shaft, "material"))
     reason = f"held rigidly in the casing by {couplings[0]}"
     conversion.changed(shaft, "shaft_section", "fixed body", f"bodies.{name}", reason)
@@ -101,8 +102,8 @@ def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
         return
     u = conversion.number(coupling, key)
     if u is None:
-        frame = conversion.frames.get(coupling.id)
-        u = 0.0 if frame is None else float((frame.origin - seat.frame.origin) @ seat.frame.z) - seat.start
+        frame = frame_of(conversion, coupling)
+        u = 0.0 if frame is None else seat.coordinate(frame.origin)
         conversion.default(coupling, key, str(q(u, "length")), "", "from its position")
     grounded = outer.type in CASING
     section = "bearings" if grounded else "couplings"

@@ -52,6 +52,11 @@ class Frame:
         """Point on the axis [m]."""
         return self.origin + z * self.z
 
+    def along(self, direction: np.ndarray) -> Frame:
+        """The same frame, turned about x by 180 deg if z would be opposite to a direction."""
+        opposite = float(self.z @ direction) < 0.0
+        return Frame(self.origin, self.axes * np.array([1.0, -1.0, -1.0])) if opposite else self
+
 
 def frame_of(conversion: Conversion, component: RexsComponent, depth: int = 0) -> Frame | None:
     """Frame of a component; None if it has none, or a wrong one, which is a problem.

@@ -79,7 +79,7 @@ def convert_loads(conversion: Conversion) -> None:
     for load in conversion.source.of_type("external_load"):
         shaft = conversion.owner(load, "shaft")
         seat = conversion.seats.get(shaft.id) if shaft is not None else None
-        if seat is None:
+        if seat is None or shaft is None:
             if shaft is None:
                 conversion.problem(load, "is on no shaft", remedy="give a relation 'assembly' with a shaft")
             continue
@@ -98,10 +98,10 @@ def convert_loads(conversion: Conversion) -> None:
                 load, "torque_around_v_axis", "none", "", "loads of a model have no bending moment"
             )
         if torque:
-            values["torque"] = q(torque, "torque")
+            values["torque"] = q(seat.sign * torque, "torque")
             driven = True
         if any(forces):
-            values["force"] = vector(world(seat.frame, forces), "force")
+            values["force"] = vector(world(conversion.frames[shaft.id], forces), "force")
         values["position"] = [0, 0, q(seat.place(u), "length")]
         if torque is None and conversion.flag(load, "transmits_torque"):
             free.append((load, values))
@@ -154,7 +154,8 @@ def convert_speeds(conversion: Conversion) -> None:
         conversion.flag(shaft, "defines_speed")
         value = conversion.number(shaft, "rotational_speed", "scenarios.steady.speed")
         if value:
-            speeds[conversion.seats[shaft.id].body] = value
+            seat = conversion.seats[shaft.id]
+            speeds[seat.body] = seat.sign * value
     scenarios: dict[str, Any] = {}
     mesh = next(iter(conversion.data.get("meshes", {})), None) or _mesh_of_stage(conversion)
     if mesh is not None:

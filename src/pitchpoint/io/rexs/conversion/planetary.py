@@ -263,17 +263,18 @@ def _bearings(
         if u is None or middle is None:
             return
         name = conversion.name(bearing)
-        data = (
-            rolling_data(conversion, bearing, f"rolling_bearings.{name}") if bearing.type in ROLLING else None
-        )
+        frame = frame_of(conversion, planets[k][0])
+        sign = 1.0 if frame is None else conversion.aligned(frame)[1]
+        path = f"rolling_bearings.{name}"
+        data = rolling_data(conversion, bearing, path, sign) if bearing.type in ROLLING else None
         if data is None:
             target = f"planetary_stages.{conversion.name(stage)}.bearing.stiffness"
-            linear[k].append((stiffness_of(conversion, bearing, target), u - middle))
+            linear[k].append((stiffness_of(conversion, bearing, target), sign * (u - middle)))
             continue
         rolling = True
         planet = f"{planet_name}_{k + 1}"
         ends = [planet, carrier] if inner else [carrier, planet]
-        entry = {"ends": ends, "position": [0, 0, q(u - middle, "length")], **data}
+        entry = {"ends": ends, "position": [0, 0, q(sign * (u - middle), "length")], **data}
         conversion.put("rolling_bearings", bearing, entry, name)
         text = f"{CONTACT_DAMPING:g} s/m"
         conversion.default(

@@ -34,6 +34,7 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
         return
     sections = sections_of(conversion, shaft)
     name = conversion.name(shaft)
+    frame, sign = conversion.aligned(frame)
     if not sections:
         if not conversion.parts(shaft, "shaft_section"):
             values: dict[str, Any] = {"motion": "free", "position": vector(frame.origin), **axes_of(frame)}
@@ -45,25 +46,24 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
                 f"bodies.{name}",
                 "it has no sections",
             )
-            conversion.seats[shaft.id] = Seat(name, 0.0, frame)
+            conversion.seats[shaft.id] = Seat(name, 0.0, frame, sign=sign)
         return
-    start = sections[0][0]
-    if start != 0.0:
-        frame = Frame(frame.at(start), frame.axes)
+    first = sections[0][0] if sign > 0.0 else sections[-1][1]
+    origin = frame.at(sign * first)
     entries = [
         {
             "length": q(float(f"{b - a:.12g}"), "length"),  # without rounding of the coordinates
             "diameter": q(outer, "length"),
             **({"bore": q(inner, "length")} if inner else {}),
         }
-        for a, b, outer, inner in sections
+        for a, b, outer, inner in (sections if sign > 0.0 else reversed(sections))
     ]
     material = material_of(conversion, shaft, f"shafts.{name}.material")
-    values = {"sections": entries, "position": vector(frame.origin), **axes_of(frame)}
+    values = {"sections": entries, "position": vector(origin), **axes_of(frame)}
     if material != "steel":
         values["material"] = material
     conversion.put("shafts", shaft, values)
-    conversion.seats[shaft.id] = Seat(name, -start, frame, sections)
+    conversion.seats[shaft.id] = Seat(name, -sign * first, frame, sections, sign)
 
 
 def axes_of(frame: Frame) -> dict[str, Any]:

@@ -62,19 +62,30 @@ class Seat:
     start
         Position of u = 0 on the z axis of the body [m].
     frame
-        Frame of the shaft in the world.
+        Frame at u = 0 in the world, with z along the z axis of the body.
     sections
         Start and end along u, outer and inner diameter [m].
+    sign
+        +1; -1 if u is opposite to the z axis of the body.
     """
 
     body: str
     start: float
     frame: Frame
     sections: list[tuple[float, float, float, float]] = field(default_factory=list)
+    sign: float = 1.0
 
     def place(self, u: float) -> float:
         """Position on the axis of the body of a coordinate u on the shaft [m]."""
-        return self.start + u
+        return self.start + self.sign * u
+
+    def point(self, u: float) -> np.ndarray:
+        """Point of a coordinate u in the world [m]."""
+        return self.frame.at(self.sign * u)
+
+    def coordinate(self, point: np.ndarray) -> float:
+        """Coordinate u of a point in the world [m]."""
+        return self.sign * float((point - self.frame.origin) @ self.frame.z)
 
     def bore_at(self, u: float) -> float:
         """Inner diameter at a coordinate u [m]; 0 outside the shaft."""
@@ -123,6 +134,7 @@ class Conversion:
         self.frames: dict[int, Frame] = {}
         self.seats: dict[int, Seat] = {}
         self.meshings: list[Meshing] = []
+        self.directions: list[np.ndarray] = [np.array([0.0, 0.0, 1.0])]
         self.origins: dict[tuple[str, str], RexsComponent] = {}
         """Component of each entry of the model file."""
 
@@ -149,6 +161,18 @@ class Conversion:
             found, k = f"{name}_{k}", k + 1
         self.given.add(found)
         return found
+
+    def aligned(self, frame: Frame) -> tuple[Frame, float]:
+        """Frame with z along that of the other parallel parts, and -1 if it had to be turned.
+
+        Gears of a model mesh on shafts with equal directions of z.
+        """
+        for direction in self.directions:
+            if abs(abs(float(frame.z @ direction)) - 1.0) < 1e-9:
+                found = frame.along(direction)
+                return found, 1.0 if found is frame else -1.0
+        self.directions.append(frame.z)
+        return frame, 1.0
 
     # --- values ---------------------------------------------------------------------------------------------
     def value(self, component: RexsComponent, attribute: str, target: str = "") -> Value | None:
