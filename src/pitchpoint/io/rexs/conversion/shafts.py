@@ -52,7 +52,7 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
     origin = frame.at(sign * first)
     entries = [
         {
-            "length": q(float(f"{b - a:.12g}"), "length"),  # without rounding of the coordinates
+            "length": q(b - a, "length"),
             "diameter": q(outer, "length"),
             **({"bore": q(inner, "length")} if inner else {}),
         }

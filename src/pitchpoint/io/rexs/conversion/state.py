@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core.errors import Message
+from pitchpoint.core.units import display_unit, in_unit, parse_quantity
 from pitchpoint.io.rexs.conversion.frames import Frame
 from pitchpoint.io.rexs.document import RexsAttribute, RexsComponent, RexsModel, Value
 from pitchpoint.io.rexs.units import RexsUnit, unit_of
@@ -301,9 +302,24 @@ def plain_name(text: str) -> str:
 _GERMAN = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss"})
 
 
+ROUNDING = 1e-14
+"""Relative rounding of sums and differences of values of the file."""
+
+
 def q(value: float, dimension: str) -> Any:
-    """Quantity for the model file."""
-    return quantity_text(float(value), dimension)
+    """Quantity for the model file, without the rounding of sums and differences.
+
+    Examples
+    --------
+    >>> q(0.12 - 0.11, "length"), q(0.36651914291880922, "angle"), q(2.0, "dimensionless")
+    ('10 mm', '21 deg', 2.0)
+    """
+    exact = quantity_text(float(value), dimension)
+    if not isinstance(exact, str):
+        return exact
+    unit = display_unit(dimension, value)
+    short = f"{in_unit(value, dimension, unit):.12g} {unit}"
+    return short if abs(parse_quantity(short, dimension) - value) <= ROUNDING * abs(value) else exact
 
 
 def vector(values: Any, dimension: str = "length") -> list[Any]:
