@@ -35,6 +35,7 @@ def swapped(old, new):
 
 TEXTS = {
     "empty": ("", "is empty"),
+    "a model file": ("gears:\n  a: {}\n", "is not a REXS file: neither XML nor JSON nor ZIP"),
     "no text": (b"\xff\xfe\x00\x01", "is not well-formed XML"),
     "cut": (GEARBOX[: len(GEARBOX) // 2], "the file is cut off: export or copy it again"),
     "cut JSON": (as_json(GEARBOX)[:4000], "is not JSON"),

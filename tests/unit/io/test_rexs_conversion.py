@@ -157,6 +157,31 @@ def test_tools_and_diameters(tmp_path):
     assert "500 mm is a placeholder" in rows(found, "changed", "root_diameter")[0].reason
 
 
+def test_flank_modifications_of_both_flanks(tmp_path):
+    relief = {"tip_relief_depth": 0.02, "tip_relief_datum_diameter": 45, "shape_of_relief": "circular"}
+    crowning = {"helix_crowning_amount_datum_face": 0.005, "helix_crowning_amount_non_datum_face": 0.005}
+
+    def change(parts, relations, right=9):
+        parts[30] = ("tip_relief", relief)
+        parts[31] = ("helix_crowning", crowning)
+        parts[32] = ("profile_slope", {})
+        for flank in (9, right):
+            relations += [("reference", {"origin": flank, "referenced": n}) for n in (30, 31, 32)]
+
+    found = imported(tmp_path, lambda p, r: change(p, r, 10))
+    modified = found.model.gears["cylindrical_gear_7"].modifications.both
+    assert modified.tip_relief.amount == 20e-6
+    assert (modified.tip_relief.start_diameter, modified.tip_relief.shape) == (0.045, "parabolic")
+    assert modified.lead_crowning == 5e-6
+    assert found.model.gears["cylindrical_gear_8"].modifications is None
+    left = [item for item in found.of("ignored") if item.component.startswith("profile_slope")]
+    assert left[0].reason == "profile_slope is not converted: add it to the model file by hand"
+    one_side = imported(tmp_path, lambda p, r: change(p, r, 9))
+    assert one_side.model.gears["cylindrical_gear_7"].modifications is None
+    reasons = {item.reason for item in one_side.of("ignored")}
+    assert "left and right flank differ: add it to the model file by hand" in reasons
+
+
 # --- bearings and couplings ---------------------------------------------------------------------------------
 RATINGS = {
     "inner_diameter": 30,

@@ -40,6 +40,9 @@ def read_raw(path: Path) -> RawModel:
         from pitchpoint.io.rexs.json_text import read_json
 
         return read_json(data)
+    if begin != b"<" and data[:2] not in (b"\xff\xfe", b"\xfe\xff"):  # marks of UTF-16
+        problem = Message("", "is not a REXS file: neither XML nor JSON nor ZIP", remedy="export it as REXS")
+        raise ModelError([problem])
     from pitchpoint.io.rexs.xml_text import read_xml
 
     return read_xml(data)

@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from pitchpoint.io.rexs.conversion.materials import material_of
+from pitchpoint.io.rexs.conversion.modifications import modifications_of
 from pitchpoint.io.rexs.conversion.state import Conversion, q
 from pitchpoint.io.rexs.document import RexsComponent
 
@@ -72,6 +73,9 @@ def gear_data(conversion: Conversion, gear: RexsComponent, path: str) -> dict[st
     )
     if bore:
         values["bore_diameter"] = q(bore, "length")
+    modifications = modifications_of(conversion, flanks_of(conversion, gear), path)
+    if modifications:
+        values["modifications"] = modifications
     mass = conversion.number(gear, "mass_of_component", f"{path}.mass")
     if mass:
         values["mass"] = q(mass, "mass")
