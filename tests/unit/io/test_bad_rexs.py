@@ -189,6 +189,14 @@ UNITS = {
         lambda p, r: r.remove(("side", {"assembly": 17, "inner_part": 3, "outer_part": 2})),
         "connects no two parts",
     ),
+    "gear": (
+        lambda p, r: (
+            with_(p, 1, gear_shift_index=3),
+            p.update({30: ("switchable_coupling", {"is_engaged": [True]})}),
+            r.append(("side", {"assembly": 30, "inner_part": 3, "outer_part": 2})),
+        ),
+        "3 is the gear_shift_index of the gear unit (limit 1 to 1, the number of its states)",
+    ),
     "axes": (
         lambda p, r: with_(p, 4, u_axis_vector=[0, 1, 0]),
         "has an axis that is not parallel to that of its mate",

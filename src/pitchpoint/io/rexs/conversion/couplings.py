@@ -36,7 +36,12 @@ def engaged(conversion: Conversion, coupling: RexsComponent) -> bool:
     for unit in conversion.source.of_type("gear_unit"):
         number = conversion.value(unit, "gear_shift_index")
         index = number if isinstance(number, int) else 1
-    return bool(states[index - 1]) if 1 <= index <= len(states) else bool(states and states[0])
+    if not 1 <= index <= len(states):
+        limit = f"1 to {len(states)}, the number of its states"
+        what = "is the gear_shift_index of the gear unit"
+        conversion.problem(coupling, what, "is_engaged", str(index), limit, "give a state for every gear")
+        return False
+    return bool(states[index - 1])
 
 
 def holding(conversion: Conversion, shaft: RexsComponent) -> list[RexsComponent]:

@@ -213,20 +213,25 @@ class Conversion:
         self, component: RexsComponent | str, attribute: str, value: str, target: str, reason: str = ""
     ) -> None:
         """List a default for a missing value."""
-        self.items.append(Item(DEFAULT, str(component), attribute, value, target, reason))
+        self._add(Item(DEFAULT, str(component), attribute, value, target, reason))
 
     def changed(
         self, component: RexsComponent | str, attribute: str, value: str, target: str, reason: str
     ) -> None:
         """List a value that was replaced or simplified."""
-        self.items.append(Item(CHANGED, str(component), attribute, value, target, reason))
+        self._add(Item(CHANGED, str(component), attribute, value, target, reason))
 
     def ignored(self, component: RexsComponent | str, attribute: str, reason: str) -> None:
         """List a component or value without effect in the model."""
         if isinstance(component, RexsComponent):
             self.done.add(component.id)
             self.used.add((component.id, attribute))
-        self.items.append(Item(IGNORED, str(component), attribute, reason=reason))
+        self._add(Item(IGNORED, str(component), attribute, reason=reason))
+
+    def _add(self, item: Item) -> None:
+        """Add an entry once."""
+        if item not in self.items:
+            self.items.append(item)
 
     def problem(
         self,
@@ -244,7 +249,9 @@ class Conversion:
             place += f", {attribute}"
         if component.file:
             place = f"{component.file}: {place}"
-        self.problems.append(Message(place, text, value, limit, remedy))
+        problem = Message(place, text, value, limit, remedy)
+        if problem not in self.problems:
+            self.problems.append(problem)
         self.done.add(component.id)
 
     # --- places ---------------------------------------------------------------------------------------------
