@@ -129,6 +129,22 @@ def test_a_zip_bomb_is_refused_by_its_size(tmp_path, monkeypatch):
     assert "is too large for a REXS file" in refusal(tmp_path, GEARBOX, "long.rexs")
 
 
+def test_a_large_file_is_imported_in_linear_time(tmp_path):
+    """5000 more components and relations."""
+    parts, relations, cases = unit()
+    for number in range(100, 5_100):
+        parts[number] = "additional_mass", {"mass_of_component": 1, "length": 5}
+        relations.append(("assembly", {"assembly": 3, "part": number}))
+    path = tmp_path / "unit.rexs"
+    path.write_text(rexs(parts, relations, cases))
+    began = time.process_time()
+    found = import_rexs(path)
+    assert time.process_time() - began < 3.0
+    assert [i.component for i in found.of("ignored") if "additional" in i.component] == [
+        "additional_mass (5000)"
+    ]
+
+
 def changed(tmp_path, change):
     """Refusal of a gear unit after a change of its parts and relations."""
     parts, relations, cases = unit()

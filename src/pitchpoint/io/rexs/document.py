@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
 from pitchpoint.core.errors import Message
@@ -157,7 +158,7 @@ class RexsModel:
         return tuple(c for c in self.components.values() if c.type in types)
 
     def related(self, type: str, **roles: int) -> Iterator[RexsRelation]:
-        """Relations of a type in which components have given roles.
+        """Relations of a type in which one or several components have given roles.
 
         Examples
         --------
@@ -165,6 +166,16 @@ class RexsModel:
         >>> [r.roles["part"] for r in model.related("assembly", assembly=4)]
         [7]
         """
-        for relation in self.relations:
-            if relation.type == type and all(relation.roles.get(r) == n for r, n in roles.items()):
+        role, number = next(iter(roles.items()))
+        for relation in self._by_role.get((type, role, number), ()):
+            if all(relation.roles.get(r) == n for r, n in roles.items()):
                 yield relation
+
+    @cached_property
+    def _by_role(self) -> dict[tuple[str, str, int], list[RexsRelation]]:
+        """Relations by type, and by role and id of each component."""
+        found: dict[tuple[str, str, int], list[RexsRelation]] = {}
+        for relation in self.relations:
+            for role, number in relation.roles.items():
+                found.setdefault((relation.type, role, number), []).append(relation)
+        return found

@@ -147,13 +147,10 @@ def _below(number: int, source: RexsModel) -> list[RexsRelation]:
     seen, todo = {number}, [number]
     while todo:
         main = todo.pop(0)
-        for relation in source.relations:
-            role = DOWN.get(relation.type)
-            if role is None or relation.roles.get(role) != main:
-                continue
-            found.append(relation)
-            for id in relation.roles.values():
-                if id not in seen:
-                    seen.add(id)
-                    todo.append(id)
+        for kind, role in DOWN.items():
+            for relation in source.related(kind, **{role: main}):
+                found.append(relation)
+                fresh = [id for id in relation.roles.values() if id not in seen]
+                seen.update(fresh)
+                todo += fresh
     return found

@@ -126,6 +126,7 @@ class Conversion:
         self.source = source
         self.data: dict[str, Any] = {}
         self.items: list[Item] = []
+        self._listed: set[Item] = set()
         self.problems: list[Message] = []
         self.used: set[tuple[int, str]] = set()
         self.done: set[int] = set()
@@ -230,7 +231,8 @@ class Conversion:
 
     def _add(self, item: Item) -> None:
         """Add an entry once."""
-        if item not in self.items:
+        if item not in self._listed:
+            self._listed.add(item)
             self.items.append(item)
 
     def problem(
