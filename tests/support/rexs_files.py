@@ -37,6 +37,7 @@ UNITS = {
     "kg / dm^3": ("density",),
     "kg": ("mass_of_component",),
     "kW": ("power",),
+    "kg m^2": ("moment_of_inertia_u_axis", "moment_of_inertia_v_axis", "moment_of_inertia_w_axis"),
     "N / m": ("radial_stiffness", "axial_stiffness"),
     "N mm / rad": ("bending_stiffness", "rotational_stiffness"),
     "m / s^2": ("gravitational_acceleration",),

@@ -140,9 +140,8 @@ def test_a_large_file_is_imported_in_linear_time(tmp_path):
     began = time.process_time()
     found = import_rexs(path)
     assert time.process_time() - began < 3.0
-    assert [i.component for i in found.of("ignored") if "additional" in i.component] == [
-        "additional_mass (5000)"
-    ]
+    masses = [item for item in found.of("ignored") if "additional" in item.component]
+    assert len(masses) == 5000
 
 
 def changed(tmp_path, change):

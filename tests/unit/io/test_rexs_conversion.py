@@ -269,6 +269,25 @@ def test_couplings_to_shafts_and_to_the_casing(tmp_path):
     assert rows(found, "changed", "radial_stiffness")[0].reason == "1e+20 N/m is rigid"
 
 
+def test_additional_masses_are_bodies_on_their_shafts(tmp_path):
+    """A flywheel on the input shaft; a mass without moments of inertia has no body."""
+    moments = {f"moment_of_inertia_{a}_axis": 0.02 for a in "vw"} | {"moment_of_inertia_u_axis": 0.04}
+
+    def change(parts, relations):
+        parts[30] = ("additional_mass", {"mass_of_component": 5, "u_coordinate_on_shaft": 20, **moments})
+        parts[31] = ("additional_mass", {"mass_of_component": 5})
+        relations += [("assembly", {"assembly": 3, "part": n}) for n in (30, 31)]
+
+    found = imported(tmp_path, change)
+    body = found.model.bodies["additional_mass_30"]
+    assert (body.mass, body.inertia, body.transverse_inertia) == (5.0, 0.04, 0.02)
+    np.testing.assert_allclose(body.position, (0, 0, 0.02))
+    assert found.model.couplings["additional_mass_30"].bodies == ("shaft_3", "additional_mass_30")
+    assert "additional_mass_31" not in found.model.bodies
+    (left,) = [item for item in found.of("ignored") if "additional_mass 31" in item.component]
+    assert left.reason == "mass and moments of inertia about u, v and w are required"
+
+
 def test_several_planet_bearings_are_one_stiffness():
     """Two bearings of k at -a and b: k of each, moments k (a^2 + b^2), and coupling k (b - a)."""
     six = sum_of_stiffness([({"radial": 2e8, "axial": 1e7}, -0.01), ({"radial": 2e8}, 0.03)])

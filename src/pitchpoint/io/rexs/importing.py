@@ -19,6 +19,7 @@ from pitchpoint.io.rexs.conversion.loads import (
     time_response,
     with_load_case,
 )
+from pitchpoint.io.rexs.conversion.masses import convert_mass
 from pitchpoint.io.rexs.conversion.meshes import convert_stage
 from pitchpoint.io.rexs.conversion.planetary import convert_carriers, convert_planetary_stage
 from pitchpoint.io.rexs.conversion.profile_shifts import settle_shifts
@@ -178,6 +179,7 @@ def _convert(conversion: Conversion) -> None:
     settle_shifts(conversion)
     _each(conversion, ("concept_bearing", *ROLLING), convert_bearing)
     _each(conversion, COUPLINGS, convert_coupling)
+    _each(conversion, ("additional_mass",), convert_mass)
     convert_loads(conversion)
     convert_speeds(conversion)
 

@@ -226,7 +226,7 @@ class Conversion:
         """List a component or value without effect in the model."""
         if isinstance(component, RexsComponent):
             self.done.add(component.id)
-            self.used.add((component.id, attribute))
+            self.used |= {(component.id, name) for name in component.attributes if attribute in (name, "all")}
         self._add(Item(IGNORED, str(component), attribute, reason=reason))
 
     def _add(self, item: Item) -> None:
