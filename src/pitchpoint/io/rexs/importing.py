@@ -31,15 +31,16 @@ from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
 
+BY_HAND = "remove it, and write this part of the model by hand: "
 REFUSED = {
-    "worm_stage": "worm stages",
-    "bevel_stage": "bevel stages",
-    "ring_gear_stage": "stages of this type",
-    "involute_spline_connection": "splines with teeth",
-    "hydrodynamic_radial_plain_bearing": "hydrodynamic plain bearings",
-    "slide_bearing": "slide bearings",
+    "worm_stage": ("a model has no worm stages", "remove it with its gears and shafts"),
+    "bevel_stage": ("bevel stages are not converted", f"{BY_HAND}bevel_gears, bevel_meshes"),
+    "involute_spline_connection": ("splines are not converted", f"{BY_HAND}couplings"),
+    "hydrodynamic_radial_plain_bearing": ("plain bearings are not converted", f"{BY_HAND}plain_bearings"),
+    "slide_bearing": ("slide bearings are not converted", f"{BY_HAND}plain_bearings"),
+    "general_stage": ("general stages are not converted", f"{BY_HAND}meshes"),
 }
-"""Components without which a gear unit would be another one, and which a model cannot represent."""
+"""Components without which a gear unit would be another one: reason and remedy."""
 FRAMEWORK = ("gear_unit", "gear_casing", "planet_carrier")
 
 
@@ -157,11 +158,8 @@ def _convert(conversion: Conversion) -> None:
     """Convert all parts; the order matters, because a seat must exist before what is on it."""
     source = conversion.source
     for component in source.of_type(*REFUSED):
-        conversion.problem(
-            component,
-            f"cannot be imported: models have no {REFUSED[component.type]} of REXS",
-            remedy="remove the stage, or write this part of the model by hand",
-        )
+        reason, remedy = REFUSED[component.type]
+        conversion.problem(component, f"cannot be imported: {reason}", remedy=remedy)
     if not source.of_type("shaft"):
         where = source.file
         raise ModelError(
