@@ -201,6 +201,12 @@ def rolling_data(
         absorption = _OPPOSITE.get(absorption or "", absorption)
     if absorption is not None and _takes_absorption(values, absorption):
         values["axial_force_absorption"] = absorption
+    elif absorption is not None:
+        target, reason = (
+            f"{path}.axial_force_absorption",
+            f"a bearing of this type does not support {absorption}",
+        )
+        conversion.changed(bearing, "axial_force_absorption", "that of its type", target, reason)
     clearance = conversion.number(bearing, "operating_radial_bearing_clearance", f"{path}.clearance")
     if clearance is not None:
         values["clearance"] = q(clearance, "length")
