@@ -102,3 +102,5 @@ def test_external_files_bring_sections_materials_and_rows():
     assert (
         import_rexs(sample(EXTERNAL[0])).model.rolling_bearings["rolling_bearing_6"].designation == "22206 E"
     )
+    (changed,) = import_rexs(sample(EXTERNAL[0])).of("changed")
+    assert changed.reason == "a bearing of this type does not support negative"  # a spherical roller bearing
