@@ -382,6 +382,20 @@ def test_a_carrier_is_one_rigid_body(tmp_path):
     np.testing.assert_allclose(stage.angles, [0.0, math.tau / 3, 2 * math.tau / 3], atol=1e-12)
 
 
+def test_hands_of_a_helical_planetary_stage(tmp_path):
+    """Planet and ring have opposite signs in REXS, as gears of an external pair, but equal hands."""
+    text, teeth = gearbox(), '"number_of_teeth" unit="none">{0}</attribute>'
+    for z, beta in ((19, 4), (17, -4), (56, 4)):
+        helix = f'<attribute id="helix_angle_reference_diameter" unit="deg">{beta}</attribute>'
+        text = text.replace(teeth.format(z), teeth.format(z) + helix)
+    path = tmp_path / "unit.rexs"
+    path.write_text(text, encoding="utf-8")
+    model = import_rexs(path).model
+    (stage,) = model.planetary_stages.values()
+    hands = [model.gears[stage.sun].hand, stage.planet.hand, model.gears[stage.ring].hand]
+    assert hands == ["right", "left", "left"]
+
+
 def test_planets_that_a_stage_cannot_have(tmp_path):
     """Another number of teeth, another distance."""
     for old, new, words in (
