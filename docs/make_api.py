@@ -16,6 +16,8 @@ GROUPS = {
         "load_model",
         "write_model",
         "Model",
+        "import_rexs",
+        "read_rexs",
         "read_measured",
         "open_result",
         "write_report",

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.results import open_result
+    from pitchpoint.io.rexs.importing import import_rexs
+    from pitchpoint.io.rexs.reading import read_rexs
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -124,11 +126,13 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "import_rexs",
     "load_model",
     "open_result",
     "planet_loads",
     "plot",
     "read_measured",
+    "read_rexs",
     "reduce_system",
     "run_cases",
     "solve_campbell",
@@ -163,6 +167,8 @@ _HOMES = {
     "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
     "io.measured.reading": ("read_measured",),
     "io.results": ("open_result",),
+    "io.rexs.importing": ("import_rexs",),
+    "io.rexs.reading": ("read_rexs",),
     "io.yaml_model": ("load_model", "write_model"),
     "model.components.beam": ("Beam",),
     "model.components.bearing": ("Bearing",),
