@@ -70,13 +70,13 @@ def fill(
         for x, a in enumerate(paired):
             for y, b in enumerate(paired):
                 record["pairs"][x, y] = pair_index.get((int(record[a]), int(record[b])), 0)
+        if "carried" in fields:
+            record["carried"] = _carried(records, int(record["i"]), int(record["j"]))
         for a, b in kind.pairs:
             i, j = int(record[a]), int(record[b])
             for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
                 if name in fields:
                     record[name] = pair_index.get(key, 0)
-            if "carried" in fields:
-                record["carried"] = _carried(records, i, j)
             if "blk" in fields:
                 ni, nj = parts["node_of"][i], parts["node_of"][j]
                 record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0

@@ -33,6 +33,7 @@ from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.matrix_market import read_parts
 from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.flexible_rim import rims
 from pitchpoint.system.rules.places import Places
 from pitchpoint.system.source import with_lines
 
@@ -192,10 +193,11 @@ def _spinning_frame(model: Model, name: str) -> Body:
 
 
 def elastic_bank(places: Places) -> Bank:
-    """All elastic bodies."""
+    """All elastic bodies and flexible rims of gears."""
     model, numbers = places.model, places.numbers
-    parts = [elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies]
-    return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts]), tuple(model.elastic_bodies))
+    parts = {name: elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies}
+    parts |= {rim.name: rim.flexible for rim in rims(model, numbers)}
+    return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts.values()]), tuple(parts))
 
 
 def elastic_count(model: Model, name: str) -> int:
