@@ -323,7 +323,7 @@ def _one_mesh(b, fr, kk):
 
 @kernel
 def _displaced_mesh(b, ctl, fr, kk):
-    """Evaluate the mesh of gears that are eccentric or wobble on the axes of their bodies, or whose rim bends."""
+    """Evaluate the mesh of gears that are eccentric or wobble on their bodies, or whose rim bends."""
     frames = begin_displaced(b, fr)
     if b["n_rim"] > 0:
         call(b["bend_rim"], b["here"], ctl["at"], 0)

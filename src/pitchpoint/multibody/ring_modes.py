@@ -16,8 +16,8 @@ where the teeth add a mass mu per radian at z_t. V and Psi are those of the lowe
 bending. For a thin ring V = -1/n, Psi = (V + n)/R and omega^2 = (E I/(rho A R^4)) n^2 (n^2 - 1)^2/(n^2 + 1).
 
 In a ring that spins at omega about its axis, the two coordinates of n waves are coupled by Coriolis forces
-2 omega g eta' with g = -2 pi rho A R V for a thin ring, and centrifugal forces stretch the ring: the hoop force rho A R^2 omega^2 adds
-pi rho A R omega^2 (V + n)^2 to k.
+2 omega g eta' with g = -2 pi rho A R V for a thin ring, and centrifugal forces stretch the ring: the hoop
+force rho A R^2 omega^2 adds pi rho A R omega^2 (V + n)^2 to k.
 
 Sources: R. Hoppe, J. Reine Angew. Math. 73 (1871) 158-170 (thin ring); S. Timoshenko, Vibration Problems in
 Engineering, 3rd ed., article 69; E. Winkler's curved beam; G. F. Carrier, Quart. Appl. Math. 3 (1945)
@@ -154,7 +154,11 @@ def ring_mode(ring: RingSection, waves: int) -> RingMode:
     A_0, A_1, A_2 = b * log, b * (h - R * log), b * (R * R * log - R * h)  # integrals of z^k/(R + z)
     G = ring.youngs_modulus / (2.0 * (1.0 + ring.poisson_ratio))
     # strain and shear of (u, v, psi)
-    strain, turned, shear = np.array([1.0, n, 0.0]), np.array([0.0, 0.0, n]), np.array([-n / R, -1.0 / R, 1.0])
+    strain, turned, shear = (
+        np.array([1.0, n, 0.0]),
+        np.array([0.0, 0.0, n]),
+        np.array([-n / R, -1.0 / R, 1.0]),
+    )
     K = A_0 * np.outer(strain, strain) + A_2 * np.outer(turned, turned)
     K += A_1 * (np.outer(strain, turned) + np.outer(turned, strain))
     K = math.pi * (ring.youngs_modulus * K + 5.0 / 6.0 * G * A * R * np.outer(shear, shear))

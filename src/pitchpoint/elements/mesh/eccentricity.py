@@ -162,13 +162,17 @@ def whole(b, own):
 
 
 @kernel
+def swing_rate(own, arms, side, k):
+    """Change of a gear velocity with a rotation of its body about axis k, at constant body velocities."""
+    return cross(angular_velocity(own[side]), cross(unit(k), triple(arms[side], 0)))
+
+
+@kernel
 def _swing_rates(kk, dk, own, arms, ck):
     """Add the change of the gear velocities with rotations of the bodies, at constant body velocities."""
     for side in range(2):
-        arm = triple(arms[side], 0)
-        w = angular_velocity(own[side])
         for k in range(3):
-            moved = cross(w, cross(unit(k), arm))
+            moved = swing_rate(own, arms, side, k)
             for p in range(2):
                 for r in range(6):
                     s = 0.0

@@ -28,7 +28,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import RIM
-from pitchpoint.elements.mesh.eccentricity import arms_of, damping_blocks, tangent_blocks
+from pitchpoint.elements.mesh.eccentricity import arms_of, damping_blocks, swing_rate, tangent_blocks
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.elements.mesh.record import RECORD
 from pitchpoint.elements.wrench import angular_velocity
@@ -361,7 +361,7 @@ def _turn_gradient(w, c):
 
 @kernel
 def _follow(b, w, f, dk, ck, ways):
-    """Add to `half` the forces by the change of the velocities at constant rates of bodies and coordinates."""
+    """Add to `half` the forces by the change of velocities at constant rates of bodies and coordinates."""
     spin = triple(w["tw"], 3)
     for c in range(ways):
         _turn_gradient(w, c)
@@ -438,6 +438,20 @@ def _spread(b, w, kk, arms):
 
 
 @kernel
+def _swing(b, w, own, arms, kk, ck):
+    """Add the change of the velocities of eccentric gears to the tangents of the coordinates."""
+    for k in range(b["n_rim"]):
+        for side in range(2):
+            block = kk[b["pairs"][2 + k // GROUP, side]]
+            for c in range(3):
+                moved = swing_rate(own, arms, side, c)
+                s = 0.0
+                for h in range(3):
+                    s += w["whole"][12 + k, 6 * side + h] * moved[h]
+                block[k % GROUP, 3 + c] += ck * s
+
+
+@kernel
 def release_rim(here, at, _):
     """Bring wrenches and tangents of the teeth to the frames of both gears and to the coordinates."""
     b = view(here, 1, RECORD)[0]
@@ -447,6 +461,8 @@ def release_rim(here, at, _):
     fr = view(ctl["fr"], ctl["nb"], FRAME)
     ways = 12 + b["n_rim"]
     F = own[1]["F"]
+    for r in range(6):
+        own[1]["tw"][r] = w["tw"][r]
     if ctl["jac"] != 0:
         kk = tangent_blocks(b)
         exact = ctl["jac"] == 2 and ctl["ck"] != 0.0
@@ -457,11 +473,14 @@ def release_rim(here, at, _):
         _left(w, ways)
         if exact:
             _follow_forces(b, w, F, ctl["ck"], ways)
-        _spread(b, w, view(ctl["kk"], (ctl["np"], 6, 6), F8), arms_of(b))
+        arms = arms_of(b)
+        blocks = view(ctl["kk"], (ctl["np"], 6, 6), F8)
+        _spread(b, w, blocks, arms)
         _back(w, kk)
         if exact:
             _right(w, dk, ways)
             _left(w, ways)
+            _swing(b, w, own, arms, blocks, ctl["ck"])
             _back(w, dk)
     for c in range(ways):
         s = 0.0
@@ -474,5 +493,4 @@ def release_rim(here, at, _):
         w["half"][0, c] = s
     for r in range(6):
         F[r] = w["half"][0, 6 + r]
-        own[1]["tw"][r] = w["tw"][r]
     return OK

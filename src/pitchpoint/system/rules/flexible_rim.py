@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flexible rims of internal gears: hidden bodies of their modal coordinates, inertia, stiffness and shapes."""
+"""Flexible rims of internal gears: hidden bodies of their coordinates, inertia, stiffness and shapes."""
 
 from __future__ import annotations
 
