@@ -9,7 +9,7 @@ import pytest
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.invariants.test_eccentric_meshes import CONSTANT, ONE, PAIR, TWO, mesh_wrenches
-from tests.invariants.test_tangents import LOSSES, compare, gears, pressed
+from tests.invariants.test_tangents import LOSSES, compare, gears, pressed, shaken
 from tests.support.forces import along
 from tests.support.machines import compiled
 
@@ -118,3 +118,37 @@ def test_undeformed_rim_is_rigid_and_whole_turns_change_nothing(motion):
     state.turns[1] += 70
     state.turns[2] += 23
     np.testing.assert_array_equal(evaluate.residual(system, state), before)
+
+
+SUPPORTS = {
+    "waves": 4,
+    "damping_ratio": 0.02,
+    "supports": {"angles": ["20 deg", "130 deg", "250 deg"], "radial": 4e7, "tangential": 2e8},
+}
+
+
+@pytest.mark.parametrize("motion", ["free", "planar", "fixed"])
+def test_supports_are_the_slope_of_their_energy(motion):
+    """At rest, for displaced, tilted and deflected rims; matrices are the whole derivative at any speed."""
+    system = machine(20, motion, **{"gears.g2.flexible_rim": SUPPORTS})
+    rng = np.random.default_rng(4)
+    state = shaken(system, rng, 0.0, 1e-3, 1e-5)
+    state.v[:] = 0.0
+    force = evaluate.residual(system, state)
+    energy = [c for c, found in enumerate(system.layout.channels) if "energy" in found.name]
+    assert len(energy) == 3
+    for c in range(force.size):
+        found = []
+        for side in (-1.0, 1.0):
+            moved = state.copy()
+            moved.q[c] += side * 1e-8
+            found.append(evaluate.observe(system, moved)[energy].sum())
+        slope = (found[1] - found[0]) / 2e-8
+        assert force[c] == pytest.approx(slope, abs=1e-6 * np.abs(force).max())
+    compare(system, shaken(system, rng, 3.0, 1e-3, 1e-5), 1e-8)
+
+
+@pytest.mark.nojit
+def test_supports_without_the_compiler():
+    system = machine(20, "free", **{"gears.g2.flexible_rim": SUPPORTS})
+    compare(system, shaken(system, np.random.default_rng(4), 3.0, 1e-3, 1e-5), 1e-8)

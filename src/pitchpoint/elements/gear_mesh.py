@@ -87,7 +87,6 @@ from pitchpoint.multibody.channels import F8, frame_args
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
-
 RECORD_BYTES = RECORD.itemsize
 _STEP = 1e-5
 """Maximum phase step of the difference quotient of a user stiffness law (for the parametric power only)."""
@@ -106,9 +105,8 @@ def bends(record: np.void) -> tuple[str, ...]:
     Contact: always. Tooth pairs: unless the stiffness is a sum of harmonics. Sliding velocity: only with
     friction, whose force reverses with it.
     """
-    names = tuple(name for name, _ in EVENTS)
-    if record["source"] == SURFACE:  # tip edges come into contact smoothly
-        names = tuple(name for name in names if "pair" not in name)
+    smooth = record["source"] == SURFACE  # tip edges come into contact smoothly
+    names = tuple(name for name, _ in EVENTS if not (smooth and "pair" in name))
     if record["contact"]["mu"] > 0.0:
         return names
     harmonic = record["source"] == PHASE and record["form"] == FOURIER

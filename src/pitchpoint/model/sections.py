@@ -93,7 +93,11 @@ class Contents(Checked):
         sample="[0, 0, -9.81 m/s^2]",
     )
     gears: Mapping[str, Gear] = section(
-        "cylindrical gears by name", Gear, "elastic_body:elastic_bank", "guide:guide_bank"
+        "cylindrical gears by name",
+        Gear,
+        "elastic_body:elastic_bank",
+        "guide:guide_bank",
+        "rim_supports:rim_support_bank",
     )
     bevel_gears: Mapping[str, BevelGear] = section("bevel gears by name", BevelGear, later=True)
     bodies: Mapping[str, Body] = section("rigid bodies with their gears", Body)

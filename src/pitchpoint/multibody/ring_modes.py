@@ -19,8 +19,8 @@ In a ring that spins at omega about its axis, the two coordinates of n waves are
 2 omega g eta' with g = -2 pi rho A R V for a thin ring, and centrifugal forces stretch the ring: the hoop
 force rho A R^2 omega^2 adds pi rho A R omega^2 (V + n)^2 to k.
 
-Sources: R. Hoppe, J. Reine Angew. Math. 73 (1871) 158-170 (thin ring); S. Timoshenko, Vibration Problems in
-Engineering, 3rd ed., article 69; E. Winkler's curved beam; G. F. Carrier, Quart. Appl. Math. 3 (1945)
+Sources: S. Timoshenko, Vibration Problems in Engineering, 3rd ed., article 69 (thin ring); E. Winkler (curved
+beam); G. R. Cowper, J. Appl. Mech. 33 (1966) 335-340 (kappa); G. F. Carrier, Quart. Appl. Math. 3 (1945)
 235-245 (spinning ring).
 """
 
@@ -152,7 +152,8 @@ def ring_mode(ring: RingSection, waves: int) -> RingMode:
     A, inertia = b * h, b * h**3 / 12.0
     log = math.log(ring.outer / ring.inner)
     A_0, A_1, A_2 = b * log, b * (h - R * log), b * (R * R * log - R * h)  # integrals of z^k/(R + z)
-    G = ring.youngs_modulus / (2.0 * (1.0 + ring.poisson_ratio))
+    nu = ring.poisson_ratio
+    G, kappa = ring.youngs_modulus / (2.0 * (1.0 + nu)), 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu)
     # strain and shear of (u, v, psi)
     strain, turned, shear = (
         np.array([1.0, n, 0.0]),
@@ -161,7 +162,7 @@ def ring_mode(ring: RingSection, waves: int) -> RingMode:
     )
     K = A_0 * np.outer(strain, strain) + A_2 * np.outer(turned, turned)
     K += A_1 * (np.outer(strain, turned) + np.outer(turned, strain))
-    K = math.pi * (ring.youngs_modulus * K + 5.0 / 6.0 * G * A * R * np.outer(shear, shear))
+    K = math.pi * (ring.youngs_modulus * K + kappa * G * A * R * np.outer(shear, shear))
     z = ring.tooth_radius - R
     teeth = ring.tooth_mass / math.tau
     M = ring.density * np.array([[R * A, 0.0, 0.0], [0.0, R * A, inertia], [0.0, inertia, R * inertia]])
@@ -213,18 +214,20 @@ def ring_invariants(modes: Sequence[RingMode]) -> MassInvariants:
     )
 
 
-def ring_terms(modes: Sequence[RingMode], radius: float) -> Array:
-    """Displacement of the frame of the gear with the section of the ring at the angle theta.
+def ring_terms(modes: Sequence[RingMode], centroid: float, radius: float) -> Array:
+    """Displacement of a point that is rigidly attached to the section of the ring at the angle theta.
 
-    The frame is rigidly attached to the section: it rotates with it about its centroid, and moves with it at
-    the axis by -R psi along the tangent.
+    At the distance z = radius - centroid it moves by v + z psi along the tangent: a point of the rim, or with
+    the radius 0 the frame of a gear whose teeth are attached to the section.
 
     Parameters
     ----------
     modes
         Modes, two coordinates each: cosine, then sine.
+    centroid
+        Radius R of the line of centroids [m].
     radius
-        Radius of the line of centroids [m].
+        Radius of the point [m].
 
     Returns
     -------
@@ -233,8 +236,44 @@ def ring_terms(modes: Sequence[RingMode], radius: float) -> Array:
     """
     rows = []
     for k, m in enumerate(modes):
-        along = m.tangential - radius * m.rotation
+        along = m.tangential + (radius - centroid) * m.rotation
         for c, of_cosine, of_sine in ((0, 1.0, 0.0), (1, 0.0, along), (5, 0.0, m.rotation)):
             rows.append((2 * k, m.waves, c, of_cosine, of_sine))
             rows.append((2 * k + 1, m.waves, c, -of_sine, of_cosine))
     return np.array(rows)
+
+
+def support_shapes(terms: Array, angles: Sequence[float]) -> Array:
+    """Radial and tangential displacement at some angles, per coordinate.
+
+    Parameters
+    ----------
+    terms
+        Rows of `ring_terms`.
+    angles
+        Angles [rad].
+
+    Returns
+    -------
+    ndarray
+        Shape (number of angles, 2, number of coordinates).
+    """
+    found = np.zeros((len(angles), 2, int(terms[:, 0].max()) + 1))
+    for k, n, component, of_cosine, of_sine in terms:
+        if component < 2:
+            turned = n * np.asarray(angles)
+            found[:, int(component), int(k)] += of_cosine * np.cos(turned) + of_sine * np.sin(turned)
+    return found
+
+
+def support_stiffness(shapes: Array, radial: float, tangential: float) -> Array:
+    """Stiffness matrix of the coordinates by equal springs at the angles of `support_shapes` [N/m].
+
+    Parameters
+    ----------
+    shapes
+        Displacements at the supports.
+    radial, tangential
+        Stiffness of one support [N/m].
+    """
+    return radial * shapes[:, 0].T @ shapes[:, 0] + tangential * shapes[:, 1].T @ shapes[:, 1]

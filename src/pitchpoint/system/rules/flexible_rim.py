@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flexible rims of internal gears: hidden bodies of their coordinates, inertia, stiffness and shapes."""
+"""Flexible rims of internal gears: modes, hidden bodies of their coordinates, shapes and supports."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,13 +14,24 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements.flexible_body import GROUP, LOADS, flexible_row, modal_bodies
 from pitchpoint.elements.kind import RIM
-from pitchpoint.elements.mesh.flexible_rim import rim_room
-from pitchpoint.model.rims import rim_modes, ring_section
+from pitchpoint.elements.mesh.rim_room import rim_room
+from pitchpoint.model.inertia import gear_by_geometry
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.multibody.ring_modes import ring_invariants, ring_terms
+from pitchpoint.multibody.ring_modes import (
+    RingMode,
+    RingSection,
+    ring_invariants,
+    ring_mode,
+    ring_terms,
+    support_shapes,
+    support_stiffness,
+)
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
 
 SPIN = 5
 """Load with geometric stiffness: square of the spin about the z axis."""
@@ -32,8 +45,6 @@ class RimParts:
     ----------
     name
         Name of the element.
-    gear
-        Name of the gear.
     bodies
         Hidden bodies of the modal coordinates.
     flexible, guides
@@ -41,12 +52,68 @@ class RimParts:
     """
 
     name: str
-    gear: str
     bodies: tuple[Body, ...]
     flexible: NDArray[np.void]
     guides: NDArray[np.void]
 
 
+# --- ring of a gear -----------------------------------------------------------------------------------------
+def ring_section(gear: Gear) -> RingSection:
+    """Rim of an internal gear from the root circle outwards; the teeth add mass only.
+
+    The outer radius is half the outside diameter `bore_diameter`, or follows from `rim_thickness`.
+    """
+    root = 0.5 * abs(gear.geometry.d_f)
+    outer = 0.5 * gear.bore_diameter or root + (gear.rim_thickness or 0.0)
+    data = gear.material_data
+    bare = RingSection(
+        inner=root,
+        outer=outer,
+        width=gear.face_width,
+        youngs_modulus=data.youngs_modulus,
+        poisson_ratio=data.poisson_ratio,
+        density=data.density,
+    )
+    whole, polar, _ = gear_by_geometry(gear)
+    mass = whole - bare.mass
+    radius = math.sqrt((polar - 0.5 * bare.mass * (root**2 + outer**2)) / mass)
+    return bare.with_teeth(mass, radius)
+
+
+def rim_modes(gear: Gear) -> tuple[RingMode, ...]:
+    """Modes of the flexible rim of a gear, free of supports; empty for a rigid rim."""
+    if gear.flexible_rim is None:
+        return ()
+    return _modes(ring_section(gear), gear.flexible_rim.waves)
+
+
+@lru_cache(maxsize=32)
+def _modes(section: RingSection, waves: int) -> tuple[RingMode, ...]:
+    return tuple(ring_mode(section, n) for n in range(2, waves + 1))
+
+
+def supported_stiffness(gear: Gear) -> Array:
+    """Stiffness matrix of the coordinates with the supports, on a housing that does not move [N/m]."""
+    modes, part = rim_modes(gear), gear.flexible_rim
+    K = np.diag(np.repeat([m.stiffness for m in modes], 2))
+    if part is None or part.supports is None:
+        return K
+    given = part.supports
+    section = ring_section(gear)
+    terms = ring_terms(modes, section.radius, section.outer)
+    return K + support_stiffness(support_shapes(terms, given.places), given.radial, given.tangential)
+
+
+def rim_frequencies(gear: Gear) -> Array:
+    """Natural frequencies of the rim without meshes, its body and the housing at rest [Hz]."""
+    from scipy.linalg import eigh
+
+    mass = np.diag(np.repeat([m.mass for m in rim_modes(gear)], 2))
+    found = eigh(supported_stiffness(gear), mass, eigvals_only=True)
+    return np.sqrt(np.maximum(found, 0.0)) / math.tau
+
+
+# --- records ------------------------------------------------------------------------------------------------
 def rims_of(model: Model, body: str) -> list[str]:
     """Gears with flexible rims on a body."""
     if body in model.shafts or body in model.elastic_bodies:
@@ -63,39 +130,38 @@ def _groups(model: Model, gear: str) -> int:
     return -(-2 * len(rim_modes(model.gears[gear])) // GROUP)
 
 
-def hidden_of(model: Model, body: str, gear: str, number: int) -> tuple[int, ...]:
+def _hidden(model: Model, body: str, gear: str, number: int) -> tuple[int, ...]:
     """Numbers of the hidden bodies of a rim; `number` is that of its body."""
-    first = number + 1
-    for other in rims_of(model, body):
-        count = _groups(model, other)
-        if other == gear:
-            return tuple(range(first, first + count))
-        first += count
-    return ()
+    rims = rims_of(model, body)
+    first = number + 1 + sum(_groups(model, other) for other in rims[: rims.index(gear)])
+    return tuple(range(first, first + _groups(model, gear)))
 
 
-def rim_parts(model: Model, body: str, number: int) -> Iterator[RimParts]:
+def rim_parts(model: Model, body: str, number: int) -> list[RimParts]:
     """Bodies and records of all flexible rims of a body with this number."""
-    for name in rims_of(model, body):
-        gear = model.gears[name]
-        modes = rim_modes(gear)
-        hidden = hidden_of(model, body, name, number)
-        words = [f"{word}{mode.waves}" for mode in modes for word in ("cos", "sin")]
-        bodies, guides = modal_bodies(f"{name}.rim", len(words), hidden[0], words)
-        stiffness = np.repeat([m.stiffness for m in modes], 2)
-        mass = np.repeat([m.mass for m in modes], 2)
-        damping = 2.0 * (gear.flexible_rim.damping_ratio if gear.flexible_rim else 0.0)
-        stiffening = np.zeros((LOADS, mass.size, mass.size))
-        stiffening[SPIN] = np.diag(np.repeat([m.stretch for m in modes], 2))
-        row = flexible_row(
-            ring_invariants(modes),
-            stiffness,
-            frame=number,
-            hidden=hidden,
-            damping=damping * np.sqrt(stiffness * mass),
-            stiffening=stiffening,
-        )
-        yield RimParts(f"{name}.rim", name, tuple(bodies), row, guides)
+    return [
+        _parts(model.gears[g], f"{g}.rim", number, _hidden(model, body, g, number))
+        for g in rims_of(model, body)
+    ]
+
+
+def _parts(gear: Gear, name: str, frame: int, hidden: tuple[int, ...]) -> RimParts:
+    modes = rim_modes(gear)
+    words = [f"{word}{mode.waves}" for mode in modes for word in ("cos", "sin")]
+    bodies, guides = modal_bodies(name, len(words), hidden[0], words)
+    mass = np.repeat([m.mass for m in modes], 2)
+    ratio = gear.flexible_rim.damping_ratio if gear.flexible_rim is not None else 0.0
+    stiffening = np.zeros((LOADS, mass.size, mass.size))
+    stiffening[SPIN] = np.diag(np.repeat([m.stretch for m in modes], 2))
+    row = flexible_row(
+        ring_invariants(modes),
+        np.repeat([m.stiffness for m in modes], 2),
+        frame=frame,
+        hidden=hidden,
+        damping=2.0 * ratio * np.sqrt(np.diag(supported_stiffness(gear)) * mass),
+        stiffening=stiffening,
+    )
+    return RimParts(name, tuple(bodies), row, guides)
 
 
 def rims(model: Model, numbers: Mapping[str, int]) -> list[RimParts]:
@@ -103,14 +169,19 @@ def rims(model: Model, numbers: Mapping[str, int]) -> list[RimParts]:
     return [part for body in model.mechanism.seats for part in rim_parts(model, body, numbers[body])]
 
 
-def set_rim(row: Any, model: Model, name: str, keep: Callable[[NDArray[np.float64]], int]) -> None:
+def set_rim(row: Any, model: Model, name: str, keep: Callable[[Array], int]) -> None:
     """Set the fields of the flexible rim of gear 2 of a mesh record; unchanged for a rigid rim."""
     gear = model.meshes[name].gears[1]
-    modes = rim_modes(model.gears[gear])
-    if not modes:
+    part = model.gears[gear]
+    if part.flexible_rim is None:
         return
-    terms = ring_terms(modes, ring_section(model.gears[gear]).radius)
-    row["n_rim"], row["rim"] = 2 * len(modes), keep(rim_room(terms))
-    hidden = hidden_of(model, str(model.body_of(gear)), gear, int(row["j"]))
-    for field, number in zip(RIM[2:], hidden, strict=False):
-        row[field] = number
+    terms = ring_terms(rim_modes(part), ring_section(part).radius, 0.0)
+    row["rim"] = keep(rim_room(terms))
+    set_hidden(row, model, str(model.body_of(gear)), gear, int(row["j"]))
+
+
+def set_hidden(row: Any, model: Model, body: str, gear: str, number: int) -> None:
+    """Set the number of coordinates of a rim and their hidden bodies; `number` is that of its body."""
+    row["n_rim"] = 2 * len(rim_modes(model.gears[gear]))
+    for field, hidden in zip(RIM[2:], _hidden(model, body, gear, number), strict=False):
+        row[field] = hidden
