@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.flexible_rims import ring_modes, show_rims
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
@@ -83,6 +84,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
+    from pitchpoint.system.rules.flexible_rim import rim_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
     bodies = {}
@@ -108,7 +110,8 @@ def summary(model: Model) -> dict[str, Any]:
         "included": list(model.origin.files),
         "degrees_of_freedom": sum(
             len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
-        ),
+        )
+        + ring_modes(model),
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bevel_gears": list(model.bevel_gears),
@@ -141,6 +144,7 @@ def summary(model: Model) -> dict[str, Any]:
         "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
+        "flexible_rims": rim_facts(model),
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -205,7 +209,7 @@ def _mobility(model: Model) -> dict[str, int]:
     held = sum(c.permanent for group in contacts for c in group.values())
     others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
-    more = 6 * sum(len(places) - 1 for places in model.stations.values())
+    more = 6 * sum(len(places) - 1 for places in model.stations.values()) + ring_modes(model)
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
 
 
@@ -275,6 +279,7 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
         show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
+    show_rims(found["flexible_rims"])
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()

@@ -268,6 +268,11 @@ def entry(ctl, rec, n):
     return flexible_body(view(rec, n, RECORD), c, fr, kk)
 
 
+def label(record: np.void) -> str:
+    """Word before the name: the rim of a gear has no mass of its own."""
+    return "flexible body" if record["mass"] > 0.0 else "bending"
+
+
 KIND = Kind(
     name="flexible_body",
     channel=FRAME,
@@ -281,5 +286,6 @@ KIND = Kind(
     spins=FREE,
     fine=True,
     excites=False,
-    sections={"elastic_bodies": ""},
+    sections={"elastic_bodies": "", "gears": ""},
+    label=label,
 )

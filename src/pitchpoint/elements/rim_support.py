@@ -192,6 +192,6 @@ KIND = Kind(
     body_fixed=True,
     massless=True,
     sections={"gears": ""},
-    title="supports of rim",
-    plural="supports of rims",
+    label="springs",
+    plural="rim supports",
 )

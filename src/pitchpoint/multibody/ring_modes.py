@@ -39,6 +39,8 @@ Array = NDArray[np.float64]
 
 COMPONENTS = 6
 """Displacement along radius, tangent and axis, and rotations about them."""
+WORDS = ("cos", "sin")
+"""Beginning of the names of both coordinates of a mode."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -212,6 +214,32 @@ def ring_invariants(modes: Sequence[RingMode]) -> MassInvariants:
         inertia_2=inertia_2,
         modal=np.diag(mass),
     )
+
+
+def coordinate_names(modes: Sequence[RingMode]) -> list[str]:
+    """Names of the coordinates of ring modes: cosine and sine with their numbers of waves.
+
+    Examples
+    --------
+    >>> ring = RingSection(inner=0.19, outer=0.21, width=0.01, youngs_modulus=206e9, poisson_ratio=0.3,
+    ...                    density=7830.0)
+    >>> coordinate_names([ring_mode(ring, 2)])
+    ['cos2', 'sin2']
+    """
+    return [f"{word}{mode.waves}" for mode in modes for word in WORDS]
+
+
+def waves_of(coordinate: str) -> int:
+    """Number of waves of a coordinate with a name of `coordinate_names`; 0 for others.
+
+    Examples
+    --------
+    >>> waves_of("ring.2.sin4"), waves_of("ring.x"), waves_of("rod.1.eta3")
+    (4, 0, 0)
+    """
+    word = coordinate.rpartition(".")[2]
+    number = word[len(WORDS[0]) :]
+    return int(number) if word.startswith(WORDS) and number.isdigit() else 0
 
 
 def ring_terms(modes: Sequence[RingMode], centroid: float, radius: float) -> Array:

@@ -56,3 +56,8 @@ class FlexibleRim(Component):
     supports: RimSupports | None = component(
         RimSupports, "springs between the rim and the housing; default: the rim is held only by its body"
     )
+
+    @property
+    def coordinates(self) -> int:
+        """Number of modes."""
+        return 2 * (self.waves - 1)

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +20,7 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.ring_modes import (
     RingMode,
     RingSection,
+    coordinate_names,
     ring_invariants,
     ring_mode,
     ring_terms,
@@ -104,13 +105,39 @@ def supported_stiffness(gear: Gear) -> Array:
     return K + support_stiffness(support_shapes(terms, given.places), given.radial, given.tangential)
 
 
-def rim_frequencies(gear: Gear) -> Array:
-    """Natural frequencies of the rim without meshes, its body and the housing at rest [Hz]."""
+def rim_facts(model: Model) -> dict[str, dict[str, Any]]:
+    """Natural frequencies of all flexible rims without planets, their bodies and housings at rest [Hz].
+
+    Returns
+    -------
+    dict
+        By gear: `waves`, `free` frequencies, and `supported` pairs of frequencies, empty without supports. A
+        supported pair has the coordinates of its number of waves as its largest share.
+    """
+    found = {}
+    for body in model.bodies:
+        for name in rims_of(model, body):
+            gear = model.gears[name]
+            modes = rim_modes(gear)
+            held = gear.flexible_rim is not None and gear.flexible_rim.supports is not None
+            found[name] = {
+                "waves": [m.waves for m in modes],
+                "free": [m.frequency for m in modes],
+                "supported": _supported(gear, modes) if held else [],
+            }
+    return found
+
+
+def _supported(gear: Gear, modes: Sequence[RingMode]) -> list[list[float]]:
+    """Frequencies of a rim on its supports by the number of waves [Hz]."""
     from scipy.linalg import eigh
 
-    mass = np.diag(np.repeat([m.mass for m in rim_modes(gear)], 2))
-    found = eigh(supported_stiffness(gear), mass, eigvals_only=True)
-    return np.sqrt(np.maximum(found, 0.0)) / math.tau
+    mass = np.repeat([m.mass for m in modes], 2)
+    values, shapes = eigh(supported_stiffness(gear), np.diag(mass))
+    share = (shapes**2 * mass[:, None]).reshape(len(modes), 2, -1).sum(axis=1)
+    of = np.argmax(share, axis=0)
+    frequency = np.sqrt(np.maximum(values, 0.0)) / math.tau
+    return [frequency[of == k].tolist() for k in range(len(modes))]
 
 
 # --- records ------------------------------------------------------------------------------------------------
@@ -139,16 +166,15 @@ def _hidden(model: Model, body: str, gear: str, number: int) -> tuple[int, ...]:
 
 def rim_parts(model: Model, body: str, number: int) -> list[RimParts]:
     """Bodies and records of all flexible rims of a body with this number."""
-    return [
-        _parts(model.gears[g], f"{g}.rim", number, _hidden(model, body, g, number))
-        for g in rims_of(model, body)
-    ]
+    return [_parts(model, body, gear, number) for gear in rims_of(model, body)]
 
 
-def _parts(gear: Gear, name: str, frame: int, hidden: tuple[int, ...]) -> RimParts:
+def _parts(model: Model, body: str, name: str, frame: int) -> RimParts:
+    gear, hidden = model.gears[name], _hidden(model, body, name, frame)
     modes = rim_modes(gear)
-    words = [f"{word}{mode.waves}" for mode in modes for word in ("cos", "sin")]
-    bodies, guides = modal_bodies(name, len(words), hidden[0], words)
+    words = coordinate_names(modes)
+    bodies, guides = modal_bodies(body, len(words), hidden[0], words)
+    named = [replace(b, name=f"{body}.{k - frame}") for k, b in zip(hidden, bodies, strict=True)]
     mass = np.repeat([m.mass for m in modes], 2)
     ratio = gear.flexible_rim.damping_ratio if gear.flexible_rim is not None else 0.0
     stiffening = np.zeros((LOADS, mass.size, mass.size))
@@ -161,7 +187,7 @@ def _parts(gear: Gear, name: str, frame: int, hidden: tuple[int, ...]) -> RimPar
         damping=2.0 * ratio * np.sqrt(np.diag(supported_stiffness(gear)) * mass),
         stiffening=stiffening,
     )
-    return RimParts(name, tuple(bodies), row, guides)
+    return RimParts(f"{name}.rim", tuple(named), row, guides)
 
 
 def rims(model: Model, numbers: Mapping[str, int]) -> list[RimParts]:

@@ -47,7 +47,7 @@ def rim_support_bank(places: Places) -> Bank:
             row["count"], row["supports"] = len(table), pool.add(table)
             set_hidden(row, model, body, name, int(row["i"]))
             rows.append(row)
-            names.append(f"{name}.rim-supports")
+            names.append(f"{name}.supports")
     return pack("rim_support", RECORD, rows, names, pool=pool.array())
 
 
