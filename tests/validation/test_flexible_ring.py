@@ -25,6 +25,7 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.flexible_rim import rim_modes, ring_section
 from tests.support.planet_stages import stage_file
@@ -114,3 +115,20 @@ def test_modes_of_the_ring_alone(count):
     for mode in rim_modes(model.gears["ring"]):
         same = np.abs(found / mode.frequency - 1.0) < 1e-4
         assert np.count_nonzero(same) == (1 if 2 * mode.waves % count == 0 else 0), mode.waves
+
+
+def test_the_deflection_follows_the_planets():
+    """Slow roll: three waves go round with the carrier, of constant amplitude; other modes are at rest."""
+    model = stage("planets: 3")
+    found = solve_quasistatic(compile_model(model), model.scenarios["slow"])
+    F, mode = TORQUE / 3 / R_B, rim_modes(model.gears["ring"])[1]
+    V = mode.tangential + (R_W - ring_section(model.gears["ring"]).radius) * mode.rotation
+    wanted = 3 * F * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
+    z = found["displacement[ring.1.cos3]"].to_numpy() + 1j * found["displacement[ring.2.sin3]"].to_numpy()
+    np.testing.assert_allclose(np.abs(z), wanted, rtol=1e-4)
+    carrier = np.unwrap(found["angle[carrier]"].to_numpy())
+    turned = np.unwrap(np.angle(z))
+    np.testing.assert_allclose(turned - turned[0], 3.0 * (carrier - carrier[0]), atol=1e-6)
+    assert np.ptp(carrier) > 1e-2
+    for other in ("displacement[ring.1.cos2]", "displacement[ring.2.cos4]"):
+        assert np.abs(found[other]).max() < 1e-4 * wanted
