@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.flexible_rims import ring_modes, show_rims
+from pitchpoint.cli.flexible_rims import rims_of_model, ring_modes, show_rims
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
@@ -84,7 +84,6 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
-    from pitchpoint.system.rules.flexible_rim import rim_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
     bodies = {}
@@ -144,7 +143,7 @@ def summary(model: Model) -> dict[str, Any]:
         "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
-        "flexible_rims": rim_facts(model),
+        "flexible_rims": rims_of_model(model),
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),

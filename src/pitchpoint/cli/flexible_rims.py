@@ -17,13 +17,20 @@ def ring_modes(model: Model) -> int:
     return sum(rim.coordinates for rim in rims if rim is not None)
 
 
+def rims_of_model(model: Model) -> dict[str, Any]:
+    """Natural frequencies of all flexible rims, see `pitchpoint.system.rules.flexible_rim.rim_facts`."""
+    from pitchpoint.system.rules.flexible_rim import rim_facts
+
+    return rim_facts(model)
+
+
 def show_rims(found: dict[str, Any]) -> None:
     """Print the natural frequencies of flexible rims.
 
     Parameters
     ----------
     found
-        Result of `pitchpoint.system.rules.flexible_rim.rim_facts`.
+        Result of `rims_of_model`.
     """
     rows = []
     for name, rim in found.items():

@@ -164,6 +164,14 @@ def _hidden(model: Model, body: str, gear: str, number: int) -> tuple[int, ...]:
     return tuple(range(first, first + _groups(model, gear)))
 
 
+def coordinates_of_rim(model: Model, gear: str) -> list[str]:
+    """Names of the coordinates of a flexible rim in results: BODY.1.cos2 and so on."""
+    body = str(model.body_of(gear))
+    groups = _hidden(model, body, gear, 0)
+    words = coordinate_names(rim_modes(model.gears[gear]))
+    return [f"{body}.{groups[k // GROUP]}.{word}" for k, word in enumerate(words)]
+
+
 def rim_parts(model: Model, body: str, number: int) -> list[RimParts]:
     """Bodies and records of all flexible rims of a body with this number."""
     return [_parts(model, body, gear, number) for gear in rims_of(model, body)]

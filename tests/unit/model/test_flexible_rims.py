@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Flexible rims in model files: what is refused, what `check` and `modes` print, and the scene."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.check import summary
+from pitchpoint.core.errors import ModelError
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.system.compile import compile_model
+from pitchpoint.system.rules.flexible_rim import coordinates_of_rim
+from tests.support.planet_stages import stage_file
+
+RIM = "flexible_rim: {waves: 4}"
+
+
+def text(rim=RIM, outside="bore_diameter: 330 mm", **how):
+    """Model file whose ring has these keys."""
+    keys = ", ".join(k for k in ("tip_diameter: 292.5 mm", outside, rim) if k)
+    return stage_file(**how).replace("tip_diameter: 292.5 mm", keys, 1)
+
+
+@pytest.mark.parametrize(
+    ("found", "where", "words"),
+    [
+        (text(outside=""), "gears.ring.flexible_rim", "requires the outside of the ring"),
+        (text(outside="rim_thickness: 150 mm"), "gears.ring.rim_thickness", "too thick to bend as a ring"),
+        (text().replace("type: internal, ", "", 1), "gears.ring.flexible_rim", "is for internal gears only"),
+        (text("flexible_rim: {waves: 1}"), "gears.ring.flexible_rim.waves", "out of range"),
+        (text("flexible_rim: {waves: 17}"), "gears.ring.flexible_rim.waves", "out of range"),
+        (
+            text("flexible_rim: {supports: {number: 8}}"),
+            "gears.ring.flexible_rim.supports",
+            "have no stiffness",
+        ),
+        (
+            text("flexible_rim: {supports: {radial: 1e8}}"),
+            "gears.ring.flexible_rim.supports",
+            "gives none of number, angles",
+        ),
+        (
+            text("flexible_rim: {supports: {angles: [10 deg, 90 deg, 370 deg], radial: 1e8}}"),
+            "gears.ring.flexible_rim.supports.angles[2]",
+            "is the angle of entry 1 as well",
+        ),
+    ],
+)
+def test_impossible_rims_are_refused(found, where, words):
+    with pytest.raises(ModelError) as error:
+        loads_model(found)
+    problems = {p.where: str(p) for p in error.value.problems}
+    assert words in problems[where]
+    assert "line 3" in problems[where]
+
+
+def test_a_rim_on_a_shaft_is_refused():
+    found = text().replace("  ring: {gears: [ring], motion: fixed, position: [0, 0, 0]}\n", "")
+    found += "shafts:\n  ring: {gears: {ring: 50 mm}, sections: [{length: 100 mm, diameter: 50 mm}]}\n"
+    with pytest.raises(ModelError, match="is on the shaft ring"):
+        loads_model(found)
+
+
+def test_check_lists_the_ring_modes():
+    supports = "supports: {number: 8, radial: 20 N/um, tangential: 20 N/um}"
+    model = loads_model(text(f"flexible_rim: {{waves: 4, {supports}}}"))
+    found = summary(model)
+    rim = found["flexible_rims"]["ring"]
+    assert rim["waves"] == [2, 3, 4]
+    assert rim["free"][0] == pytest.approx(283.400, abs=1e-3)
+    assert [len(pair) for pair in rim["supported"]] == [2, 2, 2]
+    one, two = rim["supported"][2]  # n = 4 on eight supports
+    assert two > 1.01 * one > rim["free"][2]
+    system = compile_model(model)
+    assert found["degrees_of_freedom"] == len(system.layout.coordinates)
+    assert found["mobility"]["coordinates"] == len(system.layout.coordinates)
+
+
+def test_modes_are_named_by_their_waves():
+    found = find_modes(compile_model(loads_model(text())))
+    assert found.names[:5].count("ring mode of ring, n = 3") == 1
+    assert sum("ring mode of ring, n = 2" in name for name in found.names) == 2
+
+
+def test_whole_ring_gear_bends_in_the_scene():
+    model = loads_model(text())
+    scene = scene_of(model, modes=4)
+    solid = next(s for s in scene.solids if s.name == "ring")
+    shapes, node = solid.modal.shapes, solid.modal.node
+    assert solid.modal.names == tuple(coordinates_of_rim(model, "ring"))
+    assert shapes.shape[0] == 6
+    x, y, _ = (np.eye(3) if solid.axes is None else solid.axes) @ solid.points.T
+    radial = np.einsum("ni,ni->n", shapes[0, node], solid.points) / np.hypot(x, y)
+    wanted = np.cos(2.0 * np.arctan2(y, x))
+    assert np.abs(radial - wanted).max() < 0.05  # a quarter of a pitch
+    assert {"ring"} == set(scene.modes[1].modal)
