@@ -27,7 +27,7 @@ from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.rules.flexible_rim import rim_modes, ring_section
+from pitchpoint.system.rules.flexible_rim import ring_modes, ring_section
 from tests.support.planet_stages import stage_file
 
 K, TORQUE = 5e8, 1.0
@@ -48,7 +48,7 @@ def shapes(model, count):
     gear = model.gears["ring"]
     R, found, stiffness = ring_section(gear).radius, [], []
     theta = math.tau * np.arange(count) / count
-    for m in rim_modes(gear):
+    for m in ring_modes(gear):
         V = m.tangential + (R_W - R) * m.rotation
         s, c = math.sin(ALPHA), V * math.cos(ALPHA)
         found += [s * np.cos(m.waves * theta) - c * np.sin(m.waves * theta)]
@@ -112,7 +112,7 @@ def test_modes_of_the_ring_alone(count):
     """
     model = stage(f"planets: {count}")
     found = find_modes(compile_model(model), None).frequency
-    for mode in rim_modes(model.gears["ring"]):
+    for mode in ring_modes(model.gears["ring"]):
         same = np.abs(found / mode.frequency - 1.0) < 1e-4
         assert np.count_nonzero(same) == (1 if 2 * mode.waves % count == 0 else 0), mode.waves
 
@@ -121,7 +121,7 @@ def test_the_deflection_follows_the_planets():
     """Slow roll: three waves go round with the carrier, of constant amplitude; other modes are at rest."""
     model = stage("planets: 3")
     found = solve_quasistatic(compile_model(model), model.scenarios["slow"])
-    F, mode = TORQUE / 3 / R_B, rim_modes(model.gears["ring"])[1]
+    F, mode = TORQUE / 3 / R_B, ring_modes(model.gears["ring"])[1]
     V = mode.tangential + (R_W - ring_section(model.gears["ring"]).radius) * mode.rotation
     wanted = 3 * F * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
     z = found["displacement[ring.1.cos3]"].to_numpy() + 1j * found["displacement[ring.2.sin3]"].to_numpy()

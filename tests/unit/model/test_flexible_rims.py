@@ -8,14 +8,17 @@ import pytest
 
 from pitchpoint.cli.check import summary
 from pitchpoint.core.errors import ModelError
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report.scene.build import scene_of
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.flexible_rim import coordinates_of_rim
+from tests.support.beam_ring import beam_ring
 from tests.support.planet_stages import stage_file
 
 RIM = "flexible_rim: {waves: 4}"
+MESH = "stiffness: {law: constant, value: 5e8 N/m}, backlash: {normal: 0.2 mm}"
 
 
 def text(rim=RIM, outside="bore_diameter: 330 mm", **how):
@@ -97,3 +100,59 @@ def test_whole_ring_gear_bends_in_the_scene():
     wanted = np.cos(2.0 * np.arctan2(y, x))
     assert np.abs(radial - wanted).max() < 0.05  # a quarter of a pitch
     assert {"ring"} == set(scene.modes[1].modal)
+
+
+ELEMENTS = (
+    "flexible_rim: {waves: 8, finite_elements: {file: ring.npz, modes: 24, depth: 3, held_nodes: "
+    "{a: {position: [158.5 mm, 0, 0]}, b: {position: [-79.25 mm, 137.2650265 mm, 0]}, "
+    "c: {position: [-79.25 mm, -137.2650265 mm, 0]}}}}"
+)
+
+
+def elements(tmp_path, rim=ELEMENTS):
+    """Model whose ring is made of beams at a radius of 158.5 mm, held at three nodes, and its structure."""
+    ring = beam_ring(0.1585, 0.0125, 0.04, 48)
+    np.savez(tmp_path / "ring.npz", K=ring.K.toarray(), M=ring.M.toarray(), places=ring.places)
+    file = tmp_path / "model.yaml"
+    between = "angles: [60 deg, 180 deg, 300 deg]"
+    file.write_text(text(rim, outside="", more=between, torque=1.0, mesh=MESH), encoding="utf-8")
+    return load_model(file), ring
+
+
+def test_rim_of_finite_elements_deflects_like_the_whole_structure(tmp_path):
+    """Strain energy under the ring forces of three planets between the held nodes, by all displacements.
+
+    The forces act at the working pitch circle of the planets. Modes omitted and waves above 8 have 5 %.
+    """
+    model, ring = elements(tmp_path)
+    found = solve_equilibrium(compile_model(model))
+    F = np.array([float(found[f"mesh_force[planet_{k}-ring]"]) for k in (1, 2, 3)])
+    alpha, r_w = np.radians(20.0), 0.5 * 99 * 3e-3
+    load = np.zeros(ring.size)
+    for node, force in zip((8, 24, 40), F, strict=True):  # 60 deg from the held nodes
+        theta = 2.0 * np.pi * node / 48
+        out, along = (np.cos(theta), np.sin(theta)), (-np.sin(theta), np.cos(theta))
+        radial, tangential = abs(force) * np.sin(alpha), force * np.cos(alpha)
+        load[6 * node : 6 * node + 2] = radial * np.array(out) + tangential * np.array(along)
+        load[6 * node + 5] = (r_w - 0.1585) * tangential
+    free = np.flatnonzero(~np.isin(ring.node, (0, 16, 32)))
+    K = ring.K[free][:, free].toarray()
+    exact = 0.5 * load[free] @ np.linalg.solve(K, load[free])
+    assert float(found["strain_energy[ring.rim]"]) == pytest.approx(exact, rel=0.05)
+    assert summary(model)["flexible_rims"]["ring"]["waves"] == [0] * 24
+    assert len(scene_of(model).solids) > 4
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("depth: 3", "depth: 1"), "0 sections with nodes at radii"),
+        (("158.5 mm, 0, 0", "150 mm, 0, 0"), r"held_nodes.a .*has no node at this position"),
+        (("ring.npz", "none.npz"), "none.npz"),
+        (("waves: 8", "supports: {number: 3, radial: 1e8}"), "cannot be combined with finite_elements"),
+    ],
+)
+def test_impossible_finite_elements_are_refused(tmp_path, change, words):
+    with pytest.raises(ModelError, match=words) as error:
+        compile_model(elements(tmp_path, ELEMENTS.replace(*change))[0])
+    assert "gears.ring.flexible_rim" in str(error.value)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.model.keys import Place
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.flexible_rim import RimSupports
+    from pitchpoint.model.components.flexible_rim import FlexibleRim, RimSupports
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.parts import Parts
     from pitchpoint.model.reading.reader import Reader
@@ -28,6 +28,8 @@ def check_flexible_rims(parts: Parts, report: Reader) -> None:
             continue
         if gear.type == "external":
             report.problem(at, "is for internal gears only", remedy="remove it, or set type: internal")
+        elif gear.flexible_rim.finite_elements is not None:
+            _elements(gear.flexible_rim, at, report)
         elif gear.bore_diameter == 0.0 and gear.rim_thickness is None:
             report.problem(
                 at,
@@ -47,6 +49,24 @@ def check_flexible_rims(parts: Parts, report: Reader) -> None:
                 )
         if gear.flexible_rim.supports is not None:
             _supports(gear.flexible_rim.supports, (*at, "supports"), report)
+
+
+def _elements(part: FlexibleRim, at: Place, report: Reader) -> None:
+    """Check that the nodes that hold the finite elements are the only supports."""
+    assert part.finite_elements is not None
+    if part.supports is not None:
+        report.problem(
+            (*at, "supports"),
+            "cannot be combined with finite_elements, whose held_nodes are the supports",
+            remedy="remove supports, or finite_elements",
+        )
+    below = (*at, "finite_elements", "held_nodes")
+    if not part.finite_elements.held_nodes and below not in report.tainted:
+        report.problem(
+            below,
+            "is empty: the rim is not connected to its body",
+            remedy="name the nodes at bolts or splines, such as {bolt_1: {position: [0, 170 mm, 0]}}",
+        )
 
 
 def _thickness(gear: Gear, at: Place, report: Reader) -> None:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.multibody.ring_modes import ring_terms
-from pitchpoint.system.rules.flexible_rim import coordinates_of_rim, rim_modes, ring_section
+from pitchpoint.multibody.rim import terms_at
+from pitchpoint.system.rules.flexible_rim import coordinates_of_rim, rim_of, terms_of_rim
 from pitchpoint.viz.scene.content import ModalShape, SceneSolid
 
 if TYPE_CHECKING:
@@ -98,12 +98,12 @@ def _whole(solid: SceneSolid) -> tuple[Array, NDArray[np.int64]]:
 def _displacement(model: Model, name: str, theta: Array, radius: float) -> Array:
     """Displacement per coordinate at a radius, body axes, shape (coordinates, angles, 3)."""
     gear = model.gears[name]
-    modes = rim_modes(gear)
-    found = np.zeros((2 * len(modes), theta.size, 3))
+    found = np.zeros((len(rim_of(gear).words), theta.size, 3))
     out = np.column_stack([np.cos(theta), np.sin(theta), 0.0 * theta])
     along = np.column_stack([-np.sin(theta), np.cos(theta), 0.0 * theta])
-    for k, n, component, of_cosine, of_sine in ring_terms(modes, ring_section(gear).radius, radius):
-        if component < 2:
-            value = of_cosine * np.cos(n * theta) + of_sine * np.sin(n * theta)
-            found[int(k)] += value[:, None] * (out if component == 0 else along)
+    for k, n, component, of_cosine, of_sine in terms_at(
+        terms_of_rim(model, str(model.body_of(name)), name), radius
+    ):
+        value = of_cosine * np.cos(n * theta) + of_sine * np.sin(n * theta)
+        found[int(k)] += value[:, None] * (out if component == 0 else along)
     return found

@@ -7,26 +7,30 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import CompileError, Message, ModelError, PitchpointError
 from pitchpoint.elements.flexible_body import GROUP, LOADS, flexible_row, modal_bodies
 from pitchpoint.elements.kind import RIM
 from pitchpoint.elements.mesh.rim_room import rim_room
+from pitchpoint.model.frames import body_frame
 from pitchpoint.model.inertia import gear_by_geometry
+from pitchpoint.model.mechanism import axial_offset, seat_frame
 from pitchpoint.multibody.bodies import Body
+from pitchpoint.multibody.rim import Rim, element_rim, moved_integrals, ring_rim, terms_at, turned_terms
 from pitchpoint.multibody.ring_modes import (
     RingMode,
     RingSection,
-    coordinate_names,
-    ring_invariants,
     ring_mode,
-    ring_terms,
     support_shapes,
     support_stiffness,
+    waves_of,
 )
+from pitchpoint.system.rules.structure_files import node_near, read_structure
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
@@ -81,28 +85,75 @@ def ring_section(gear: Gear) -> RingSection:
     return bare.with_teeth(mass, radius)
 
 
-def rim_modes(gear: Gear) -> tuple[RingMode, ...]:
-    """Modes of the flexible rim of a gear, free of supports; empty for a rigid rim."""
-    if gear.flexible_rim is None:
-        return ()
-    return _modes(ring_section(gear), gear.flexible_rim.waves)
+def rim_of(gear: Gear) -> Rim:
+    """Flexible rim of a gear, free of supports.
+
+    Raises
+    ------
+    PitchpointError, OSError
+        If its finite elements are not valid.
+    """
+    part = gear.flexible_rim
+    assert part is not None
+    if part.finite_elements is None:
+        return _ring(ring_section(gear), part.waves)
+    given, shape = part.finite_elements, gear.geometry
+    near = 0.5 * abs(shape.d_a), 0.5 * abs(shape.d_f) + given.depth * shape.m_n, 0.5 * gear.face_width
+    held = tuple((name, marker.position) for name, marker in given.held_nodes.items())
+    alpha, beta = shape.alpha_t, shape.beta_b
+    weights = (math.sin(alpha) ** 2, math.cos(alpha) ** 2, math.tan(beta) ** 2)
+    stamp = Path(given.file).stat().st_mtime_ns
+    return _elements(given.file, stamp, held, given.modes, weights, part.waves, near)
+
+
+def _rim_in(model: Model, name: str) -> Rim:
+    """Flexible rim of a gear of a model, with problems of its files at the keys of the model."""
+    try:
+        return rim_of(model.gears[name])
+    except (PitchpointError, OSError, MemoryError, np.linalg.LinAlgError, RuntimeError) as fault:
+        at = f"gears.{name}.flexible_rim.finite_elements"
+        head, _, rest = str(fault).partition(": ")
+        if isinstance(fault, CompileError) and head.startswith("held_nodes."):
+            raise ModelError([Message(f"{at}.{head}", rest)], model.file) from None
+        raise ModelError([Message(at, f"cannot be used: {fault}")], model.file) from None
+
+
+def ring_modes(gear: Gear) -> tuple[RingMode, ...]:
+    """Modes of the rim of a gear in closed form, free of supports."""
+    part, section = gear.flexible_rim, ring_section(gear)
+    return tuple(ring_mode(section, n) for n in range(2, (part.waves if part is not None else 1) + 1))
 
 
 @lru_cache(maxsize=32)
-def _modes(section: RingSection, waves: int) -> tuple[RingMode, ...]:
-    return tuple(ring_mode(section, n) for n in range(2, waves + 1))
+def _ring(section: RingSection, waves: int) -> Rim:
+    return ring_rim([ring_mode(section, n) for n in range(2, waves + 1)], section.radius)
+
+
+@lru_cache(maxsize=8)
+def _elements(
+    file: str,
+    stamp: int,
+    held: tuple[tuple[str, tuple[float, float, float]], ...],
+    modes: int,
+    weights: tuple[float, float, float],
+    waves: int,
+    near: tuple[float, float, float],
+) -> Rim:
+    """Rim from a file; `stamp` is its modification time and part of the cache key."""
+    structure = read_structure((file,))
+    nodes = [node_near(structure, f"held_nodes.{word}", np.array(place)) for word, place in held]
+    return element_rim(structure, nodes, modes, weights, waves=waves, near=near)
 
 
 def supported_stiffness(gear: Gear) -> Array:
     """Stiffness matrix of the coordinates with the supports, on a housing that does not move [N/m]."""
-    modes, part = rim_modes(gear), gear.flexible_rim
-    K = np.diag(np.repeat([m.stiffness for m in modes], 2))
+    rim, part = rim_of(gear), gear.flexible_rim
+    K = np.diag(rim.stiffness)
     if part is None or part.supports is None:
         return K
     given = part.supports
-    section = ring_section(gear)
-    terms = ring_terms(modes, section.radius, section.outer)
-    return K + support_stiffness(support_shapes(terms, given.places), given.radial, given.tangential)
+    shapes = support_shapes(terms_at(rim.terms, ring_section(gear).outer), given.places)
+    return K + support_stiffness(shapes, given.radial, given.tangential)
 
 
 def rim_facts(model: Model) -> dict[str, dict[str, Any]]:
@@ -111,33 +162,38 @@ def rim_facts(model: Model) -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        By gear: `waves`, `free` frequencies, and `supported` pairs of frequencies, empty without supports. A
-        supported pair has the coordinates of its number of waves as its largest share.
+        By gear: `waves` of each frequency, 0 for finite elements, frequencies `free` of supports, and
+        `supported`: lists of frequencies, empty without supports. A supported mode has the coordinates of its
+        number of waves as its largest share.
     """
     found = {}
     for body in model.bodies:
         for name in rims_of(model, body):
             gear = model.gears[name]
-            modes = rim_modes(gear)
+            rim = _rim_in(model, name)
+            waves = [waves_of(word) for word in rim.words]
+            single = [k for k, n in enumerate(waves) if n == 0 or n not in waves[:k]]
             held = gear.flexible_rim is not None and gear.flexible_rim.supports is not None
             found[name] = {
-                "waves": [m.waves for m in modes],
-                "free": [m.frequency for m in modes],
-                "supported": _supported(gear, modes) if held else [],
+                "waves": [waves[k] for k in single],
+                "free": [float(rim.frequency[k]) for k in single],
+                "supported": _supported(gear, waves) if held else [],
             }
     return found
 
 
-def _supported(gear: Gear, modes: Sequence[RingMode]) -> list[list[float]]:
+def _supported(gear: Gear, waves: Sequence[int]) -> list[list[float]]:
     """Frequencies of a rim on its supports by the number of waves [Hz]."""
     from scipy.linalg import eigh
 
-    mass = np.repeat([m.mass for m in modes], 2)
+    mass = np.diag(rim_of(gear).integrals.modal)
     values, shapes = eigh(supported_stiffness(gear), np.diag(mass))
-    share = (shapes**2 * mass[:, None]).reshape(len(modes), 2, -1).sum(axis=1)
+    numbers = np.array(waves)
+    each = list(dict.fromkeys(waves))
+    share = np.array([(shapes**2 * mass[:, None])[numbers == n].sum(axis=0) for n in each])
     of = np.argmax(share, axis=0)
     frequency = np.sqrt(np.maximum(values, 0.0)) / math.tau
-    return [frequency[of == k].tolist() for k in range(len(modes))]
+    return [frequency[of == k].tolist() for k in range(len(each))]
 
 
 # --- records ------------------------------------------------------------------------------------------------
@@ -154,7 +210,7 @@ def rim_count(model: Model, body: str) -> int:
 
 
 def _groups(model: Model, gear: str) -> int:
-    return -(-2 * len(rim_modes(model.gears[gear])) // GROUP)
+    return -(-len(_rim_in(model, gear).words) // GROUP)
 
 
 def _hidden(model: Model, body: str, gear: str, number: int) -> tuple[int, ...]:
@@ -168,8 +224,24 @@ def coordinates_of_rim(model: Model, gear: str) -> list[str]:
     """Names of the coordinates of a flexible rim in results: BODY.1.cos2 and so on."""
     body = str(model.body_of(gear))
     groups = _hidden(model, body, gear, 0)
-    words = coordinate_names(rim_modes(model.gears[gear]))
+    words = rim_of(model.gears[gear]).words
     return [f"{body}.{groups[k // GROUP]}.{word}" for k, word in enumerate(words)]
+
+
+def axes_of_body(model: Model, body: str) -> Array:
+    """Axes of a body in those of its frame, columns (3, 3)."""
+    return np.asarray(seat_frame(model, model.mechanism.seats[body])[1].T @ body_frame(model, body)[1])
+
+
+def _middle(model: Model, body: str, gear: str) -> float:
+    """Position of the middle of a gear along the z axis of the frame of its body [m]."""
+    return model.bodies[body].gears[gear] + (axial_offset(model, model.mechanism.seats[body]) or 0.0)
+
+
+def terms_of_rim(model: Model, body: str, gear: str) -> Array:
+    """Motion of the sections of a rim in the axes of the frame of its body; see `multibody.rim`."""
+    turned = axes_of_body(model, body)
+    return turned_terms(rim_of(model.gears[gear]).terms, math.atan2(turned[1, 0], turned[0, 0]))
 
 
 def rim_parts(model: Model, body: str, number: int) -> list[RimParts]:
@@ -179,21 +251,20 @@ def rim_parts(model: Model, body: str, number: int) -> list[RimParts]:
 
 def _parts(model: Model, body: str, name: str, frame: int) -> RimParts:
     gear, hidden = model.gears[name], _hidden(model, body, name, frame)
-    modes = rim_modes(gear)
-    words = coordinate_names(modes)
-    bodies, guides = modal_bodies(body, len(words), hidden[0], words)
+    rim, n = rim_of(gear), len(rim_of(gear).words)
+    bodies, guides = modal_bodies(body, n, hidden[0], rim.words)
     named = [replace(b, name=f"{body}.{k - frame}") for k, b in zip(hidden, bodies, strict=True)]
-    mass = np.repeat([m.mass for m in modes], 2)
     ratio = gear.flexible_rim.damping_ratio if gear.flexible_rim is not None else 0.0
-    stiffening = np.zeros((LOADS, mass.size, mass.size))
-    stiffening[SPIN] = np.diag(np.repeat([m.stretch for m in modes], 2))
+    stiffening = np.zeros((LOADS, n, n))
+    stiffening[SPIN] = np.diag(rim.stretch)
     row = flexible_row(
-        ring_invariants(modes),
-        np.repeat([m.stiffness for m in modes], 2),
+        moved_integrals(rim.integrals.turned(axes_of_body(model, body).T), _middle(model, body, name)),
+        rim.stiffness,
         frame=frame,
         hidden=hidden,
-        damping=2.0 * ratio * np.sqrt(np.diag(supported_stiffness(gear)) * mass),
+        damping=2.0 * ratio * np.sqrt(np.diag(supported_stiffness(gear)) * np.diag(rim.integrals.modal)),
         stiffening=stiffening,
+        gravity=model.gravity or (0.0, 0.0, 0.0),
     )
     return RimParts(f"{name}.rim", tuple(named), row, guides)
 
@@ -209,13 +280,13 @@ def set_rim(row: Any, model: Model, name: str, keep: Callable[[Array], int]) -> 
     part = model.gears[gear]
     if part.flexible_rim is None:
         return
-    terms = ring_terms(rim_modes(part), ring_section(part).radius, 0.0)
-    row["rim"] = keep(rim_room(terms))
-    set_hidden(row, model, str(model.body_of(gear)), gear, int(row["j"]))
+    body = str(model.body_of(gear))
+    row["rim"] = keep(rim_room(terms_of_rim(model, body, gear)))
+    set_hidden(row, model, body, gear, int(row["j"]))
 
 
 def set_hidden(row: Any, model: Model, body: str, gear: str, number: int) -> None:
     """Set the number of coordinates of a rim and their hidden bodies; `number` is that of its body."""
-    row["n_rim"] = 2 * len(rim_modes(model.gears[gear]))
+    row["n_rim"] = len(rim_of(model.gears[gear]).words)
     for field, hidden in zip(RIM[2:], _hidden(model, body, gear, number), strict=False):
         row[field] = hidden

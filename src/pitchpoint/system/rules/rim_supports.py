@@ -13,10 +13,11 @@ from pitchpoint.elements.rim_support import RECORD
 from pitchpoint.elements.signal import Pool
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.mechanism import seat_frame
-from pitchpoint.multibody.ring_modes import ring_terms, support_shapes
+from pitchpoint.multibody.rim import terms_at
+from pitchpoint.multibody.ring_modes import support_shapes
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import frame_at, seat_at
-from pitchpoint.system.rules.flexible_rim import rim_modes, rims_of, ring_section, set_hidden
+from pitchpoint.system.rules.flexible_rim import rim_of, rims_of, ring_section, set_hidden
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.flexible_rim import RimSupports
@@ -58,7 +59,7 @@ def _table(gear: Gear, given: RimSupports, turned: Array, at: float) -> Array:
     """
     section = ring_section(gear)
     angles = [math.atan2(*(turned @ (math.cos(a), math.sin(a), 0.0))[1::-1]) for a in given.places]
-    shapes = support_shapes(ring_terms(rim_modes(gear), section.radius, section.outer), angles)
+    shapes = support_shapes(terms_at(rim_of(gear).terms, section.outer), given.places)
     rows = []
     for angle, shape in zip(angles, shapes, strict=True):
         out = np.array((math.cos(angle), math.sin(angle), 0.0))
