@@ -26,6 +26,7 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.flexible_rim import ring_modes, ring_section
 from tests.support.planet_stages import stage_file
@@ -132,3 +133,29 @@ def test_the_deflection_follows_the_planets():
     assert np.ptp(carrier) > 1e-2
     for other in ("displacement[ring.1.cos2]", "displacement[ring.2.cos4]"):
         assert np.abs(found[other]).max() < 1e-4 * wanted
+
+
+@pytest.mark.parametrize("ratio", [0.6, 1.0])
+def test_planets_going_round_excite_the_ring(ratio):
+    """Critical speed of the carrier omega_n/n: the ring mode n = 3 is forced at 3 times this speed.
+
+    A constant mesh stiffness excites nothing else; a heavy ring brings the critical speed down.
+    """
+    zeta = 0.4
+    heavy = {"density": 7.83e5, "youngs_modulus": 206e9, "poisson_ratio": 0.3}
+    model = stage("planets: 3", {"waves": 3, "damping_ratio": zeta}).replace("gears.ring.material", heavy)
+    mode = ring_modes(model.gears["ring"])[1]
+    omega = math.tau * mode.frequency
+    sun = ratio * omega / 3.0 * (1.0 + 99 / 21) * 60.0 / math.tau
+    settle = 9.0 / (zeta * omega)
+    steady = {"speed": {"sun": f"{sun!r} rpm"}, "duration": 1.1 * settle, "settle_time": settle}
+    found = solve_time(compile_model(model.replace("scenarios.steady", steady), "steady"))
+    F, V = (
+        TORQUE / 3 / R_B,
+        mode.tangential + (R_W - ring_section(model.gears["ring"]).radius) * mode.rotation,
+    )
+    static = 3 * F * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
+    z = found["displacement[ring.1.cos3]"].to_numpy() + 1j * found["displacement[ring.2.sin3]"].to_numpy()
+    wanted = static / math.hypot(1.0 - ratio**2, 2.0 * zeta * ratio)
+    late = found["time"].to_numpy() > settle
+    np.testing.assert_allclose(np.abs(z[late]), wanted, rtol=1e-3)
