@@ -118,13 +118,19 @@ def test_modes_of_the_ring_alone(count):
         assert np.count_nonzero(same) == (1 if 2 * mode.waves % count == 0 else 0), mode.waves
 
 
+def three_waves(model):
+    """Amplitude of the ring mode n = 3 under the equal forces of three planets [m]."""
+    gear = model.gears["ring"]
+    mode = ring_modes(gear)[1]
+    V = mode.tangential + (R_W - ring_section(gear).radius) * mode.rotation
+    return TORQUE / R_B * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
+
+
 def test_the_deflection_follows_the_planets():
     """Slow roll: three waves go round with the carrier, of constant amplitude; other modes are at rest."""
     model = stage("planets: 3")
     found = solve_quasistatic(compile_model(model), model.scenarios["slow"])
-    F, mode = TORQUE / 3 / R_B, ring_modes(model.gears["ring"])[1]
-    V = mode.tangential + (R_W - ring_section(model.gears["ring"]).radius) * mode.rotation
-    wanted = 3 * F * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
+    wanted = three_waves(model)
     z = found["displacement[ring.1.cos3]"].to_numpy() + 1j * found["displacement[ring.2.sin3]"].to_numpy()
     np.testing.assert_allclose(np.abs(z), wanted, rtol=1e-4)
     carrier = np.unwrap(found["angle[carrier]"].to_numpy())
@@ -150,12 +156,7 @@ def test_planets_going_round_excite_the_ring(ratio):
     settle = 9.0 / (zeta * omega)
     steady = {"speed": {"sun": f"{sun!r} rpm"}, "duration": 1.1 * settle, "settle_time": settle}
     found = solve_time(compile_model(model.replace("scenarios.steady", steady), "steady"))
-    F, V = (
-        TORQUE / 3 / R_B,
-        mode.tangential + (R_W - ring_section(model.gears["ring"]).radius) * mode.rotation,
-    )
-    static = 3 * F * math.hypot(math.sin(ALPHA), V * math.cos(ALPHA)) / mode.stiffness
     z = found["displacement[ring.1.cos3]"].to_numpy() + 1j * found["displacement[ring.2.sin3]"].to_numpy()
-    wanted = static / math.hypot(1.0 - ratio**2, 2.0 * zeta * ratio)
+    wanted = three_waves(model) / math.hypot(1.0 - ratio**2, 2.0 * zeta * ratio)
     late = found["time"].to_numpy() > settle
     np.testing.assert_allclose(np.abs(z[late]), wanted, rtol=1e-3)

@@ -16,7 +16,7 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, RIM, WITH_RIM, Kind
+from pitchpoint.elements.kind import FRAME, FREE, HOLDS, RIM, WITH_RIM, Kind
 from pitchpoint.elements.mesh.rim_room import GROUP, MAX_MODES, WAY, hidden
 from pitchpoint.elements.wrench import origin, push
 from pitchpoint.multibody.channels import F8, frame_args, observations
@@ -34,6 +34,7 @@ RECORD = np.dtype(
         ("pairs", "i8", (len(RIM), len(RIM))),
         ("n_rim", "i8"),  # modal coordinates
         ("count", "i8"),
+        ("holds", "i8"),  # 1: tangential springs resist a rotation of the rim
         ("supports", "i8"),  # supports, offset in the pool [count, HEAD + 3 n_rim]
         ("pool", "i8"),
         ("eta", "f8", MAX_MODES),  # scratch
@@ -181,6 +182,11 @@ def entry(ctl, rec, n):
     return rim_support(view(rec, n, RECORD), c, fr, kk)
 
 
+def spins(record: np.void) -> str:
+    """Effect on the rotation of the rim: radial springs do not resist it."""
+    return HOLDS if record["holds"] else FREE
+
+
 KIND = Kind(
     name="rim_support",
     channel=FRAME,
@@ -191,6 +197,7 @@ KIND = Kind(
     paired=RIM,
     body_fixed=True,
     massless=True,
+    spins=spins,
     sections={"gears": ""},
     label="springs",
     plural="rim supports",

@@ -287,8 +287,9 @@ class _Namer:
         return self._lateral(part, strain, twist, wrench)
 
     def _bodies(self, *parts: int) -> list[int]:
-        """Bodies that move with some parts."""
-        return [b for b, own in enumerate(self.groups.carried) if own in parts]
+        """Bodies that move with some parts, without their modal coordinates if there are others."""
+        own = [b for b, part in enumerate(self.groups.carried) if part in parts]
+        return [b for b in own if b not in self.groups.hidden] or own
 
     def _plane_of(self, bodies: Sequence[int], twist: Complex, wrench: Complex) -> Array:
         """Direction of the largest lateral motion of some bodies."""

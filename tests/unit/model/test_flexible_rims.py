@@ -156,3 +156,22 @@ def test_impossible_finite_elements_are_refused(tmp_path, change, words):
     with pytest.raises(ModelError, match=words) as error:
         compile_model(elements(tmp_path, ELEMENTS.replace(*change))[0])
     assert "gears.ring.flexible_rim" in str(error.value)
+
+
+def test_ring_on_springs_moves_as_a_whole_and_bends():
+    """Twelve springs hold a planar ring alone: N (k_r + k_t)/2 in x and y, N k_t r^2 about the axis."""
+    radial, tangential, count = 2e7, 3e7, 12
+    supports = f"supports: {{number: {count}, radial: {radial}, tangential: {tangential}}}"
+    ring = text(f"flexible_rim: {{waves: 4, {supports}}}").partition("planetary_stages")[0]
+    ring += "bodies: {ring: {gears: [ring], motion: planar, position: [0, 0, 0]}}\n"
+    model = loads_model(ring.replace("  sun:", "  spare:"))
+    found = find_modes(compile_model(model))
+    inertia, outer = model.body_inertia("ring"), 0.165
+    lateral = 0.5 * count * (radial + tangential) / inertia.mass
+    turning = count * tangential * outer**2 / inertia.polar
+    wanted = np.sqrt([lateral, lateral, turning]) / (2.0 * np.pi)
+    pairs = np.concatenate(summary(model)["flexible_rims"]["ring"]["supported"])
+    np.testing.assert_allclose(found.frequency, np.sort([*wanted, *pairs]), rtol=1e-9)
+    names = found.names
+    assert {"translation x of ring", "translation y of ring", "rotation z of ring"} <= set(names)
+    assert sum("ring mode of ring" in n for n in names) == 6

@@ -46,6 +46,7 @@ def rim_support_bank(places: Places) -> Bank:
             for first in (6, 9):
                 table[:, first : first + 3] = table[:, first : first + 3] @ axes.T @ base
             row["count"], row["supports"] = len(table), pool.add(table)
+            row["holds"] = gear.flexible_rim.supports.tangential > 0.0
             set_hidden(row, model, body, name, int(row["i"]))
             rows.append(row)
             names.append(f"{name}.supports")
