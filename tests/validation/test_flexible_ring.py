@@ -27,6 +27,7 @@ from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.solvers.time import solve_time
+from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.flexible_rim import ring_modes, ring_section
 from tests.support.planet_stages import stage_file
@@ -160,3 +161,35 @@ def test_planets_going_round_excite_the_ring(ratio):
     wanted = three_waves(model) / math.hypot(1.0 - ratio**2, 2.0 * zeta * ratio)
     late = found["time"].to_numpy() > settle
     np.testing.assert_allclose(np.abs(z[late]), wanted, rtol=1e-3)
+
+
+def test_spinning_ring_gear():
+    """Coriolis forces couple both modes of n waves, centrifugal forces stretch the ring: Carrier (1945)."""
+    ring = "\n".join(stage_file().splitlines()[:3])
+    ring = ring.replace("tip_diameter", "bore_diameter: 330 mm, flexible_rim: {waves: 4}, tip_diameter")
+    ring += "\nbodies: {ring: {gears: [ring], motion: torsion, position: [0, 0, 0]}}\n"
+    model = loads_model(ring)
+    system = compile_model(model)
+    state, spin = system.initial_state(), 200.0
+    state.v[system.layout.coordinate("ring.spin")] = spin
+    M, D, K = evaluate.linearize(system, state)
+    for mode in ring_modes(model.gears["ring"]):
+        own = [
+            k
+            for k, c in enumerate(system.layout.coordinates)
+            if c.endswith((f"cos{mode.waves}", f"sin{mode.waves}"))
+        ]
+        np.testing.assert_allclose(M[np.ix_(own, own)], mode.mass * np.eye(2), rtol=1e-12, atol=1e-12)
+        turned = 2.0 * spin * mode.coriolis * np.array([[0.0, -1.0], [1.0, 0.0]])
+        np.testing.assert_allclose(D[np.ix_(own, own)], turned, rtol=1e-12, atol=1e-9)
+        k = mode.stiffness + spin**2 * (mode.stretch - mode.mass)
+        np.testing.assert_allclose(K[np.ix_(own, own)], k * np.eye(2), rtol=1e-9, atol=1e-3)
+        free = math.tau * mode.frequency
+        n = mode.waves
+        values = np.linalg.eigvals(
+            np.block([[np.zeros((2, 2)), np.eye(2)], [-np.eye(2) * k / mode.mass, -turned / mode.mass]])
+        )
+        root = math.hypot(free, n * (n**2 - 1) / (n**2 + 1) * spin)
+        shift = 2 * n / (n**2 + 1) * spin
+        wanted = [root - shift, root + shift]
+        np.testing.assert_allclose(np.sort(np.abs(values.imag))[::2], wanted, rtol=3e-3)
