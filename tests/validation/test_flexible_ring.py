@@ -193,3 +193,19 @@ def test_spinning_ring_gear():
         shift = 2 * n / (n**2 + 1) * spin
         wanted = [root - shift, root + shift]
         np.testing.assert_allclose(np.sort(np.abs(values.imag))[::2], wanted, rtol=3e-3)
+
+
+def test_axes_of_the_world_change_nothing():
+    """The set with its axis along x, and with the gears turned about it; unequal supports show the angles."""
+    rim = {
+        "waves": 5,
+        "supports": {"angles": ["10 deg", "80 deg", "200 deg"], "radial": 1e7, "tangential": 3e7},
+    }
+    names = ("strain_energy[ring.rim]", "strain_energy[ring.supports]", "mesh_force[planet_2-ring]")
+    wanted = None
+    for axes in ("", ", axes: {z: [1, 0, 0], x: [0, 1, 0]}", ", axes: {z: [1, 0, 0], x: [0, 0.6, 0.8]}"):
+        found = solve_equilibrium(compile_model(stage("planets: 3", rim, axes=axes)))
+        values = [float(found[name]) for name in names]
+        wanted = wanted or values
+        assert values[1] > 0.01 * values[0]
+        np.testing.assert_allclose(values, wanted, rtol=1e-6)
