@@ -49,6 +49,7 @@ ELSEWHERE = {
     "linear_modes": "tests/unit/elements/test_linear_part.py",
     "linear_part": "tests/unit/elements/test_linear_part.py",
     "gear_mesh": "tests/invariants/test_gear_mesh.py",
+    "rim_support": "tests/invariants/test_flexible_rims.py",
     "ball_on_surface": "tests/unit/elements/test_permanent_contact.py",
     "curve_on_curve": "tests/unit/elements/test_permanent_contact.py",
     "curve_curve": "tests/unit/elements/test_planar_contact.py",

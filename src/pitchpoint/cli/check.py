@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.check_tables import FORCES, show_check
+from pitchpoint.cli.flexible_rims import rims_of_model, ring_modes
 from pitchpoint.cli.options import common, model_file, writes
 from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.settings import set_option
@@ -151,7 +152,8 @@ def summary(model: Model) -> dict[str, Any]:
         "included": list(model.origin.files),
         "degrees_of_freedom": sum(
             len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
-        ),
+        )
+        + ring_modes(model),
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bevel_gears": list(model.bevel_gears),
@@ -185,6 +187,7 @@ def summary(model: Model) -> dict[str, Any]:
         "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
+        "flexible_rims": rims_of_model(model),
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -249,5 +252,5 @@ def _mobility(model: Model) -> dict[str, int]:
     held = sum(c.permanent for group in contacts for c in group.values())
     others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
-    more = 6 * sum(len(places) - 1 for places in model.stations.values())
+    more = 6 * sum(len(places) - 1 for places in model.stations.values()) + ring_modes(model)
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.cli.flexible_rims import show_rims
 from pitchpoint.cli.output import show, shown, table
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
@@ -106,6 +107,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
         show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
+    show_rims(found["flexible_rims"])
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()

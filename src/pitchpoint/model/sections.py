@@ -93,7 +93,13 @@ class Contents(Checked):
         length=(3, 3),
         sample="[0, 0, -9.81 m/s^2]",
     )
-    gears: Mapping[str, Gear] = section("cylindrical gears by name", Gear)
+    gears: Mapping[str, Gear] = section(
+        "cylindrical gears by name",
+        Gear,
+        "elastic_body:elastic_bank",
+        "guide:guide_bank",
+        "rim_supports:rim_support_bank",
+    )
     bevel_gears: Mapping[str, BevelGear] = section("bevel gears by name", BevelGear, later=True)
     bodies: Mapping[str, Body] = section("rigid bodies with their gears", Body)
     shafts: Mapping[str, Shaft] = section("elastic shafts with their gears", Shaft, "shaft:shaft_bank")

@@ -11,6 +11,7 @@ from pitchpoint.model.checks.choices import check_given
 from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
 from pitchpoint.model.checks.flank_contact import check_flank_contacts
+from pitchpoint.model.checks.flexible_rims import check_flexible_rims
 from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
 from pitchpoint.model.checks.functions import check_functions
 from pitchpoint.model.checks.gears import check_choices
@@ -70,6 +71,7 @@ CHECKS = (
     check_planets,
     check_fault_laws,
     check_flank_contacts,
+    check_flexible_rims,
     check_shaft_places,
     check_mechanism,
     check_seats,

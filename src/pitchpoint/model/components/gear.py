@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.component import Component
+from pitchpoint.model.components.flexible_rim import FlexibleRim
 from pitchpoint.model.components.gear_faults import SEAT_FAULTS, SeatFault
 from pitchpoint.model.components.modifications import Deviations, Modifications
 from pitchpoint.model.components.solid import SolidReference
@@ -115,6 +116,12 @@ class Gear(Component):
     )
     rim_thickness: float | None = positive("length", "rim thickness below the teeth", None, display="solid")
     web_thickness: float | None = positive("length", "web thickness", None, display="face width")
+    flexible_rim: FlexibleRim | None = component(
+        FlexibleRim,
+        "bending modes of the rim of an internal gear; default: the rim is rigid, apart from the compliance "
+        "of the teeth",
+        later=True,
+    )
     bore_diameter: float = quantity(
         "length",
         "bore of an external gear, outside diameter of an internal gear; 0: not given. Of a gear on a shaft "
