@@ -24,7 +24,7 @@ from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 COMMANDS = {
     "new": "Write a commented model to start from.",
     "import": "Model from a REXS file of a gear unit.",
-    "rexs": "Differences between two REXS files of gear units.",
+    "rexs": "Compare REXS files; write a model as REXS file.",
     "check": "Check a model file; list its parts and defaults.",
     "gears": "Geometry of gears and pairs; drawings.",
     "clearance": "Clearances between assembled gears, with pictures.",

@@ -51,13 +51,17 @@ def common(function: F) -> F:
     return as_json(allow_code(quiet(debug(function))))
 
 
-def writes(*names: str, metavar: str = "OUT", help: str, folder: bool = False) -> Callable[[F], F]:
+def writes(
+    *names: str, metavar: str = "OUT", help: str, folder: bool = False, required: bool = False
+) -> Callable[[F], F]:
     """Option for an output file or folder.
 
     Missing parent folders are created and reported at the end of the command.
     """
     kind = click.Path(file_okay=not folder, dir_okay=folder)
-    return click.option(*names, type=kind, callback=report_folders, metavar=metavar, help=help)
+    return click.option(
+        *names, type=kind, callback=report_folders, metavar=metavar, help=help, required=required
+    )
 
 
 def output(what: str) -> Callable[[F], F]:

@@ -68,6 +68,12 @@ def _format_of(path: Path) -> str:
         return ""
 
 
+def _is_rexs(_: Path, head: bytes) -> bool:
+    """Identify a REXS file by the program that wrote it, in a ZIP archive by the name of the model."""
+    marks = (b'applicationId="pitchpoint"', b'"applicationId": "pitchpoint"')
+    return any(mark in head for mark in marks) or (head.startswith(b"PK") and b"pitchpoint.rexs" in head)
+
+
 def _begins(word: bytes) -> Callable[[Path, bytes], bool]:
     return lambda _, head: head.startswith(word)
 
@@ -112,6 +118,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
+    "rexs": ("a REXS file of pitchpoint", _is_rexs),
     "stiffness": ("a table of stiffness of pitchpoint (CSV)", _begins(STIFFNESS_HEAD.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),

@@ -82,7 +82,7 @@ def differences(a: RexsModel, b: RexsModel, tolerance: float = ROUNDING) -> list
     """Differences between two gear units, in the order of the first file.
 
     Components are paired by what they are and by their place in the gear unit: other ids, names, units,
-    formats, versions and another order are no differences.
+    formats, versions and another order do not count.
 
     Parameters
     ----------

@@ -22,7 +22,7 @@ def paired_cases(
 ) -> Iterator[tuple[str, Values | None, Values | None]]:
     """Load cases, and values accumulated over load spectra, of both gear units.
 
-    Load cases are paired by their values, so that other ids and another order are no differences.
+    Load cases are paired by their values, so that other ids and another order do not count.
 
     Parameters
     ----------

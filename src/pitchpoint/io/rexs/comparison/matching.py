@@ -21,8 +21,8 @@ IDENTITY = (
     *("number_of_teeth", "normal_module", "catalogue_designation", "support_vector", "center_distance"),
     *("u_coordinate_on_shaft", "u_coordinate_on_shaft_inner_side", "outer_diameter_begin", "length"),
 )
-"""Values that tell which part it is; each counts as much as `WEIGHT` others. Values that only one program
-writes tell little."""
+"""Values that identify a part; each counts as much as `WEIGHT` others. A value that only one of the files has
+counts `MISSING`."""
 WEIGHT, MISSING = 3.0, 0.2
 STRUCTURE = 0.5
 """Share of the neighbours in the cost of a pair."""

@@ -15,6 +15,8 @@ CYLINDRICAL = ("cylindrical_gear", "ring_gear")
 SHIFT, ANGLE = "addendum_modification_coefficient", "normal_pressure_angle"
 FLANKS = ("cylindrical_gear_flank", "flank_geometry")
 SAME = 1e-9
+OWN_DIAMETER = "custom_pitchpoint_outer_diameter"
+"""Outside diameter of an internal gear in files of pitchpoint [mm]: REXS has none."""
 TIPS = (-2.0, 3.0)
 """Smallest and largest height of a tip circle over the shifted reference circle, in modules."""
 ROOTS = (0.5, 3.0)
@@ -71,6 +73,7 @@ def gear_data(conversion: Conversion, gear: RexsComponent, path: str) -> dict[st
     bore = conversion.number(
         gear, "outer_diameter" if internal else "inner_diameter", f"{path}.bore_diameter"
     )
+    bore = bore or _own_diameter(conversion, gear, f"{path}.bore_diameter")
     if bore:
         values["bore_diameter"] = q(bore, "length")
     modifications = modifications_of(conversion, flanks_of(conversion, gear), path)
@@ -80,6 +83,15 @@ def gear_data(conversion: Conversion, gear: RexsComponent, path: str) -> dict[st
     if mass:
         values["mass"] = q(mass, "mass")
     return values
+
+
+def _own_diameter(conversion: Conversion, gear: RexsComponent, target: str) -> float | None:
+    """Outside diameter of an internal gear in a file of pitchpoint [m]; a text in XML files."""
+    found = conversion.value(gear, OWN_DIAMETER, target)
+    try:
+        return 1e-3 * float(found)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        return None
 
 
 def add_material(conversion: Conversion, gear: RexsComponent, path: str, values: dict[str, Any]) -> None:

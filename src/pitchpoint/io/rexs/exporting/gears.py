@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gears with flanks, tools and modifications, and meshes as components of REXS."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from pitchpoint.io.rexs.conversion.modifications import CROWNINGS
+from pitchpoint.io.rexs.exporting.draft import Draft
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.modifications import FlankModifications, Relief
+
+NOT_WRITTEN = {
+    "deviations": "deviations of single teeth are not written",
+    "faults": "REXS has no damaged teeth",
+    "tooth_profile": "measured profiles are not written",
+    "tip_chamfer": "not written",
+    "tip_rounding": "not written",
+    "tooth_thickness_allowance": "not written; the backlash of the mesh contains it",
+    "flexible_rim": "REXS has no flexible rims",
+    "web_thickness": "not written",
+}
+"""Keys of gears that are not in the file."""
+
+
+def add_gears(draft: Draft) -> None:
+    """Add all gears on their shafts."""
+    for body, found in draft.model.bodies.items():
+        for name, z in found.gears.items():
+            if name in draft.model.gears and body in draft.shafts:
+                _add_gear(draft, name, draft.model.gears[name], body, z)
+    for name in draft.model.gears:
+        if name not in draft.gears:
+            draft.omit(f"gears.{name}", "is on no shaft or body: not written")
+
+
+def _add_gear(draft: Draft, name: str, gear: Gear, body: str, z: float) -> None:
+    path = f"gears.{name}"
+    geometry = gear.geometry
+    internal = gear.type == "internal"
+    hand = 1.0 if (gear.hand == "right") != internal else -1.0
+    id = draft.part(
+        "ring_gear" if internal else "cylindrical_gear",
+        name,
+        draft.shafts[body],
+        u_coordinate_on_shaft=z,
+        number_of_teeth=gear.number_of_teeth,
+        normal_module=gear.normal_module,
+        helix_angle_reference_diameter=hand * gear.helix_angle if gear.helix_angle else 0.0,
+        face_width=gear.face_width,
+        tip_diameter=abs(geometry.d_a),
+        root_diameter=gear.root_diameter,
+        mass_of_component=gear.mass,
+        inner_diameter=None if internal else gear.bore_diameter or None,
+    )
+    draft.gears[name] = id
+    if internal and gear.bore_diameter:
+        draft.custom(id, "outer_diameter", 1e3 * gear.bore_diameter, "mm")
+    draft.relate("reference", origin=id, referenced=draft.material(gear.material_data))
+    _add_flanks(draft, id, gear, geometry.x, path)
+    _add_tool(draft, id, gear)
+    for key, reason in NOT_WRITTEN.items():
+        if getattr(gear, key):
+            draft.omit(f"{path}.{key}", reason)
+
+
+def _add_flanks(draft: Draft, id: int, gear: Gear, x: float, path: str) -> None:
+    sides: dict[str, int] = {}
+    for side in ("left", "right"):
+        sides[side] = draft.add(
+            "cylindrical_gear_flank",
+            "",
+            normal_pressure_angle=gear.normal_pressure_angle,
+            addendum_modification_coefficient=float(x),
+        )
+        found = None if gear.modifications is None else gear.modifications.side(side)
+        if found is not None:
+            _add_modifications(draft, sides[side], found, f"{path}.modifications.{side}")
+    draft.relate("flank", gear=id, **sides)
+
+
+def _add_modifications(draft: Draft, flank: int, found: FlankModifications, path: str) -> None:
+    for kind in ("tip_relief", "root_relief"):
+        relief: Relief | None = getattr(found, kind)
+        if relief is None:
+            continue
+        if relief.start_diameter is None or relief.shape not in ("linear", "parabolic"):
+            draft.omit(
+                f"{path}.{kind}", "only linear and parabolic reliefs with a start_diameter are written"
+            )
+            continue
+        values = {f"{kind}_depth": relief.amount, f"{kind}_datum_diameter": relief.start_diameter}
+        one = draft.add(kind, "", shape_of_relief=relief.shape, **values)
+        draft.relate("reference", origin=flank, referenced=one)
+    for kind, (first, second, key) in CROWNINGS.items():
+        amount = getattr(found, key)
+        if amount:
+            one = draft.add(kind, "", **{first: amount, second: amount})
+            draft.relate("reference", origin=flank, referenced=one)
+    for key in ("profile_slope", "helix_slope", "end_relief"):
+        if getattr(found, key):
+            draft.omit(f"{path}.{key}", "not written")
+
+
+def _add_tool(draft: Draft, id: int, gear: Gear) -> None:
+    """Add the rack of a gear, or the cutter of an internal gear."""
+    if gear.type != "internal":
+        draft.relate(
+            "reference",
+            origin=id,
+            referenced=draft.add(
+                "rack_shaped_tool",
+                "",
+                addendum_coefficient_reference_profile=gear.rack.dedendum,
+                tip_corner_radius_factor_reference_profile=gear.rack.root_radius,
+            ),
+        )
+    elif gear.cutter is not None:
+        cutter = gear.cutter
+        tool = draft.add(
+            "cutter_wheel_tool",
+            "",
+            number_of_teeth=cutter.number_of_teeth,
+            addendum_modification_coefficient=cutter.profile_shift_coefficient,
+            addendum_coefficient_reference_profile=cutter.addendum,
+            tip_corner_radius_factor_reference_profile=cutter.tip_radius,
+        )
+        draft.relate("reference", origin=id, referenced=tool)
+
+
+def add_meshes(draft: Draft, stiffness: Mapping[str, MeshStiffness] | None = None) -> None:
+    """Add all meshes of cylindrical gears, with their stiffness.
+
+    Parameters
+    ----------
+    draft
+        The draft.
+    stiffness
+        Stiffness of meshes by name, if it is known.
+    """
+    for name, mesh in draft.model.meshes.items():
+        pair = draft.model.pairs.get(name)
+        if pair is None or any(gear not in draft.gears for gear in mesh.gears):
+            draft.omit(f"meshes.{name}", "its gears are not in the file: not written")
+            continue
+        gap = draft.model.backlash(name) / math.cos(pair.alpha_wt)
+        id = draft.part(
+            "cylindrical_stage",
+            name,
+            draft.unit,
+            center_distance=abs(pair.a_w),
+            minimum_transverse_backlash=gap,
+            maximum_transverse_backlash=gap,
+            **(stiffness or {}).get(name, {}),  # type: ignore[arg-type]
+        )
+        draft.meshes[name] = id
+        first, second = mesh.gears
+        draft.relate("stage", stage=id, gear_1=draft.gears[first], gear_2=draft.gears[second])
+        path = f"meshes.{name}" if mesh.stage is None else f"planetary_stages.{mesh.stage}"
+        draft.omit(f"{path}.damping", "REXS has no damping")
+        for key in (
+            "friction",
+            "transmission_error",
+            "misalignment",
+            "transient_damping",
+            "damper",
+            "contact",
+        ):
+            if getattr(mesh, key) is not None:
+                draft.omit(f"{path}.{key}", "not written")
+
+
+MeshStiffness = Mapping[str, float | Sequence[float]]

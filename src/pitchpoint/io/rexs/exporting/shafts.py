@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shafts, rigid bodies and planet carriers as components of REXS."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.geometry.materials import Material
+from pitchpoint.io.rexs.exporting.draft import Draft, placed
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
+
+STEEL: dict[str, Any] = {"youngs_modulus": 2.06e11, "poisson_ratio": 0.3}
+"""Elastic properties of rigid bodies in the file."""
+
+
+def add_shafts(draft: Draft) -> None:
+    """Add all bodies: elastic shafts with sections, carriers, and rigid bodies as shafts without sections."""
+    carriers = {stage.carrier for stage in draft.model.planetary_stages.values()}
+    for name, body in draft.model.bodies.items():
+        if body.elastic is not None:
+            draft.omit(f"elastic_bodies.{name}", "reduced elastic bodies are not written")
+        elif body.shaft is not None:
+            _add_shaft(draft, name, body)
+        elif name in carriers:
+            _add_carrier(draft, name, body)
+        else:
+            _add_rigid(draft, name, body)
+
+
+def _add_shaft(draft: Draft, name: str, body: Body) -> None:
+    shaft = body.shaft
+    assert shaft is not None
+    id = draft.part("shaft", name, draft.unit, **draft.place(name))
+    draft.shafts[name] = id
+    draft.relate("reference", origin=id, referenced=draft.material(shaft.material_data))
+    begin = 0.0
+    for section in shaft.sections:
+        bore = {f"inner_diameter_{end}": section.bore for end in ("begin", "end") if section.bore}
+        draft.part(
+            "shaft_section",
+            "",
+            id,
+            u_coordinate_on_shaft=begin,
+            length=section.length,
+            outer_diameter_begin=section.diameter,
+            outer_diameter_end=section.diameter,
+            **bore,
+        )
+        begin += section.length
+    if shaft.internal_damping:
+        draft.omit(f"shafts.{name}.internal_damping", "REXS has no damping")
+
+
+def _add_rigid(draft: Draft, name: str, body: Body) -> None:
+    """Add a rigid body: a shaft without sections, with an additional mass if it has one of its own."""
+    origin, axes = draft.frame(name)
+    if body.stage is not None:
+        origin = _on_pin(draft, name, body.stage, origin, axes)
+    id = draft.part("shaft", name, draft.unit, **placed(origin, axes, draft.unit))
+    draft.shafts[name] = id
+    if body.motion == "fixed":
+        hold = draft.part("coupling", f"{name} fixed", draft.unit)
+        draft.relate("side", assembly=hold, inner_part=id, outer_part=draft.casing)
+        return
+    if body.stage is not None:
+        return  # a planet: mass of its gear
+    if body.motion not in ("free", None):
+        draft.omit(f"bodies.{name}.motion", f"motion: {body.moves} becomes free")
+    own = [body.mass, body.inertia, body.transverse_inertia, body.inertia_tensor, body.solid]
+    if all(value is None for value in own):
+        return
+    if body.gears:
+        draft.omit(f"bodies.{name}", "has the mass and the inertia of its gears in the file")
+        return
+    _add_cylinder(draft, name, id)
+
+
+def _on_pin(draft: Draft, name: str, stage: str, origin: np.ndarray, axes: np.ndarray) -> np.ndarray:
+    """Origin of a planet without the error of its pin [m]: planets of REXS have equal distances."""
+    found = draft.model.planetary_stages.get(stage)
+    error = None if found is None else found.pin_errors.get(name)
+    if found is None or error is None:
+        return origin
+    axis, frame = draft.frame(found.carrier)
+    x, y, z = frame.T @ (origin - axis)
+    distance = math.sqrt(x * x + y * y - error.tangential**2) - error.radial
+    angle = math.atan2(y, x) - math.atan2(error.tangential, distance + error.radial)
+    place = np.array([distance * math.cos(angle), distance * math.sin(angle), z])
+    nominal: np.ndarray = axis + frame @ place
+    return nominal
+
+
+def _add_carrier(draft: Draft, name: str, body: Body) -> None:
+    """Add the shaft of a carrier, with its mass."""
+    id = draft.part("shaft", f"{name} shaft", draft.unit, **draft.place(name))
+    draft.shafts[name] = id
+    _add_cylinder(draft, name, id)
+    if body.motion not in ("free", None):
+        draft.omit(f"bodies.{name}.motion", f"motion: {body.moves} becomes free")
+
+
+def _add_cylinder(draft: Draft, name: str, id: int) -> None:
+    """Add the solid cylinder with the mass and the moments of inertia of a rigid body.
+
+    Polar moment m D^2/8 and central one m D^2/16 + m L^2/12 determine D and L; the density follows from m.
+    """
+    found = draft.model.body_inertia(name)
+    across = found.central - 0.5 * found.polar
+    if found.central == 0.0 and found.mass > 0.0:
+        across = 2.0 / 3.0 * found.polar  # L = D
+        reason = "its transverse moment of inertia is not known: the cylinder is as long as its diameter"
+        draft.omit(f"bodies.{name}.transverse_inertia", reason)
+    if max(map(abs, found.off_axis)) > 0.0:
+        draft.omit(f"bodies.{name}.center_of_mass", "the centre of mass is on the axis in the file")
+    if not (found.mass > 0.0 and found.polar > 0.0 and across > 0.0):
+        values = {"mass_of_component": found.mass or None, "moment_of_inertia_u_axis": found.polar or None}
+        if any(values.values()):
+            draft.part("additional_mass", f"{name} mass", id, u_coordinate_on_shaft=found.center, **values)
+        reason = "an additional mass: no cylinder has its mass and moments of inertia"
+        draft.omit(f"bodies.{name}", reason)
+        return
+    length, diameter = math.sqrt(12.0 * across / found.mass), math.sqrt(8.0 * found.polar / found.mass)
+    draft.part(
+        "shaft_section",
+        "",
+        id,
+        u_coordinate_on_shaft=found.center - 0.5 * length,
+        length=length,
+        outer_diameter_begin=diameter,
+        outer_diameter_end=diameter,
+    )
+    density = found.mass / (math.pi / 4.0 * diameter**2 * length)
+    draft.relate(
+        "reference", origin=id, referenced=draft.material(Material(name=name, density=density, **STEEL))
+    )
+    draft.omit(f"bodies.{name}", "a steel cylinder of the same mass and moments of inertia")
+
+
+def add_planetary_stages(draft: Draft) -> None:
+    """Add planetary stages with their carriers; shafts, gears and meshes are there already."""
+    for name, stage in draft.model.planetary_stages.items():
+        id = draft.part("planetary_stage", name, draft.unit)
+        carrier = draft.part("planet_carrier", stage.carrier, id)
+        draft.relate("assembly", assembly=carrier, part=draft.shafts[stage.carrier])
+        draft.relate("planet_carrier_shaft", planetary_stage=id, shaft=draft.shafts[stage.carrier])
+        for body, found in draft.model.bodies.items():
+            if found.stage == name:
+                draft.relate("planet_shaft", planetary_stage=id, shaft=draft.shafts[body])
+        for gear in (stage.sun, stage.ring):
+            owner = None if gear is None else draft.model.body_of(gear)
+            if owner in draft.shafts:
+                draft.relate("central_shaft", planetary_stage=id, shaft=draft.shafts[str(owner)])
+        for key in ("steps", "pin_errors", "single_planets", "inner_planets"):
+            if getattr(stage, key):
+                draft.omit(f"planetary_stages.{name}.{key}", "not written")
