@@ -57,8 +57,10 @@ def results_of(draft: Draft, files: Sequence[str]) -> dict[str, dict[int, dict[s
         If a result has another model or no scenario.
     """
     from pitchpoint.core.errors import Message, ModelError
+    from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.results import open_result
 
+    own = content_hash(draft.model)
     found: dict[str, dict[int, dict[str, RexsAttribute]]] = {}
     for file in files:
         with open_result(file) as result:
@@ -67,6 +69,11 @@ def results_of(draft: Draft, files: Sequence[str]) -> dict[str, dict[int, dict[s
                 what = "has two results" if scenario in found else "is not a scenario of the model"
                 remedy = "give results of runs of this model, one for each scenario"
                 raise ModelError([Message(f"{file}, scenario", what, repr(scenario), remedy=remedy)])
+            if str(result.attrs.get("model_hash", own)) != own:
+                remedy = "run the scenario again, or write the model of the result"
+                raise ModelError(
+                    [Message(file, "is the result of another version of the model", remedy=remedy)]
+                )
             found[scenario] = _values(draft, result)
     return found
 
@@ -78,9 +85,11 @@ def _values(draft: Draft, result: xr.Dataset) -> dict[int, dict[str, RexsAttribu
     found: dict[int, dict[str, RexsAttribute]] = {}
 
     def mean(channel: str) -> float | None:
+        """Mean of a channel; None if the result does not have it."""
         return float(result[channel].mean()) if channel in result else None
 
     def put(id: int, key: str, value: float) -> None:
+        """Add a value in SI units."""
         kind = draft.components[id].type
         found.setdefault(id, {})[key] = attribute(key, value, kind)
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -116,6 +117,18 @@ def test_results_of_a_run_are_values_of_a_load_case(model, tmp_path, capsys):
     twice = ["--result", str(result)] * 2
     assert run_command(["rexs", "write", model, "-o", str(target), *twice]) == 2
     assert "has two results" in capsys.readouterr().err
+
+
+def test_the_result_of_another_version_of_the_model_is_refused(model, tmp_path, capsys):
+    result = tmp_path / "slow.h5"
+    assert run_command(["run", model, "-s", "slow", "-o", str(result), "-q"]) == 0
+    other = tmp_path / "other.yaml"
+    text = Path(model).read_text(encoding="utf-8")
+    other.write_text(text.replace("torque: 40 N m", "torque: 41 N m"), encoding="utf-8")
+    capsys.readouterr()
+    command = ["rexs", "write", str(other), "-o", str(tmp_path / "x.rexs"), "--result", str(result)]
+    assert run_command(command) == 2
+    assert "is the result of another version of the model" in capsys.readouterr().err
 
 
 def test_wrong_endings_and_foreign_files_are_refused(model, tmp_path, capsys):

@@ -172,6 +172,21 @@ def test_parts_of_all_kinds_are_written_with_schema_names(tmp_path):
     assert again.couplings["c"].stiffness.torsion == 1e4
 
 
+@pytest.mark.parametrize("kind", ["tip_relief", "root_relief"])
+def test_a_relief_by_its_roll_length_starts_at_the_same_place(kind, tmp_path):
+    """The removed material is the same at all points of the flank."""
+    from pitchpoint.geometry.modifications import deviation, flank_range
+
+    start = "tip_relief: {amount: 12 um, start_diameter: 43 mm, shape: parabolic}"
+    model = loads_model(MACHINE.replace(start, f"{kind}: {{amount: 12 um, length: 2 mm}}"))
+    again = _again(tmp_path, model)
+    gears = [one.gears["a"] for one in (model, again)]
+    roll = np.linspace(*flank_range(gears[0].geometry), 21)
+    material = [deviation(g.modifications.side("left").of_geometry(), g.geometry, roll) for g in gears]
+    np.testing.assert_allclose(material[0], material[1], atol=1e-15)
+    assert np.ptp(material[0]) > 10e-6
+
+
 def test_what_is_not_in_the_file_is_listed():
     text = MACHINE + "torsion_springs: {t: {bodies: [one], stiffness: 10 N m/rad}}\n"
     listed = {str(one) for one in export_rexs(loads_model(text)).omissions}

@@ -14,6 +14,7 @@ from pitchpoint.io.rexs import tables
 from pitchpoint.io.rexs.document import RexsModel
 from pitchpoint.io.rexs.exporting.draft import Draft, Omission, uvw
 from pitchpoint.io.rexs.exporting.gears import MeshStiffness, add_gears, add_meshes
+from pitchpoint.io.rexs.exporting.keys import WRITTEN, list_keys
 from pitchpoint.io.rexs.exporting.loads import Values, add_loads, load_spectra
 from pitchpoint.io.rexs.exporting.shafts import add_planetary_stages, add_shafts
 from pitchpoint.io.rexs.exporting.supports import add_supports
@@ -22,10 +23,7 @@ from pitchpoint.model.stand_ins import own_parts
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-SECTIONS = (
-    *("gears", "bodies", "shafts", "planetary_stages", "meshes", "bearings", "rolling_bearings", "couplings"),
-    *("loads", "scenarios", "elastic_bodies"),
-)
+SECTIONS = (*WRITTEN, "scenarios", "elastic_bodies")
 """Sections of a model that are written."""
 
 
@@ -77,6 +75,7 @@ def export_rexs(
     add_supports(draft)
     loads = add_loads(draft)
     spectra = load_spectra(draft, loads, results(draft) if results is not None else {})
+    list_keys(draft, model)
     for section in groups_of(model):
         if section not in SECTIONS:
             parts = own_parts(getattr(model, section))

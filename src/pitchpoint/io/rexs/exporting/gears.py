@@ -11,20 +11,9 @@ from pitchpoint.io.rexs.conversion.modifications import CROWNINGS
 from pitchpoint.io.rexs.exporting.draft import Draft
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.modifications import FlankModifications, Relief
-
-NOT_WRITTEN = {
-    "deviations": "deviations of single teeth are not written",
-    "faults": "REXS has no damaged teeth",
-    "tooth_profile": "measured profiles are not written",
-    "tip_chamfer": "not written",
-    "tip_rounding": "not written",
-    "tooth_thickness_allowance": "not written; the backlash of the mesh contains it",
-    "flexible_rim": "REXS has no flexible rims",
-    "web_thickness": "not written",
-}
-"""Keys of gears that are not in the file."""
 
 
 def add_gears(draft: Draft) -> None:
@@ -61,39 +50,40 @@ def _add_gear(draft: Draft, name: str, gear: Gear, body: str, z: float) -> None:
     if internal and gear.bore_diameter:
         draft.custom(id, "outer_diameter", 1e3 * gear.bore_diameter, "mm")
     draft.relate("reference", origin=id, referenced=draft.material(gear.material_data))
-    _add_flanks(draft, id, gear, geometry.x, path)
+    _add_flanks(draft, id, gear, path)
     _add_tool(draft, id, gear)
-    for key, reason in NOT_WRITTEN.items():
-        if getattr(gear, key):
-            draft.omit(f"{path}.{key}", reason)
 
 
-def _add_flanks(draft: Draft, id: int, gear: Gear, x: float, path: str) -> None:
+def _add_flanks(draft: Draft, id: int, gear: Gear, path: str) -> None:
+    geometry = gear.geometry
     sides: dict[str, int] = {}
     for side in ("left", "right"):
         sides[side] = draft.add(
             "cylindrical_gear_flank",
             "",
             normal_pressure_angle=gear.normal_pressure_angle,
-            addendum_modification_coefficient=float(x),
+            addendum_modification_coefficient=float(geometry.x),
         )
         found = None if gear.modifications is None else gear.modifications.side(side)
         if found is not None:
-            _add_modifications(draft, sides[side], found, f"{path}.modifications.{side}")
+            _add_modifications(draft, sides[side], found, geometry, f"{path}.modifications.{side}")
     draft.relate("flank", gear=id, **sides)
 
 
-def _add_modifications(draft: Draft, flank: int, found: FlankModifications, path: str) -> None:
+def _add_modifications(
+    draft: Draft, flank: int, found: FlankModifications, geometry: CylindricalGear, path: str
+) -> None:
     for kind in ("tip_relief", "root_relief"):
         relief: Relief | None = getattr(found, kind)
         if relief is None:
             continue
-        if relief.start_diameter is None or relief.shape not in ("linear", "parabolic"):
+        start = _start_of(relief, geometry, kind)
+        if start is None or relief.shape not in ("linear", "parabolic"):
             draft.omit(
-                f"{path}.{kind}", "only linear and parabolic reliefs with a start_diameter are written"
+                f"{path}.{kind}", "only linear and parabolic reliefs that start on the flank are written"
             )
             continue
-        values = {f"{kind}_depth": relief.amount, f"{kind}_datum_diameter": relief.start_diameter}
+        values = {f"{kind}_depth": relief.amount, f"{kind}_datum_diameter": start}
         one = draft.add(kind, "", shape_of_relief=relief.shape, **values)
         draft.relate("reference", origin=flank, referenced=one)
     for kind, (first, second, key) in CROWNINGS.items():
@@ -104,6 +94,18 @@ def _add_modifications(draft: Draft, flank: int, found: FlankModifications, path
     for key in ("profile_slope", "helix_slope", "end_relief"):
         if getattr(found, key):
             draft.omit(f"{path}.{key}", "not written")
+
+
+def _start_of(relief: Relief, gear: CylindricalGear, kind: str) -> float | None:
+    """Diameter at which a relief starts [m], also of one by its roll length; None within the base circle."""
+    if relief.start_diameter is not None:
+        return relief.start_diameter
+    from pitchpoint.geometry.modifications import flank_range
+
+    root, tip = flank_range(gear)
+    end, inwards = (tip, root - tip) if kind == "tip_relief" else (root, tip - root)
+    roll = end + math.copysign(relief.length or 0.0, inwards)
+    return 2.0 * math.hypot(roll, 0.5 * gear.d_b) if roll > 0.0 else None
 
 
 def _add_tool(draft: Draft, id: int, gear: Gear) -> None:
@@ -160,18 +162,6 @@ def add_meshes(draft: Draft, stiffness: Mapping[str, MeshStiffness] | None = Non
         draft.meshes[name] = id
         first, second = mesh.gears
         draft.relate("stage", stage=id, gear_1=draft.gears[first], gear_2=draft.gears[second])
-        path = f"meshes.{name}" if mesh.stage is None else f"planetary_stages.{mesh.stage}"
-        draft.omit(f"{path}.damping", "REXS has no damping")
-        for key in (
-            "friction",
-            "transmission_error",
-            "misalignment",
-            "transient_damping",
-            "damper",
-            "contact",
-        ):
-            if getattr(mesh, key) is not None:
-                draft.omit(f"{path}.{key}", "not written")
 
 
 MeshStiffness = Mapping[str, float | Sequence[float]]

@@ -52,8 +52,6 @@ def _add_shaft(draft: Draft, name: str, body: Body) -> None:
             **bore,
         )
         begin += section.length
-    if shaft.internal_damping:
-        draft.omit(f"shafts.{name}.internal_damping", "REXS has no damping")
 
 
 def _add_rigid(draft: Draft, name: str, body: Body) -> None:
@@ -155,6 +153,3 @@ def add_planetary_stages(draft: Draft) -> None:
             owner = None if gear is None else draft.model.body_of(gear)
             if owner in draft.shafts:
                 draft.relate("central_shaft", planetary_stage=id, shaft=draft.shafts[str(owner)])
-        for key in ("steps", "pin_errors", "single_planets", "inner_planets"):
-            if getattr(stage, key):
-                draft.omit(f"planetary_stages.{name}.{key}", "not written")

@@ -30,12 +30,10 @@ def add_supports(draft: Draft) -> None:
         values = _stiffness(draft, bearing.stiffness, path, turning)
         kind = "coupling" if turning else "concept_bearing"
         _connect(draft, kind, name, (inner, outer), bearing.position, path, values)
-        draft.omit(f"{path}.damping", "REXS has no damping")
     for name, coupling in draft.model.couplings.items():
         path = f"couplings.{name}"
         values = _stiffness(draft, coupling.stiffness, path, True)
         _connect(draft, "coupling", name, coupling.bodies, coupling.position, path, values)
-        draft.omit(f"{path}.damping", "REXS has no damping")
     for name, rolling in draft.model.rolling_bearings.items():
         _add_rolling(draft, name, rolling)
 
@@ -129,7 +127,6 @@ def _add_rolling(draft: Draft, name: str, bearing: RollingBearing) -> None:
         values[f"{load}_static_load_rating"] = bearing.radial_static_load_rating
     kind = f"rolling_bearing_with_{'detailed' if detailed else 'catalog'}_geometry"
     id = _connect(draft, kind, name, ends, bearing.position, path, values)
-    draft.omit(f"{path}.damping", "REXS has no damping")
     if id is None or not detailed:
         if id is not None and bearing.contact_angle:
             draft.part("rolling_bearing_row", "", id, pressure_angle=abs(bearing.contact_angle))
