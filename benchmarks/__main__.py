@@ -12,7 +12,17 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import command_line, dataset, flank_contact, gearbox, mechanisms, scene, shovel, two_inertia
+from benchmarks import (
+    command_line,
+    dataset,
+    flank_contact,
+    gearbox,
+    mechanisms,
+    scene,
+    shovel,
+    two_inertia,
+    wind,
+)
 from benchmarks.rows import Row
 
 
@@ -41,6 +51,7 @@ def main() -> None:
         ("contact of tooth surfaces", lambda: flank_contact.rows(bare[0])),
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
+        ("wind-turbine drive train, planetary set in all directions", wind.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("command line", command_line.rows),
         ("scene in a browser", scene.rows),
