@@ -108,7 +108,9 @@ def test_torsional_modes_against_three_masses(torsion):
     masses = np.array([1.0e6, gearbox, 24.0 * r**2])
     by_hand = np.sqrt(np.sort(np.linalg.eigvals(stiffness / masses[:, None]).real)[1:]) / (2.0 * math.pi)
     modes = find_modes(pitchpoint.compile_model(torsion, "rated")).frequency
-    assert modes[1:3] == pytest.approx(by_hand, rel=0.02)
+    # the meshes, taken as rigid, are in series with the shafts: they lower the first mode by 3 %
+    assert modes[1:3] == pytest.approx(by_hand, rel=0.03)
+    assert all(modes[1:3] < by_hand)
 
 
 STOP = {"parameters.stop": 0.2, "scenarios.stop.duration": 2.2, "scenarios.stop.step": 2e-4}
@@ -164,3 +166,49 @@ def test_the_energy_of_the_stop_is_balanced(torsion, stopped):
     lost = kinetic(0) - kinetic(-1) + elastic(0) - elastic(-1) + given - brake
     assert brake > 1.0e6
     assert 0.0 < lost < 0.05 * brake  # dampers of meshes and couplings
+
+
+@pytest.fixture(scope="module")
+def at_rest(whole):
+    """Static solution under gravity at rated torque."""
+    return pitchpoint.solve_equilibrium(pitchpoint.compile_model(whole, "rated"))
+
+
+ANGLES = np.radians([0.0, 120.0, 240.0])
+ALPHA_T = math.atan(math.tan(math.radians(20.0)) / math.cos(math.radians(7.5)))
+ROUND = np.column_stack([-np.sin(ANGLES), np.cos(ANGLES)])
+OUT = np.column_stack([np.cos(ANGLES), np.sin(ANGLES)])
+
+
+def test_the_floating_sun_shares_the_load_by_its_equilibrium(whole, at_rest):
+    """Three mesh forces balance the torque, the weight of the sun and the force of the spline on it.
+
+    At the three angles of the planets this is one turn of the carrier: the loads of a planet vary by
+    2/3 of the lateral load of the sun, once per turn.
+    """
+    lines = math.cos(ALPHA_T) * ROUND - math.sin(ALPHA_T) * OUT  # of the forces of the planets on the sun
+    weight = whole.body_inertia("sun").mass * np.array(whole.gravity[:2])
+    spline = np.array([float(at_rest[f"coupling_force[spline.{k}]"]) for k in ("fx", "fy")])
+    torque = float(at_rest["coupling_force[spline.mz]"])
+    r_b = 0.5 * 21 * 10e-3 / math.cos(math.radians(7.5)) * math.cos(ALPHA_T)
+    balance = np.vstack([lines.T, [r_b] * 3])
+    by_hand = np.linalg.solve(balance, [*(spline - weight), torque])
+    found = [-float(at_rest[f"mesh_force[sun-planet_{k}]"]) for k in (1, 2, 3)]
+    assert found == pytest.approx(by_hand, rel=1e-3)
+    amplitude = 2.0 / 3.0 * np.linalg.norm(spline - weight)
+    first = 2.0 / 3.0 * abs(np.sum(np.array(found) * np.exp(-1j * ANGLES)))
+    assert first == pytest.approx(amplitude, rel=0.05)
+
+
+def test_the_pins_carry_the_weight_of_the_planets(whole, at_rest):
+    """Sun and ring push a planet by 2 F cos(alpha_t) against the turn; the rest of the pin force is weight.
+
+    The sum over the planets is not changed by the twist of the main shaft, which turns all forces.
+    """
+    weight = whole.body_inertia("planet_1").mass * np.array(whole.gravity[:2])
+    rest = np.zeros(2)
+    for k in range(3):
+        rest += [float(at_rest[f"bearing_force[planet_{k + 1}-bearing.{c}]"]) for c in ("fx", "fy")]
+        meshes = [f"mesh_force[sun-planet_{k + 1}]", f"mesh_force[planet_{k + 1}-ring]"]
+        rest -= sum(abs(float(at_rest[name])) for name in meshes) * math.cos(ALPHA_T) * ROUND[k]
+    assert rest == pytest.approx(-3.0 * weight, abs=0.02 * 3.0 * np.linalg.norm(weight))
