@@ -80,6 +80,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.housing import housing_facts
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
@@ -139,6 +140,7 @@ def summary(model: Model) -> dict[str, Any]:
         "planetary_stages": stages_of_model(model),
         "shafts": shaft_stations(model),
         "beam_stations": beam_stations(model),
+        "housing": housing_facts(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -259,9 +261,11 @@ def _direction(axis: list[float]) -> str:
 def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> None:
     """Print the data as tables, after the number of warnings."""
     from pitchpoint.cli.balance import show_balance
+    from pitchpoint.cli.housing import show_housing, without_nodes
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
+    found = without_nodes(found)
     passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
     show(f"{file}: {passed}" + (f" – {model.title}" if model.title else ""))
     if found["included"]:
@@ -300,6 +304,7 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
         from pitchpoint.cli.planets import show_stages
 
         show_stages(found["planetary_stages"])
+    show_housing(found["housing"])
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
@@ -311,9 +316,8 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
         table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
         show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
-    assumed = found["defaults"]
-    if assumed:
-        rows = [[entry["key"], entry["value"]] for entry in assumed]
+    if found["defaults"]:
+        rows = [[entry["key"], entry["value"]] for entry in found["defaults"]]
         table("Defaults in effect", ["key", "value"], rows)
 
 

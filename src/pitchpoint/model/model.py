@@ -176,7 +176,8 @@ class Model(Contents):
             object.__setattr__(self, name, part)
 
     def _parts(self) -> Parts:
-        parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)
+        groups = {group: getattr(self, group) for group in sections.groups_of(self)}
+        parts = Parts.of(groups, self.damping, self.housing)
         parts.mechanism = self.mechanism or parts.mechanism
         return parts
 

@@ -12,6 +12,7 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.housing import Housing
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.mechanism import Mechanism
@@ -34,6 +35,7 @@ class Parts:
     loads: dict[str, Load]
     damping: Damping | None
     scenarios: dict[str, Scenario]
+    housing: Housing | None = None
     sections: dict[str, dict[str, Any]] = field(
         default_factory=dict
     )  # all other sections, available as attributes
@@ -48,7 +50,7 @@ class Parts:
     seen: int = 0
 
     @classmethod
-    def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
+    def of(cls, groups: Mapping[str, Any], damping: Damping | None, housing: Housing | None = None) -> Parts:
         """Create parts from mappings of names to components, by section; missing sections are empty."""
 
         def group(name: str) -> dict[str, Any]:
@@ -64,6 +66,7 @@ class Parts:
             loads=group("loads"),
             scenarios=group("scenarios"),
             damping=damping,
+            housing=housing,
             sections={
                 name: group(name)
                 for name, found in groups.items()

@@ -31,6 +31,7 @@ from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.elastic_body import ElasticBody
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.housing import HOUSINGS, Housing
 from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
@@ -165,6 +166,14 @@ class Contents(Checked):
     blocks: Mapping[str, Block] = section("signals computed from other signals", BLOCKS)
     controllers: Mapping[str, Controller] = section("discrete controllers", CONTROLLERS)
     actuators: Mapping[str, Actuator] = section("torques and forces driven by signals", ACTUATORS)
+    housing: Housing | None = key(
+        "variant",
+        "housing of all bearings with body and without a housing of their own; default: ground",
+        None,
+        of=HOUSINGS,
+        tag="type",
+        later=True,
+    )
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
     scenarios: Mapping[str, Scenario] = section("simulation scenarios", Scenario)
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components that represent others of the model file, such as the body of a shaft or a planet of a stage."""
+"""Components that represent others of the model file, such as the body of a shaft, a planet of a stage or a
+seat of the housing."""
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
@@ -11,9 +13,18 @@ T = TypeVar("T")
 
 def stands_in(part: Any) -> bool:
     """Whether a component represents one of another section and is not written to a file."""
-    return bool(getattr(part, "stands_in", False)) or getattr(part, "stage", None) is not None
+    of_housing = getattr(part, "of_housing", False) and not hasattr(part, "housing")
+    return bool(getattr(part, "stands_in", of_housing)) or getattr(part, "stage", None) is not None
 
 
 def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
-    """Components of a section without those that represent others."""
-    return {name: part for name, part in parts.items() if not stands_in(part)}
+    """Components of a section as given: without those that represent others, bearings without the seat in
+    the housing of the model."""
+    return {name: _as_given(part) for name, part in parts.items() if not stands_in(part)}
+
+
+def _as_given(part: Any) -> Any:
+    """A component without what follows from the housing."""
+    if not getattr(part, "of_housing", False):
+        return part
+    return dataclasses.replace(part, housing=None, of_housing=False)

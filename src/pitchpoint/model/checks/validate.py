@@ -34,6 +34,7 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.housing import add_housing, connect_housing
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
@@ -46,6 +47,7 @@ CHECKS = (
     check_solids,
     add_shafts,
     add_elastic_bodies,
+    add_housing,
     check_references,
     check_bevel_gears,
     check_bevel_names,
@@ -63,6 +65,7 @@ CHECKS = (
     check_positions,
     check_spacing,
     resolve,
+    connect_housing,
     check_stations,
     check_planets,
     check_fault_laws,

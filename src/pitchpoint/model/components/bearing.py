@@ -35,3 +35,5 @@ class Bearing(Component):
     )
     stage: str | None = derived()
     """Planetary stage that contains the bearing, if any."""
+    of_housing: bool = derived(False)
+    """Whether `housing` is a seat of the housing of the model."""

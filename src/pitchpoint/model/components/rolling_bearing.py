@@ -13,7 +13,7 @@ from pitchpoint.geometry.materials import Material
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
 from pitchpoint.model.components.bearing_geometry import ABSORPTION, GIVEN, BearingGeometry, bearing_geometry
-from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
+from pitchpoint.model.keys import choice, derived, end, integer, key, positive, quantities, quantity, text
 
 RINGS = (
     "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second. A ring "
@@ -158,6 +158,8 @@ class RollingBearing(Component):
     faults: Mapping[str, BearingFault] = key(
         "components", "faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
+    of_housing: bool = derived(False)
+    """Whether `housing` is a seat of the housing of the model."""
 
     @property
     def former_values(self) -> dict[str, str | float]:
@@ -197,3 +199,5 @@ class PlainBearing(Component):
     damping: float = quantity(
         "dimensionless", "damping force over elastic force, per approach velocity [s/m]", 0.0, minimum=0.0
     )
+    of_housing: bool = derived(False)
+    """Whether `housing` is a seat of the housing of the model."""
