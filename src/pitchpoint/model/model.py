@@ -223,6 +223,7 @@ class Model(Contents):
             allow_code=code,
             directory=self.directory,
             parameters=self.amounts,
+            materials=self.materials,
             sources=dict(self.origin.sources),
             bare=list(self.origin.bare),
         )

@@ -36,6 +36,7 @@ from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.own_material import OwnMaterial
 from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.components.planetary_stage import PlanetaryStage
 from pitchpoint.model.components.ratio import Ratio
@@ -85,6 +86,9 @@ class Contents(Checked):
     title: str = text("title of the model", "")
     parameters: Mapping[str, Parameter] = key(
         "parameters", "named values for all keys and formulas", {}, of=Parameter, later=True
+    )
+    materials: Mapping[str, OwnMaterial] = section(
+        "materials by name, in addition to those of the library", OwnMaterial, later=True
     )
     gravity: Triple | None = quantities(
         "acceleration",

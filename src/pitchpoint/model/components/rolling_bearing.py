@@ -145,7 +145,9 @@ class RollingBearing(Component):
         maximum=1000,
         later=True,
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     stiffness: float | None = positive(
         "dimensionless",
         "contact constant of one element in SI [N/m^1.5, N/m^(10/9)], instead of grooves or effective_length",

@@ -33,6 +33,7 @@ from pitchpoint.model.show import dotted, entries, example, shown
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
+    from pitchpoint.model.components.own_material import OwnMaterial
 
 MANY = 1000
 """Length of lists from which the limit is not stated."""
@@ -60,8 +61,10 @@ class Reader:
         Paths in the file of components that represent others: SECTION, NAME or that with one or two keys.
     parameters, unreadable
         Values of the parameters by name, and the names of those without value.
+    materials, bad_materials
+        Materials of the model by name, and the names of those that cannot be read.
     used
-        Parameters in the value that is being read.
+        Parameters and materials in the value that is being read.
     sources
         Values with parameters, as written.
     bare
@@ -78,6 +81,8 @@ class Reader:
     parameters: Mapping[str, Amount] = field(default_factory=dict)
     unreadable: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
+    materials: Mapping[str, OwnMaterial] = field(default_factory=dict)
+    bad_materials: set[str] = field(default_factory=set)
     sources: dict[Place, Source] = field(default_factory=dict)
     bare: list[Bare] = field(default_factory=list)
 
@@ -189,7 +194,7 @@ class Reader:
         """Read the value of a key, and note it as written if it is a text or contains parameters."""
         outer, self.used, known = self.used, set(), len(self.sources)
         result = self.value(description, data, path)
-        if self.parameters and description.kind in WHOLE:
+        if (self.parameters or self.materials) and description.kind in WHOLE:
             for place in list(self.sources)[known:]:
                 self.used |= self.sources.pop(place).names
         if self.used:
