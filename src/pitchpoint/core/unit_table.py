@@ -165,9 +165,13 @@ for _name, _factors in JOINED.items():
 
 ONLY_IN_SPEEDS = ("r", "U")
 """Symbols of a revolution (r/min; German U/min) that are ambiguous except over a time."""
+CELSIUS = ("C", "degC", "°C")
+"""Symbols of a temperature in degrees Celsius."""
+ZERO_CELSIUS = 273.15
+"""0 °C [K]."""
 _ZERO_POINT = "a temperature is given as a difference in K"
 REFUSED: dict[str, str] = {
-    **dict.fromkeys(("C", "degC", "°C", "F", "degF", "°F"), _ZERO_POINT),
+    **dict.fromkeys((*CELSIUS, "F", "degF", "°F"), _ZERO_POINT),
     **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
     **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
 }
@@ -239,5 +243,9 @@ DIMENSIONS: dict[str, Dimension] = {
         "a pressure-viscosity coefficient", (1, -1, 2, 0), "1/Pa", "20 1/GPa", display=((0.0, "1/GPa"),)
     ),
     "curvature": Dimension("a curvature", (-1, 0, 0, 0), "1/m", "20 1/m"),
+    "kinematic_viscosity": Dimension(
+        "a kinematic viscosity", (2, 0, -1, 0), "m^2/s", "320 mm^2/s", display=((0.0, "mm^2/s"),)
+    ),
+    "temperature": Dimension("a temperature", (0, 0, 0, 1), "K", "70 degC", display=((0.0, "degC"),)),
     "temperature_difference": Dimension("a temperature difference", (0, 0, 0, 1), "K", "40 K"),
 }

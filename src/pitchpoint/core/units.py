@@ -18,6 +18,7 @@ from numbers import Real
 
 from pitchpoint.core.errors import UnitError
 from pitchpoint.core.unit_table import (
+    CELSIUS,
     DIMENSIONS,
     FORCE_OF_MASS,
     JOINED,
@@ -26,6 +27,7 @@ from pitchpoint.core.unit_table import (
     REFUSED,
     UNITS,
     WORDS,
+    ZERO_CELSIUS,
     Dimension,
     Unit,
 )
@@ -85,11 +87,12 @@ def parse_quantity(
     if isinstance(value, str):
         number, unit = _split(value, kind)
         shown = value.strip()
+        celsius = dimension == "temperature" and unit in CELSIUS
         try:
-            factor = ONE if unit == "" else _factor(unit, dimension)
+            factor = ONE if unit == "" or celsius else _factor(unit, dimension)
         except UnitError as error:
             raise UnitError(f"'{shown}': {error}") from None
-        result = _product_of(number, factor)
+        result = _product_of(number, factor) + (ZERO_CELSIUS if celsius else 0.0)
     elif isinstance(value, Real) and not isinstance(value, bool):
         result, shown = float(value), f"{value}"
     elif hasattr(value, "magnitude") and hasattr(value, "units"):
@@ -169,6 +172,8 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
     >>> round(in_unit(0.3490658503988659, "angle", "deg"), 12)
     20.0
     """
+    if dimension == "temperature" and unit in CELSIUS:
+        return value - ZERO_CELSIUS
     return value / (1.0 if unit == "" else float(_factor(unit, dimension)))
 
 

@@ -56,7 +56,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")
     if not any(values.get(g) or (g,) in reader.tainted for g in moving):
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
-    parts = Parts.of(values, values.get("damping"), values.get("housing"))
+    parts = Parts.of(values)
     parts.names = {
         g: {str(n) for n in data[g]} for g in (*GROUPS, *parts.others) if isinstance(data.get(g), Mapping)
     }

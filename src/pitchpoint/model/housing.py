@@ -55,7 +55,7 @@ def bearings_in(machine: Any) -> dict[str, tuple[str, Any]]:
         name: (group, part)
         for group in SEATED
         for name, part in getattr(machine, group).items()
-        if part.body is not None and (part.housing is None or part.of_housing)
+        if part.body is not None and (part.housing is None or part.given is not None)
     }
 
 
@@ -261,7 +261,7 @@ def connect_housing(parts: Parts, report: Reader) -> None:
         else:
             seat = _nearest(parts, held, name, (group, part), report)
         if seat is not None:
-            parts.section(group)[name] = replace(part, housing=seat, of_housing=True)
+            parts.section(group)[name] = replace(part, housing=seat, given=part)
             report.aliases[group, name, "housing"] = (NAME,)
 
 

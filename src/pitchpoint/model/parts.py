@@ -14,6 +14,7 @@ from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.housing import Housing
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.lubricant import Lubricant
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.scenario import Scenario
@@ -36,6 +37,8 @@ class Parts:
     damping: Damping | None
     scenarios: dict[str, Scenario]
     housing: Housing | None = None
+    lubricant: Lubricant | None = None
+    load_case: str | None = None
     sections: dict[str, dict[str, Any]] = field(
         default_factory=dict
     )  # all other sections, available as attributes
@@ -50,8 +53,11 @@ class Parts:
     seen: int = 0
 
     @classmethod
-    def of(cls, groups: Mapping[str, Any], damping: Damping | None, housing: Housing | None = None) -> Parts:
-        """Create parts from mappings of names to components, by section; missing sections are empty."""
+    def of(cls, groups: Mapping[str, Any]) -> Parts:
+        """Create parts from the values of the keys of a model: sections, `damping`, `housing`, `lubricant`.
+
+        Missing sections are empty.
+        """
 
         def group(name: str) -> dict[str, Any]:
             """Contents of one section; empty if missing."""
@@ -65,8 +71,10 @@ class Parts:
             couplings=group("couplings"),
             loads=group("loads"),
             scenarios=group("scenarios"),
-            damping=damping,
-            housing=housing,
+            damping=groups.get("damping"),
+            housing=groups.get("housing"),
+            lubricant=groups.get("lubricant"),
+            load_case=groups.get("load_case"),
             sections={
                 name: group(name)
                 for name, found in groups.items()

@@ -34,6 +34,8 @@ from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.housing import HOUSINGS, Housing
 from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.load_case import LoadCase
+from pitchpoint.model.components.lubricant import Lubricant
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.own_material import OwnMaterial
@@ -178,7 +180,18 @@ class Contents(Checked):
         tag="type",
         later=True,
     )
+    lubricant: Lubricant | None = component(
+        Lubricant, "oil of all meshes, for contact analyses and oil films", later=True
+    )
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
+    load_cases: Mapping[str, LoadCase] = section(
+        "load cases: speeds, loads, temperature and share of the time", LoadCase, later=True
+    )
+    load_case: str | None = text(
+        "name of the load case in effect: its speeds and loads replace those of loads and scenarios",
+        None,
+        later=True,
+    )
     scenarios: Mapping[str, Scenario] = section("simulation scenarios", Scenario)
 
 

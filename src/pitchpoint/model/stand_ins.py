@@ -4,7 +4,6 @@ seat of the housing."""
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
@@ -13,18 +12,15 @@ T = TypeVar("T")
 
 def stands_in(part: Any) -> bool:
     """Whether a component represents one of another section and is not written to a file."""
-    of_housing = getattr(part, "of_housing", False) and not hasattr(part, "housing")
+    of_housing = getattr(part, "of_housing", False)
     return bool(getattr(part, "stands_in", of_housing)) or getattr(part, "stage", None) is not None
 
 
 def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
     """Components of a section as given: without those that represent others, bearings without the seat in
-    the housing of the model."""
-    return {name: _as_given(part) for name, part in parts.items() if not stands_in(part)}
-
-
-def _as_given(part: Any) -> Any:
-    """A component without what follows from the housing."""
-    if not getattr(part, "of_housing", False):
-        return part
-    return dataclasses.replace(part, housing=None, of_housing=False)
+    the housing, loads and scenarios without the values of the load case."""
+    return {
+        name: part if (given := getattr(part, "given", None)) is None else given
+        for name, part in parts.items()
+        if not stands_in(part)
+    }

@@ -15,6 +15,7 @@ from pitchpoint.model.checks.forces import check_forces, check_loads, check_unba
 from pitchpoint.model.checks.functions import check_functions
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
+from pitchpoint.model.checks.lubricant import check_lubricant
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
 from pitchpoint.model.checks.phasing import check_phasing
@@ -35,6 +36,7 @@ from pitchpoint.model.checks.supports import (
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
 from pitchpoint.model.housing import add_housing, connect_housing
+from pitchpoint.model.load_cases import apply_load_case
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
@@ -42,6 +44,7 @@ from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
 CHECKS = (
     check_given,
+    check_lubricant,
     check_pin_errors,
     add_planetary_stages,
     check_solids,
@@ -81,6 +84,7 @@ CHECKS = (
     check_rings,
     check_turning,
     check_motions,
+    apply_load_case,
     check_unbalances,
     check_loads,
     check_scenarios,

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import SEAT_FAULTS, LooseBearing
@@ -35,5 +36,5 @@ class Bearing(Component):
     )
     stage: str | None = derived()
     """Planetary stage that contains the bearing, if any."""
-    of_housing: bool = derived(False)
-    """Whether `housing` is a seat of the housing of the model."""
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from pitchpoint.geometry.bearings.clearance import ALL_CLASSES
 from pitchpoint.geometry.bearings.inner import TYPES
@@ -160,8 +161,8 @@ class RollingBearing(Component):
     faults: Mapping[str, BearingFault] = key(
         "components", "faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
-    of_housing: bool = derived(False)
-    """Whether `housing` is a seat of the housing of the model."""
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""
 
     @property
     def former_values(self) -> dict[str, str | float]:
@@ -201,5 +202,5 @@ class PlainBearing(Component):
     damping: float = quantity(
         "dimensionless", "damping force over elastic force, per approach velocity [s/m]", 0.0, minimum=0.0
     )
-    of_housing: bool = derived(False)
-    """Whether `housing` is a seat of the housing of the model."""
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""
