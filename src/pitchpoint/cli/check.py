@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads"),
+    *("load_cases", "scenarios", *SIGNALS),
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -48,6 +49,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     """
     from pitchpoint.cli.balance import show_balance, solved
     from pitchpoint.cli.failure import FAILED, OK, say
+    from pitchpoint.cli.gearbox import without_nodes
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.settings import changes_of, settings_of_command
     from pitchpoint.model.changes import named
@@ -67,7 +69,7 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     if as_json:
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        _print(model, file, found, len(messages))
+        _print(model, file, without_nodes(found), len(messages))
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
@@ -80,7 +82,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
-    from pitchpoint.report.housing import housing_facts
+    from pitchpoint.report.housing import gearbox_facts
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
@@ -140,7 +142,7 @@ def summary(model: Model) -> dict[str, Any]:
         "planetary_stages": stages_of_model(model),
         "shafts": shaft_stations(model),
         "beam_stations": beam_stations(model),
-        "housing": housing_facts(model),
+        **gearbox_facts(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -261,11 +263,10 @@ def _direction(axis: list[float]) -> str:
 def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> None:
     """Print the data as tables, after the number of warnings."""
     from pitchpoint.cli.balance import show_balance
-    from pitchpoint.cli.housing import show_housing, without_nodes
+    from pitchpoint.cli.gearbox import show_gearbox
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
-    found = without_nodes(found)
     passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
     show(f"{file}: {passed}" + (f" – {model.title}" if model.title else ""))
     if found["included"]:
@@ -304,7 +305,7 @@ def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> Non
         from pitchpoint.cli.planets import show_stages
 
         show_stages(found["planetary_stages"])
-    show_housing(found["housing"])
+    show_gearbox(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
@@ -346,9 +347,8 @@ def _show_bodies(found: dict[str, Any]) -> None:
         for name, body in found["bodies"].items()
     ]
     if rows:
-        n = found["degrees_of_freedom"]
         table(
-            f"Bodies: {n} degrees of freedom",
+            f"Bodies: {found['degrees_of_freedom']} degrees of freedom",
             [
                 "body",
                 "gears",

@@ -9,9 +9,19 @@ import numpy as np
 
 from pitchpoint.model.components.housing import HousingBody, HousingMatrix, RigidHousing
 from pitchpoint.model.housing import bearings_in, seat_name
+from pitchpoint.report.load_cases import load_case_facts, lubricant_facts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+
+
+def gearbox_facts(model: Model) -> dict[str, Any]:
+    """Housing, lubricant and load cases of a model."""
+    return {
+        "housing": housing_facts(model),
+        "lubricant": lubricant_facts(model),
+        "load_cases": load_case_facts(model),
+    }
 
 
 def housing_facts(model: Model) -> dict[str, Any]:

@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Check of the lubricant: its viscosity is known, and decreases with the temperature."""
+"""Check of the lubricant, whose viscosity decreases with the temperature, and oil films of meshes."""
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.contact.film_damping import squeeze_rate
 from pitchpoint.contact.lubricant import LIGHTEST
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import Place
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.gear_pair import GearPair
 
 KEY = "lubricant"
 KEYS = ("viscosity_at_40_degree_celsius", "viscosity_at_100_degree_celsius")
@@ -41,3 +49,43 @@ def check_lubricant(parts: Parts, report: Reader) -> None:
         report.problem(
             (*at, KEYS[1]), "is too low for the Walther equation", value=shown[1], limit="> 1.4 mm^2/s"
         )
+
+
+def settle_oil_films(parts: Parts, report: Reader) -> None:
+    """Compute the damping of oil films without a given rate from the viscosity of the lubricant."""
+    oil = parts.lubricant
+    case = parts.load_cases.get(parts.load_case or "")
+    for name, mesh in parts.meshes.items():
+        contact: Any = mesh.contact
+        film = getattr(contact, "oil", None)
+        at: Place = ("meshes", name, "contact", "oil")
+        if film is None or film.rate is not None or at in report.tainted or (KEY,) in report.tainted:
+            continue
+        if oil is None:
+            report.problem(
+                (*at, "rate"),
+                "is missing, and the model has no lubricant",
+                remedy="give rate, or lubricant: {grade: ISO VG 220, temperature: 60 degC}",
+            )
+        elif name in parts.pairs:
+            viscosity = oil.at(None if case is None else case.temperature).dynamic_viscosity
+            pair = parts.pairs[name]
+            length = pair.b_w / contact.planes / math.cos(pair.gear1.beta_b)
+            rate = squeeze_rate(viscosity, pitch_radius(pair), film.thickness, length)
+            settled = replace(contact, oil=replace(film, rate=rate))
+            parts.meshes[name] = replace(mesh, contact=settled, given=mesh)
+
+
+def pitch_radius(pair: GearPair) -> float:
+    """Reduced radius of curvature of the flanks at the pitch point, normal to the line of contact [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.gear_pair import GearPair
+    >>> one = CylindricalGear(z=20, m_n=0.002, alpha_n=0.349, beta=0.0, x=0.0, b=0.02)
+    >>> round(1e3 * pitch_radius(GearPair.from_profile_shifts(one, one)), 3)
+    3.42
+    """
+    far = pair.T1T2 - pair.T1C
+    return abs(pair.T1C * far / pair.T1T2) / math.cos(pair.gear1.beta_b)

@@ -15,7 +15,7 @@ from pitchpoint.model.checks.forces import check_forces, check_loads, check_unba
 from pitchpoint.model.checks.functions import check_functions
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
-from pitchpoint.model.checks.lubricant import check_lubricant
+from pitchpoint.model.checks.lubricant import check_lubricant, settle_oil_films
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
 from pitchpoint.model.checks.phasing import check_phasing
@@ -73,6 +73,7 @@ CHECKS = (
     check_planets,
     check_fault_laws,
     check_flank_contacts,
+    settle_oil_films,
     check_shaft_places,
     check_mechanism,
     check_seats,

@@ -58,7 +58,7 @@ class Lubricant(Component):
         Examples
         --------
         >>> round(1e3 * Lubricant(grade="ISO VG 320", temperature=343.15).dynamic_viscosity, 1)
-        61.3
+        58.9
         """
         return oil.dynamic_viscosity(self.temperature, *self.viscosities, self.density_at_15_degree_celsius)
 
