@@ -70,6 +70,8 @@ def add_housing(parts: Parts, report: Reader) -> None:
         _add_rigid(parts, held, report)
     elif isinstance(held, HousingMatrix):
         _add_nodes(parts, held, report)
+    else:
+        _known_body(parts, held.body, (NAME, "body"), report)
     _fix_parts(parts, held, report)
     if len(report.problems) > before:
         parts.housing = None  # later problems are consequences
@@ -195,17 +197,24 @@ def _node(held: HousingMatrix, position: Any) -> Body:
     )
 
 
+def _known_body(parts: Parts, name: str, at: Place, report: Reader) -> bool:
+    """Whether a body exists; reports one that does not."""
+    if parts.has("bodies", name):
+        return True
+    names = parts.known("bodies")
+    report.problem(
+        at,
+        f"names the body {name[:40]!r}, which does not exist",
+        remedy=did_you_mean(name, names) + f"there are {', '.join(sorted(names)) or 'none'}",
+    )
+    return False
+
+
 def _fix_parts(parts: Parts, held: Any, report: Reader) -> None:
     """Joints that fix bodies in the housing."""
     for k, name in enumerate(held.parts):
         at: Place = (NAME, "parts", k)
-        if not parts.has("bodies", name):
-            names = parts.known("bodies")
-            report.problem(
-                at,
-                f"names the body {name[:40]!r}, which does not exist",
-                remedy=did_you_mean(name, names) + f"there are {', '.join(sorted(names)) or 'none'}",
-            )
+        if not _known_body(parts, name, at, report):
             continue
         body = parts.bodies.get(name)
         if body is not None and body.motion is not None:

@@ -42,9 +42,7 @@ class RigidHousing(Component):
 
     type: ClassVar[str] = "rigid"
 
-    mass: float | None = positive(
-        "mass", "mass without shafts", None, display="fixed to ground", needs="mounts"
-    )
+    mass: float | None = positive("mass", "mass without shafts", None, display="fixed to ground")
     center_of_mass: Triple = quantities(
         "length", "centre of mass in the world", (0.0, 0.0, 0.0), length=(3, 3)
     )
