@@ -114,7 +114,7 @@ def _check_load(parts: Parts, at: Place, change: CaseLoad, speeds: dict[str, flo
         report.problem(at, "gives torque and power together", remedy="give one of them")
     elif change.torque is None and change.power is None and change.force is None:
         report.problem(at, "gives neither torque nor power nor force", remedy="give one, or remove it")
-    part = parts.loads.get(at[-1])
+    part = parts.loads.get(str(at[-1]))
     if change.power is None or part is None:
         return
     if not speeds.get(split(part.body)[0]):

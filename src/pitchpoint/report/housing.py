@@ -68,7 +68,7 @@ def _of_matrix(model: Model, held: HousingMatrix) -> tuple[str, dict[str, Any]]:
     n = held.rows_per_node
     own = 1.0 / np.diag(np.linalg.inv(K))
     mass = "with mass matrix" if held.mass_file is not None else "without mass"
-    seats = {
+    seats: dict[str, Any] = {
         node: {"seat": seat_name(node), "stiffness": [float(v) for v in own[n * k : n * k + 3]]}
         for k, node in enumerate(nodes)
     }
