@@ -208,13 +208,15 @@ def misalignment_of(text: str, model: Model, mesh: str) -> float:
 
 def operation_of(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, Any]:
     """Operating conditions: of the options, otherwise those of mesh, lubricant and load case."""
+    from pitchpoint.model.load_cases import oil_of
+
     own = model.meshes[mesh].friction
     found = {n: options[n] for n in ("friction", "speed", "viscosity", "pressure_viscosity")}
     if found["friction"] is None and own is not None:
         found["friction"] = own.mu
     if found["speed"] is None:
         found["speed"] = speed_of_load_case(model, mesh)
-    oil = model.oil
+    oil = oil_of(model)
     if oil is not None and found["speed"] is not None and found["viscosity"] is None:
         found["viscosity"] = oil.dynamic_viscosity
         found["pressure_viscosity"] = options["pressure_viscosity"] or oil.pressure_coefficient

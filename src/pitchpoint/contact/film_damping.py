@@ -5,7 +5,7 @@ The squeeze film damps the approach and the separation before the flanks touch, 
 film height. Structural damping is a fraction of the elastic force against the motion.
 
 Source: Adams Machinery, "Gear Pair (Advanced 3D Contact)". Derivation: docs/theory/flank_contact.md, "Damping
-of the planes". Reynolds' equation: O. Reynolds, Phil. Trans. R. Soc. 177 (1886).
+of the planes".
 """
 
 from __future__ import annotations
@@ -72,32 +72,3 @@ def structural_share(w, factor, speed):
     """
     sign, slope = coulomb(w, speed)
     return factor * sign, factor * slope
-
-
-def squeeze_rate(viscosity: float, radius: float, film: float, length: float) -> float:
-    """Damping coefficient of the oil film between two cylinders that approach [N s/m].
-
-    Parameters
-    ----------
-    viscosity
-        Dynamic viscosity of the oil η [Pa s].
-    radius
-        Reduced radius of curvature R [m].
-    film
-        Film thickness h at the line of contact [m], much less than R.
-    length
-        Length of the line L [m].
-
-    Notes
-    -----
-    c = 3 √2 π η L (R/h)^1.5: Reynolds' equation h³ dp/dx = 12 η V x for h + x²/(2R) and the speed V, without
-    cavitation.
-
-    Examples
-    --------
-    Oil of 50 mPa s, R 10 mm, h 10 µm, 20 mm:
-
-    >>> round(squeeze_rate(0.05, 0.01, 1e-5, 0.02), 1)
-    421.5
-    """
-    return 3.0 * math.sqrt(2.0) * math.pi * viscosity * length * (radius / film) ** 1.5

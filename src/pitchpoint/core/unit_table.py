@@ -165,13 +165,11 @@ for _name, _factors in JOINED.items():
 
 ONLY_IN_SPEEDS = ("r", "U")
 """Symbols of a revolution (r/min; German U/min) that are ambiguous except over a time."""
-CELSIUS = ("C", "degC", "°C")
-"""Symbols of a temperature in degrees Celsius."""
-ZERO_CELSIUS = 273.15
-"""0 °C [K]."""
+ZEROS = dict.fromkeys(("C", "degC", "°C"), 273.15)
+"""Zero of the scales of temperature with one of their own [K]."""
 _ZERO_POINT = "a temperature is given as a difference in K"
 REFUSED: dict[str, str] = {
-    **dict.fromkeys((*CELSIUS, "F", "degF", "°F"), _ZERO_POINT),
+    **dict.fromkeys((*ZEROS, "F", "degF", "°F"), _ZERO_POINT),
     **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
     **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
 }
@@ -249,3 +247,14 @@ DIMENSIONS: dict[str, Dimension] = {
     "temperature": Dimension("a temperature", (0, 0, 0, 1), "K", "70 degC", display=((0.0, "degC"),)),
     "temperature_difference": Dimension("a temperature difference", (0, 0, 0, 1), "K", "40 K"),
 }
+
+
+def zero_of(unit: str, dimension: str) -> float:
+    """Zero of a scale of temperature in SI units; 0 for other units.
+
+    Examples
+    --------
+    >>> zero_of("degC", "temperature"), zero_of("K", "temperature")
+    (273.15, 0.0)
+    """
+    return ZEROS.get(unit, 0.0) if dimension == "temperature" else 0.0

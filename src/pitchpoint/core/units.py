@@ -18,7 +18,6 @@ from numbers import Real
 
 from pitchpoint.core.errors import UnitError
 from pitchpoint.core.unit_table import (
-    CELSIUS,
     DIMENSIONS,
     FORCE_OF_MASS,
     JOINED,
@@ -27,9 +26,9 @@ from pitchpoint.core.unit_table import (
     REFUSED,
     UNITS,
     WORDS,
-    ZERO_CELSIUS,
     Dimension,
     Unit,
+    zero_of,
 )
 
 TWO_PI = 2.0 * math.pi
@@ -87,12 +86,11 @@ def parse_quantity(
     if isinstance(value, str):
         number, unit = _split(value, kind)
         shown = value.strip()
-        celsius = dimension == "temperature" and unit in CELSIUS
         try:
-            factor = ONE if unit == "" or celsius else _factor(unit, dimension)
+            factor = ONE if unit == "" else _factor(unit, dimension)
         except UnitError as error:
             raise UnitError(f"'{shown}': {error}") from None
-        result = _product_of(number, factor) + (ZERO_CELSIUS if celsius else 0.0)
+        result = _product_of(number, factor) + zero_of(unit, dimension)
     elif isinstance(value, Real) and not isinstance(value, bool):
         result, shown = float(value), f"{value}"
     elif hasattr(value, "magnitude") and hasattr(value, "units"):
@@ -172,9 +170,7 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
     >>> round(in_unit(0.3490658503988659, "angle", "deg"), 12)
     20.0
     """
-    if dimension == "temperature" and unit in CELSIUS:
-        return value - ZERO_CELSIUS
-    return value / (1.0 if unit == "" else float(_factor(unit, dimension)))
+    return (value - zero_of(unit, dimension)) / (1.0 if unit == "" else float(_factor(unit, dimension)))
 
 
 def natural_quantity(text: str) -> tuple[float, str]:
@@ -261,7 +257,7 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
     kind = _dimension(dimension)
     expected = f"expected {kind.words} such as {kind.example}"
     try:
-        u = parse_unit(unit)
+        u = UNITS["K"] if zero_of(unit, dimension) else parse_unit(unit)
     except UnitError as error:
         raise UnitError(f"{error}; {expected}") from None
     if (u.m, u.kg, u.s, u.K) != kind.base:

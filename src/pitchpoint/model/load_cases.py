@@ -18,6 +18,7 @@ from pitchpoint.model.speed_ratios import start_speeds
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.load_case import CaseLoad, LoadCase
+    from pitchpoint.model.components.lubricant import Lubricant
     from pitchpoint.model.parts import Parts
     from pitchpoint.model.scenario import Scenario
 
@@ -150,3 +151,10 @@ def _at_speed(scenario: Scenario, case: LoadCase) -> Scenario:
     }
     speed = {body: rate for body, rate in case.speed.items() if body not in drive}
     return replace(scenario, speed=speed, drive=drive)
+
+
+def oil_of(machine: Any) -> Lubricant | None:
+    """Lubricant of a model or its parts, at its temperature in the load case in effect; None without one."""
+    oil: Lubricant | None = machine.lubricant
+    case = machine.load_cases.get(machine.load_case or "")
+    return oil if oil is None or case is None else oil.at(case.temperature)

@@ -46,7 +46,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.bevel_mesh import BevelMesh
     from pitchpoint.model.components.gear import Gear
-    from pitchpoint.model.components.lubricant import Lubricant
     from pitchpoint.model.components.mesh import Mesh
 
 V = TypeVar("V")
@@ -314,13 +313,6 @@ class Model(Contents):
         """Angle from the x axis of the body to the centre of tooth 0 of every bevel gear at zero spin
         [rad]."""
         return assemble_bevels(self)
-
-    @cached_property
-    def oil(self) -> Lubricant | None:
-        """Lubricant at its temperature in the load case in effect."""
-        if self.lubricant is None or self.load_case is None:
-            return self.lubricant
-        return self.lubricant.at(self.load_cases[self.load_case].temperature)
 
     def body_of(self, gear: str) -> str | None:
         """Name of the body of a gear; None for a gear without body."""

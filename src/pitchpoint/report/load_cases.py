@@ -5,13 +5,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.load_cases import oil_of
+
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
 def lubricant_facts(model: Model) -> dict[str, Any]:
     """Temperature, viscosities and pressure-viscosity coefficient of the lubricant, SI; empty without one."""
-    oil = model.oil
+    oil = oil_of(model)
     if oil is None:
         return {}
     at_40, at_100 = oil.viscosities

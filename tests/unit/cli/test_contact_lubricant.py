@@ -9,8 +9,7 @@ import math
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.contact.film_damping import squeeze_rate
-from pitchpoint.contact.lubricant import dynamic_viscosity, pressure_viscosity
+from pitchpoint.contact.lubricant import dynamic_viscosity, pressure_viscosity, squeeze_rate
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from tests.unit.cli.test_contact import MODEL

@@ -12,6 +12,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.law import Balance, Constant
+from pitchpoint.model.load_cases import oil_of
 
 TEXT = """\
 gears:
@@ -47,8 +48,8 @@ def test_the_case_in_effect_replaces_speeds_and_torques():
     assert full.scenarios["run"].speed == {"a": 1500.0 * RPM}
     assert full.scenarios["driven"].drive["a"].speed == Constant(1500.0 * RPM)
     assert full.scenarios["driven"].speed == {}
-    assert full.oil.temperature == 353.15
-    assert full.oil.dynamic_viscosity < model.oil.dynamic_viscosity
+    assert oil_of(full).temperature == 353.15
+    assert oil_of(full).dynamic_viscosity < oil_of(model).dynamic_viscosity
 
 
 def test_a_power_is_divided_by_the_speed_of_the_body_of_its_load():

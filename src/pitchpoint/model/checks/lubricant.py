@@ -7,10 +7,10 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.contact.film_damping import squeeze_rate
-from pitchpoint.contact.lubricant import LIGHTEST
+from pitchpoint.contact.lubricant import LIGHTEST, squeeze_rate
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import Place
+from pitchpoint.model.load_cases import oil_of
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.reader import Reader
 
@@ -53,8 +53,7 @@ def check_lubricant(parts: Parts, report: Reader) -> None:
 
 def settle_oil_films(parts: Parts, report: Reader) -> None:
     """Compute the damping of oil films without a given rate from the viscosity of the lubricant."""
-    oil = parts.lubricant
-    case = parts.load_cases.get(parts.load_case or "")
+    oil = oil_of(parts)
     for name, mesh in parts.meshes.items():
         contact: Any = mesh.contact
         film = getattr(contact, "oil", None)
@@ -68,7 +67,7 @@ def settle_oil_films(parts: Parts, report: Reader) -> None:
                 remedy="give rate, or lubricant: {grade: ISO VG 220, temperature: 60 degC}",
             )
         elif name in parts.pairs:
-            viscosity = oil.at(None if case is None else case.temperature).dynamic_viscosity
+            viscosity = oil.dynamic_viscosity
             pair = parts.pairs[name]
             length = pair.b_w / contact.planes / math.cos(pair.gear1.beta_b)
             rate = squeeze_rate(viscosity, pitch_radius(pair), film.thickness, length)

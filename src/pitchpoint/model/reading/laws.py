@@ -162,9 +162,8 @@ def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return data
     if isinstance(data, str) and data in reader.materials:
         reader.used.add(material_source(data))
-        return reader.materials[data].named(data)
-    if data in reader.bad_materials:
-        return reader.taint(path)
+        own = reader.materials[data]
+        return reader.taint(path) if own is None else own.named(data)
     known = [*reader.materials, *sorted(materials.LIBRARY)]
     return reader.problem(
         path,
@@ -200,5 +199,4 @@ def note_materials(reader: Reader, found: Mapping[str, OwnMaterial], names: Iter
 
     for name in [name for name in found if name in LIBRARY]:
         reader.problem((MATERIALS, name), "is a material of the library", remedy="choose another name")
-    reader.materials = found
-    reader.bad_materials = {str(name) for name in names} - set(found)
+    reader.materials = {**{str(name): None for name in names}, **found}

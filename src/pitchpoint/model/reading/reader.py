@@ -33,7 +33,6 @@ from pitchpoint.model.show import dotted, entries, example, shown
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
-    from pitchpoint.model.components.own_material import OwnMaterial
 
 MANY = 1000
 """Length of lists from which the limit is not stated."""
@@ -59,10 +58,8 @@ class Reader:
         Data of the component that is being read, for values that depend on other keys.
     aliases
         Paths in the file of components that represent others: SECTION, NAME or that with one or two keys.
-    parameters, unreadable
-        Values of the parameters by name, and the names of those without value.
-    materials, bad_materials
-        Materials of the model by name, and the names of those that cannot be read.
+    parameters, unreadable, materials
+        Parameters by name, names of those without value; materials by name, None if unreadable.
     used
         Parameters and materials in the value that is being read.
     sources
@@ -81,8 +78,7 @@ class Reader:
     parameters: Mapping[str, Amount] = field(default_factory=dict)
     unreadable: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
-    materials: Mapping[str, OwnMaterial] = field(default_factory=dict)
-    bad_materials: set[str] = field(default_factory=set)
+    materials: Mapping[str, Any] = field(default_factory=dict)
     sources: dict[Place, Source] = field(default_factory=dict)
     bare: list[Bare] = field(default_factory=list)
 
