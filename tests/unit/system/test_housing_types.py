@@ -11,6 +11,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.structure import beam_line
+from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
@@ -315,3 +316,49 @@ def test_own_housings_are_kept():
     model = loads_model(text)
     assert model.bearings["right"].housing == "ground"
     assert model.bearings["left"].housing == "housing"
+
+
+# --- misalignment -------------------------------------------------------------------------------------------
+PAIR = """\
+gears:
+  g1: {number_of_teeth: 20, normal_module: 4 mm, face_width: 14 mm, profile_shift_coefficient: 0}
+  g2: {number_of_teeth: 30, normal_module: 4 mm, face_width: 14 mm, profile_shift_coefficient: 0}
+bodies:
+  a: {gears: [g1], motion: free, position: [0, 0, 0]}
+  b: {gears: [g2], motion: free}
+meshes:
+  m: {gears: [g1, g2], direction: 0 deg, contact: {level: rigid, planes: 7}}
+bearings:
+  a1: {body: a, position: [0, 0, -50 mm], stiffness: {radial: 4e8, axial: 1e8}}
+  a2: {body: a, position: [0, 0, 50 mm], stiffness: {radial: 4e8, axial: 1e8}}
+  b1: {body: b, position: [0, 0, -50 mm], stiffness: {radial: 4e8, axial: 1e8}}
+  b2: {body: b, position: [0, 0, 50 mm], stiffness: {radial: 4e8, axial: 1e8}}
+loads:
+  drive: {body: a, torque: 40 N m}
+  brake: {body: b, torque: balance}
+"""
+
+
+def test_a_housing_of_unequal_seats_misaligns_the_mesh(tmp_path):
+    """Shaft and seats tilt by (F_2/k_2 - F_1/k_1)/l with the forces of the bearings; k_2 = 3 k_1.
+
+    The forces are unequal, because the tilted teeth shift their resultant from the middle of the face width.
+    """
+    seats, bearing, span = {"1": 1e8, "2": 3e8}, 4e8, 0.1
+    rows = [[k, k, 1e8, 1e5, 1e5, 1e5] for k in seats.values()]
+    np.savetxt(tmp_path / "K.csv", np.diag([*rows[0], *rows[1]] * 2), delimiter=",")
+    housing = "housing: {type: stiffness_matrix, stiffness_file: K.csv, nodes: [a1, a2, b1, b2]}\n"
+    mean = {}
+    for name, text in (("ground", PAIR), ("housing", PAIR + housing)):
+        model = of_file(tmp_path, text)
+        data = solve_contacts_on_shafts(model, positions=4).meshes["m"]
+        mean[name] = float(np.abs(data["misalignment"]).mean())
+    found = solve_equilibrium(compile_model(model))
+    tilts = []
+    for body in "ab":
+        force = {n: float(found[f"bearing_force[{body}{n}.radial]"]) for n in seats}
+        ends = {n: force[n] * (1.0 / bearing + 1.0 / k) for n, k in seats.items()}
+        tilts.append((ends["1"] - ends["2"]) / span)
+    assert min(tilts) > 1e-5
+    assert mean["ground"] < 1e-3 * sum(tilts)
+    assert mean["housing"] == pytest.approx(sum(tilts), rel=0.01)
