@@ -229,10 +229,11 @@ def operation_of(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, 
 
 def speed_of_load_case(model: Model, mesh: str) -> float | None:
     """Speed of gear 1 in the load case in effect [rad/s]; None without one, or at rest."""
+    from pitchpoint.model.load_cases import speeds_in_effect
     from pitchpoint.model.scenario import Scenario
 
-    case = model.load_cases.get(model.load_case or "")
+    speeds = speeds_in_effect(model)
     body = model.body_of(model.meshes[mesh].gears[0])
-    if case is None or not case.speed or body is None:
+    if not speeds or body is None:
         return None
-    return model.start_speeds(Scenario(speed=case.speed))[body] or None
+    return model.start_speeds(Scenario(speed=speeds))[body] or None

@@ -158,3 +158,9 @@ def oil_of(machine: Any) -> Lubricant | None:
     oil: Lubricant | None = machine.lubricant
     case = machine.load_cases.get(machine.load_case or "")
     return oil if oil is None or case is None else oil.at(case.temperature)
+
+
+def speeds_in_effect(machine: Any) -> dict[str, float]:
+    """Speeds by body of the load case in effect [rad/s]; empty without one."""
+    case = machine.load_cases.get(machine.load_case or "")
+    return {} if case is None else dict(case.speed)
