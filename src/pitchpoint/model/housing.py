@@ -59,6 +59,14 @@ def bearings_in(machine: Any) -> dict[str, tuple[str, Any]]:
     }
 
 
+def node_bodies(machine: Any) -> tuple[str, ...]:
+    """Names of the bodies that only represent the nodes of a housing matrix."""
+    held = machine.housing
+    if not isinstance(held, HousingMatrix):
+        return ()
+    return tuple(name for node in held.nodes if (name := seat_name(node)) in machine.bodies)
+
+
 # --- representation -----------------------------------------------------------------------------------------
 def add_housing(parts: Parts, report: Reader) -> None:
     """Check the housing and add its bodies, joints and bushings."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.model.components.housing import HousingBody, HousingMatrix, RigidHousing
-from pitchpoint.model.housing import bearings_in, seat_name
+from pitchpoint.model.housing import bearings_in, node_bodies, seat_name
 from pitchpoint.report.load_cases import load_case_facts, lubricant_facts
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def housing_facts(model: Model) -> dict[str, Any]:
     hidden: list[str] = []
     if isinstance(held, HousingMatrix):
         words, seats = _of_matrix(model, held)
-        hidden = [seat_name(node) for node in held.nodes if seat_name(node) in model.bodies]
+        hidden = [*node_bodies(model)]
     elif isinstance(held, HousingBody):
         kind = "elastic body" if held.body in model.elastic_bodies else "body"
         words = f"{kind} {held.body}"

@@ -11,6 +11,9 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.structure import beam_line
+from pitchpoint.report.housing import gearbox_facts
+from pitchpoint.report.masses import masses
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
@@ -362,3 +365,16 @@ def test_a_housing_of_unequal_seats_misaligns_the_mesh(tmp_path):
     assert min(tilts) > 1e-5
     assert mean["ground"] < 1e-3 * sum(tilts)
     assert mean["housing"] == pytest.approx(sum(tilts), rel=0.01)
+
+
+def test_nodes_of_a_matrix_have_one_frame_and_are_no_parts(tmp_path):
+    """The scene shows one frame of the housing; masses and bodies of `check` are those of real parts."""
+    text = "housing: {type: stiffness_matrix, stiffness_file: K.csv, nodes: [left, right]}\n"
+    np.savetxt(tmp_path / "K.csv", np.diag([1e8, 1e8, 1e8, 1e5, 1e5, 1e5] * 2), delimiter=",")
+    model = of_file(tmp_path, BEAM + text)
+    names = [solid.name for solid in scene_of(model).solids]
+    assert "housing (frame)" in names
+    assert not [name for name in names if name.startswith("housing-")]
+    assert [entry["name"] for entry in masses(model)] == ["rotor"]
+    seats = gearbox_facts(model)["housing"]["seats"]
+    assert seats["left"] == {"seat": "housing-left", "stiffness": pytest.approx([1e8] * 3)}

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.components.housing import HousingMatrix
 from pitchpoint.model.frames import GROUND, joint_axes, joint_place, split
+from pitchpoint.model.housing import node_bodies
 from pitchpoint.model.rings import ring_bodies, rings_of
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
@@ -183,8 +183,7 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
 def _frame_of(model: Model, end: str) -> str:
     """Body with whose frame a bearing is drawn; the nodes of a housing matrix have one frame on ground."""
     body = split(end)[0]
-    node = isinstance(model.housing, HousingMatrix) and body in model.bodies
-    return GROUND if node and model.bodies[body].of_housing else body
+    return GROUND if body in node_bodies(model) else body
 
 
 def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) -> SceneSolid:
