@@ -252,6 +252,13 @@ DIMENSIONS: dict[str, Dimension] = {
 def zero_of(unit: str, dimension: str) -> float:
     """Zero of a scale of temperature in SI units; 0 for other units.
 
+    Parameters
+    ----------
+    unit
+        Symbol of a unit.
+    dimension
+        Name of a row of `DIMENSIONS`.
+
     Examples
     --------
     >>> zero_of("degC", "temperature"), zero_of("K", "temperature")
