@@ -8,7 +8,6 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.reference import reference_page
-from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import gear, pair
 
@@ -108,21 +107,3 @@ def test_places_that_came_by_a_coupling_are_told_at_the_mesh(position: str, mesh
         loads_model(text)
     problems = [p for p in caught.value.problems if p.where == where]
     assert "(couplings.c locates two at motor)" in str(problems[0].remedy)
-
-
-@pytest.mark.parametrize(
-    ("more", "alone"),
-    [
-        ("", True),
-        ("loads:\n  p: {body: idle, torque: 1 N m}\n", True),
-        ("bearings:\n  b: {body: idle, stiffness: {radial: 1e8}}\n", False),
-        ("bushings:\n  b: {ends: [ground, idle], stiffness: {radial: 1e8}}\n", False),
-        ("couplings:\n  c: {bodies: [two, idle], stiffness: {torsion: 1e4}}\n", False),
-        ("joints:\n  j: {type: fixed, bodies: [one, idle]}\n", False),
-    ],
-)
-def test_a_shaft_that_nothing_connects_is_reported(more: str, alone: bool) -> None:
-    text = pair(gear("a"), gear("b"), "", BODIES.format(motion="torsion", place="[90 mm, 0, 1]"))
-    text += "shafts:\n  idle: {sections: [{length: 100 mm, diameter: 20 mm}], position: [0, 1, 0]}\n" + more
-    found = [m for m in remarks_of_file(loads_model(text)) if m.where == "shafts.idle"]
-    assert [m.text.partition(":")[0] for m in found] == ["is connected to nothing"] * alone

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.frames import GROUND, split
-from pitchpoint.model.keys import keys_of
 from pitchpoint.model.rings import ring_bodies
-from pitchpoint.model.sections import groups_of
 from pitchpoint.model.tilt_supports import without_tilt_support
 
 if TYPE_CHECKING:
@@ -75,26 +73,6 @@ def idle_supports(model: Model) -> Iterator[Message]:
                 f"couplings.{name}",
                 f"has no effect and no force at any load: it acts in no direction in which "
                 f"{' or '.join(coupling.bodies)} moves",
-            )
-
-
-def unconnected_shafts(model: Model) -> Iterator[Message]:
-    """Shafts without bearing, mesh, coupling, joint or any other element."""
-    touched = {model.body_of(gear) for mesh in model.every_mesh.values() for gear in mesh.gears}
-    for group in groups_of(model):
-        for part in getattr(model, group).values():
-            for key, description in keys_of(type(part)).items():
-                given = getattr(part, key)
-                if given is None or group in ("loads", "unbalances", "sensors"):
-                    continue
-                if description.names == "bodies" or description.kind in ("end", "ends"):
-                    touched |= {split(end)[0] for end in ([given] if isinstance(given, str) else given)}
-    for name in model.shafts:
-        if name not in touched:
-            yield remark(
-                f"shafts.{name}",
-                "is connected to nothing: it has neither bearing nor mesh, coupling or joint",
-                "add them, or remove the shaft",
             )
 
 
