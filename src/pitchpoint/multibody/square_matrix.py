@@ -86,7 +86,10 @@ def _text(file: Path) -> Array:
                 remedy = "write numbers with a decimal point, one row per line"
                 raise refuse(file, "is not a row of numbers", number, remedy) from None
             if len(rows[-1]) != len(rows[0]):
-                raise refuse(file, f"has {len(rows[-1])} numbers, the first row {len(rows[0])}", number)
+                remedy = "give every row the same length"
+                raise refuse(
+                    file, f"has {len(rows[-1])} numbers, the first row {len(rows[0])}", number, remedy
+                )
             if len(rows) > LARGEST or len(rows[0]) > LARGEST:
                 raise refuse(file, f"has more than {LARGEST} rows or columns", number)
     return np.array(rows, dtype=float)
