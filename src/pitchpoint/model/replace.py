@@ -160,7 +160,7 @@ def replace_at(
         return part
     keys = keys_of(type(part))
     report.within = vars(part)
-    if name == TYPE and name not in keys and hasattr(part, "form"):
+    if name == TYPE and name not in keys and (hasattr(part, "form") or hasattr(part, TYPE)):
         remedy = f"replace the whole mapping {'.'.join(at)}"
         report.problem(here, "determines the other keys and cannot change alone", remedy=remedy)
         return part

@@ -339,3 +339,5 @@ def test_written_models_have_the_housing_once(tmp_path):
     assert again.bearings == model.bearings
     assert model.replace("housing", None).bearings["left"].housing is None
     assert model.replace_all({"bearings.left.housing": "ground", "housing.nodes": ["right"]})
+    with pytest.raises(ModelError, match=r"housing.type: determines the other keys and cannot change alone"):
+        model.replace("housing.type", "rigid")
