@@ -14,7 +14,7 @@ from pitchpoint.model.keys import positive, quantity
 class OwnMaterial(Component):
     """Properties of an isotropic elastic material."""
 
-    youngs_modulus: float = positive("pressure", "modulus of elasticity E")
+    youngs_modulus: float = positive("pressure", "modulus E")
     poisson_ratio: float = quantity(
         "dimensionless",
         "ratio of transverse to axial strain",
