@@ -21,7 +21,7 @@ from pitchpoint.model.housing import place_nodes
 from pitchpoint.model.lines_of_centres import by_couplings, line_up
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.planetary_stages import orient_pins, place_planets
+from pitchpoint.model.planet_places import orient_pins, place_planets, settle_angles
 from pitchpoint.model.profile_shifts import determine_shifts, usable
 from pitchpoint.model.reading.reader import Reader
 
@@ -31,6 +31,7 @@ def resolve(parts: Parts, report: Reader) -> None:
     _check_hands(parts, report)
     determine_shifts(parts, report)
     _pairs(parts, report)
+    settle_angles(parts, report)
     orient(parts)
     orient_pins(parts)
     settle_twists(parts, report)

@@ -124,13 +124,14 @@ def _summary(flow: Mapping[str, Any]) -> str:
         if torque is None or abs(torque) <= ZERO * largest:
             continue
         power = row["power"]
-        words = f"{row['name']} ({shown(torque, 'torque', 5)})"
+        size = f"({shown(torque, 'torque', 5)})"
+        words = f"{row['name']} {size}"
         if not flow["turns"]:
             sides["from"].append(words)
         elif power:
             sides["from" if power > 0.0 else "to"].append(words)
         else:
-            sides["held by"].append(words)
+            sides["held by"].append(f"{row['name'].removesuffix(', held')} {size}")
     parts = [f"{word} {ranges(sides[word])}" for word in sides if sides[word]]
     size = "at rest" if not flow["turns"] else shown(flow["power_in"], "power", 5)
     if flow["turns"] and flow["power_in"] is None:

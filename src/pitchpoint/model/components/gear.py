@@ -161,6 +161,9 @@ class Gear(Component):
     )
     stage: str | None = derived()
     """Planetary stage that contains the gear, if any."""
+    aligned: tuple[str, float] | None = derived()
+    """Gear on the same body that determines its orientation, and the angle from a tooth of it to one of this
+    gear, at their mid-faces [rad]; None if its meshes do."""
     x: float | None = derived()
     """Effective profile shift coefficient: as given, or from the centre distance."""
 
