@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import choice, key, quantities, text
+from pitchpoint.model.keys import choice, derived, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,3 +51,5 @@ class Load(Component):
         None,
         display="ground",
     )
+    given: Any = derived()
+    """The load as given, if it has the values of a load case."""
