@@ -18,6 +18,7 @@ from benchmarks import (
     flank_contact,
     gearbox,
     mechanisms,
+    rexs,
     scene,
     shovel,
     two_inertia,
@@ -53,6 +54,7 @@ def main() -> None:
         ("shovel gearbox", shovel.rows),
         ("wind-turbine drive train, planetary set in all directions", wind.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
+        ("gearbox from REXS", rexs.rows),
         ("command line", command_line.rows),
         ("scene in a browser", scene.rows),
     ):

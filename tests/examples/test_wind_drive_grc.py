@@ -17,7 +17,6 @@ import pytest
 
 import pitchpoint
 from pitchpoint.report.frequencies import frequencies_of, turning_speeds
-from pitchpoint.report.planets import stages_of_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "wind-drive-grc"
 RATIOS = (1 + Fraction(99, 21), Fraction(82, 23), Fraction(88, 22))
@@ -81,8 +80,10 @@ def test_mesh_and_planet_pass_frequencies(model):
 
 def test_all_planets_are_in_phase(model):
     """21 and 99 are multiples of three: every harmonic of the mesh excites rotational modes only."""
-    for row in stages_of_model(model)["stage_1"]["planets"].values():
-        assert (row["phase_sun"] % 1.0, row["phase_ring"] % 1.0) == pytest.approx((0.0, 0.0), abs=1e-9)
+    (carrier,) = found(model)["planet_sets"].values()
+    for gear in ("sun", "ring"):
+        assert list(carrier["central"][gear]["phases"].values()) == pytest.approx([0.0] * 3, abs=1e-9)
+        assert carrier["central"][gear]["excites"] == ["rotational"] * 3
 
 
 def test_orders_of_the_high_speed_bearings(whole):
