@@ -24,7 +24,7 @@ TOTAL = RATIOS[0] * RATIOS[1] * RATIOS[2]
 ROTOR = 22.09 * math.pi / 30.0
 
 
-@pytest.fixture(scope="module", params=["torsion", "model"])
+@pytest.fixture(scope="module", params=["torsion", "linear_bearings", "model"])
 def model(request):
     return pitchpoint.load_model(FOLDER / f"{request.param}.yaml")
 
@@ -45,7 +45,7 @@ def found(model):
 
 
 def test_the_speeds_are_exact(model):
-    """Products of tooth counts, for both models: 22.09 rpm and 1800.129 rpm, to rounding."""
+    """Products of tooth counts, for all models: 22.09 rpm and 1800.129 rpm, to rounding."""
     shafts = found(model)["shafts"]
     assert [round(float(r), 6) for r in (*RATIOS, TOTAL)] == [5.714286, 3.565217, 4.0, 81.490683]
     by_hand = {
