@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
+    from pitchpoint.sweep.study.run import run_study
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import planet_loads
 
@@ -129,6 +130,7 @@ __all__ = [
     "read_measured",
     "reduce_system",
     "run_cases",
+    "run_study",
     "solve_campbell",
     "solve_contact",
     "solve_contacts_on_shafts",
@@ -218,6 +220,7 @@ _HOMES = {
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
+    "sweep.study.run": ("run_study",),
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
 }
