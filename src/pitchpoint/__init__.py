@@ -70,7 +70,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
-    from pitchpoint.sweep.study.run import run_study
+    from pitchpoint.sweep.study.run_study import run_study
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import planet_loads
 
@@ -220,7 +220,7 @@ _HOMES = {
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
-    "sweep.study.run": ("run_study",),
+    "sweep.study.run_study": ("run_study",),
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
 }

@@ -60,10 +60,11 @@ def study(
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.study_output import forecast_words, remarks, show_factors
+    from pitchpoint.cli.study_output import forecast_words, show_factors
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.io.yaml_plan import load_study
     from pitchpoint.sweep.study.check import check_study
+    from pitchpoint.sweep.study.remarks import remarks
     from pitchpoint.sweep.study.run import model_path, planned, remaining
 
     plan = load_study(file, allow_code)

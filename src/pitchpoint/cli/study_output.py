@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.cli.output import NOTHING, show, show_notes, table
 
 if TYPE_CHECKING:
-    from pitchpoint.analysis.sensitivity import Indices
-    from pitchpoint.analysis.study_statistics import Estimate
-    from pitchpoint.analysis.study_summary import ResultSummary, StudySummary
+    from pitchpoint.analysis.study.sensitivity import Indices
+    from pitchpoint.analysis.study.statistics import Estimate
+    from pitchpoint.analysis.study.summary import ResultSummary, StudySummary
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.sweep.study.check import Study
     from pitchpoint.sweep.study.design import StudyCase
@@ -26,31 +26,6 @@ DIGITS = 4
 def title_of(study: Study) -> str:
     """Title of a study: that of the plan, or of its model, or the name of its file."""
     return study.plan.title or study.model.title or str(study.plan.file)
-
-
-def remarks(study: Study) -> list[str]:
-    """Remarks on the sampling of a plan."""
-    from pitchpoint.model.study_plan import INDICES, LATIN, SOBOL
-    from pitchpoint.sweep.study.factors import Number
-
-    plan, found = study.plan, []
-    n = plan.samples
-    if plan.sampling == SOBOL and n & (n - 1):
-        power = 1 << n.bit_length()
-        found.append(
-            f"samples: {n} is not a power of two: the points of the Sobol' sequence are not balanced; write "
-            f"{power // 2} or {power}"
-        )
-    if plan.sensitivity == INDICES and n < 64:
-        found.append(f"samples: Sobol' indices from {n} points have wide intervals; use 256 or more")
-    if plan.sampling == LATIN and n < 2 * len(study.factors) + 3:
-        found.append(f"samples: {n} are few for a regression over {len(study.factors)} factors")
-    for factor in study.factors:
-        if isinstance(factor, Number) and not math.isnan(factor.nominal):
-            mean, deviation = float(factor.distribution.mean()), float(factor.distribution.std())
-            if abs(mean - factor.nominal) > 3.0 * deviation:
-                found.append(f"factors.{factor.name}: the number of the model is far from the distribution")
-    return found
 
 
 def show_factors(study: Study) -> None:
@@ -172,7 +147,7 @@ def _spread_row(one: ResultSummary, limited: bool) -> list[str]:
     """Row of a result in the table of spreads."""
     import numpy as np
 
-    from pitchpoint.analysis.study_statistics import QUANTILES
+    from pitchpoint.analysis.study.statistics import QUANTILES
     from pitchpoint.viz.quantities import number, scale
 
     spread = one.spread
@@ -220,7 +195,7 @@ def _sensitivity_cells(indices: Indices, percent: bool = True) -> list[str]:
 
 def as_data(found: StudySummary) -> dict[str, Any]:
     """Statistics and sensitivities for `--json`, in SI units."""
-    from pitchpoint.analysis.study_statistics import QUANTILES
+    from pitchpoint.analysis.study.statistics import QUANTILES
 
     def plain(estimate: Estimate | None) -> Any:
         """Estimate as value and limits."""

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.analysis.study_statistics import QUANTILES, Estimate
-from pitchpoint.analysis.study_summary import ResultSummary, StudySummary
+from pitchpoint.analysis.study.statistics import QUANTILES, Estimate
+from pitchpoint.analysis.study.summary import ResultSummary, StudySummary
 from pitchpoint.viz.quantities import number
 from pitchpoint.viz.report.page import Section, page
 from pitchpoint.viz.study_plots import (

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.analysis.sensitivity import Indices, sobol_indices
-from pitchpoint.analysis.study_summary import FactorSample, ResultSummary, StudySummary
+from pitchpoint.analysis.study.sensitivity import Indices, sobol_indices
+from pitchpoint.analysis.study.summary import FactorSample, ResultSummary, StudySummary
 from pitchpoint.viz import theme
 from pitchpoint.viz.quantities import Array, Scale, channel_scale, scale
 

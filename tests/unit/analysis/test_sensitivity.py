@@ -8,8 +8,8 @@ import pytest
 from scipy import stats
 from scipy.stats import qmc
 
-from pitchpoint.analysis.sensitivity import Array, regression, sobol_indices
-from pitchpoint.analysis.study_statistics import QUANTILES, share_with_interval, spread_of
+from pitchpoint.analysis.study.sensitivity import Array, regression, sobol_indices
+from pitchpoint.analysis.study.statistics import QUANTILES, share_with_interval, spread_of
 
 
 def ishigami(x: Array) -> Array:

@@ -15,7 +15,7 @@ from pitchpoint.core.units import natural_quantity
 from pitchpoint.geometry.flank_tolerances import single_pitch_tolerance
 from pitchpoint.model.keys import BAD, Place
 from pitchpoint.model.model import Model
-from pitchpoint.model.numbers import amount_at, key_at, number_at
+from pitchpoint.model.numbers import amount_at, has_path, key_at, number_at
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import limit_text, shown
 from pitchpoint.model.study_plan import Levels, PitchDeviations, Varied
@@ -77,12 +77,12 @@ def _at(name: str, factor: Varied, path: str) -> Place:
 def _no_number(name: str, factor: Varied, path: str, model: Model, report: Reader) -> None:
     """Report a path without a number, with the problem of the model if it does not exist."""
     at = _at(name, factor, path)
-    try:
-        model.replace_all({path: 1.0})
-    except ModelError as error:
-        missing = [p for p in error.problems if path.startswith(p.where)]
-        if missing:
-            report.problem(at, f"{missing[0].where} {missing[0].text}", value=path, remedy=missing[0].remedy)
+    if not has_path(model, path):
+        try:
+            model.replace_all({path: 1.0})
+        except ModelError as error:
+            first = error.problems[0]
+            report.problem(at, f"{first.where} {first.text}", remedy=first.remedy)
             return
     remedy = "name a key with one number, which the model gives"
     report.problem(at, "is not a number of the model", value=path, remedy=remedy)

@@ -74,7 +74,7 @@ class Choice:
     written
         Values as written.
     amounts
-        Their numbers in SI; None if any of them is not a number: then their index stands for them.
+        Their numbers in SI; None if any of them is not a number: then their index represents them.
     weights
         Probability of each value.
     nominal

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.analysis.sensitivity import Indices
-from pitchpoint.analysis.study_statistics import QUANTILES
-from pitchpoint.analysis.study_summary import FactorSample, ResultSample, StudySummary, summary_of
+from pitchpoint.analysis.study.sensitivity import Indices
+from pitchpoint.analysis.study.statistics import QUANTILES
+from pitchpoint.analysis.study.summary import FactorSample, ResultSample, StudySummary, summary_of
 from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import INTERRUPTED, OK, sentence
 from pitchpoint.model.study_plan import INDICES

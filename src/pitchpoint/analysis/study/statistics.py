@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pitchpoint.analysis.bootstrap import Array, limits, resampled_means
+from pitchpoint.analysis.study.bootstrap import Array, limits, resampled_means
 
 QUANTILES = (0.01, 0.05, 0.5, 0.95, 0.99)
 """Probabilities of the quantiles."""
@@ -60,7 +60,7 @@ def spread_of(values: Array, confidence: float = 0.95) -> Spread:
     Parameters
     ----------
     values
-        Sample; values that are not finite are omitted.
+        Sample, shape (n,); values that are not finite are omitted.
     confidence
         Level of the intervals.
 

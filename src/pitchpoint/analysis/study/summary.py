@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.bootstrap import Array
-from pitchpoint.analysis.sensitivity import Indices, Regression, regression, sobol_indices
-from pitchpoint.analysis.study_statistics import Estimate, Spread, share_with_interval, spread_of
+from pitchpoint.analysis.study.bootstrap import Array
+from pitchpoint.analysis.study.sensitivity import Indices, Regression, regression, sobol_indices
+from pitchpoint.analysis.study.statistics import Estimate, Spread, share_with_interval, spread_of
 
 POOR = 0.7
 """Share of the variance explained by the regression below which its coefficients do not describe a result."""
@@ -43,7 +43,7 @@ class FactorSample:
 
     @property
     def columns(self) -> Array:
-        """Values for a regression: the numbers, or indicators of all labels except the first, (n, k)."""
+        """Values for a regression: numbers, shape (n,), or indicators of labels 2 to k, shape (n, k - 1)."""
         if not self.labels:
             return self.values
         return np.asarray(self.values[:, None] == np.arange(1, len(self.labels)), np.float64)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.bootstrap import Array, limits, resampled_means
+from pitchpoint.analysis.study.bootstrap import Array, limits, resampled_means
 
 LEAST = 1e-12
 """Variance relative to the square of the largest value below which a result is constant."""
