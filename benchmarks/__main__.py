@@ -12,7 +12,17 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import command_line, dataset, flank_contact, gearbox, mechanisms, scene, shovel, two_inertia
+from benchmarks import (
+    command_line,
+    dataset,
+    flank_contact,
+    gearbox,
+    mechanisms,
+    scene,
+    shovel,
+    study,
+    two_inertia,
+)
 from benchmarks.rows import Row
 
 
@@ -42,6 +52,7 @@ def main() -> None:
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
+        ("tolerance study of a two-stage gearbox", study.rows),
         ("command line", command_line.rows),
         ("scene in a browser", scene.rows),
     ):

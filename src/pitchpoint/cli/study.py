@@ -124,7 +124,7 @@ def compute(
             nonlocal done, failed
             known[key] = record
             done += 1
-            failed += record["status"] != OK
+            failed += record["status"] not in (OK, INTERRUPTED)
             progress(done, len(todo), f"{failed} failed" if failed else "")
 
         try:

@@ -187,7 +187,8 @@ def _sensitivity_cells(indices: Indices, percent: bool = True) -> list[str]:
         if not math.isfinite(value):
             cells.append(NOTHING)
         elif percent:
-            cells.append(f"{100.0 * value + 0.0:.0f} % ({100.0 * low + 0.0:.0f} to {100.0 * high + 0.0:.0f})")
+            whole = [round(100.0 * x) for x in (value, low, high)]
+            cells.append(f"{whole[0]} % ({whole[1]} to {whole[2]})")
         else:
             cells.append(f"{value:.2f} ({low:.2f} to {high:.2f})")
     return cells

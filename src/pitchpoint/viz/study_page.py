@@ -57,31 +57,35 @@ def study_page(summary: StudySummary, title: str, options: Mapping[str, Any], ve
         ("seed", str(options["seed"])),
         ("confidence level", f"{100.0 * summary.confidence:g} %"),
     ]
-    sections = [_overview(summary), _factors(summary)]
-    sections += [_result(summary, one, k) for k, one in enumerate(summary.results)]
+    sections = [_overview(summary), _factors(summary), *result_sections(summary)]
     footer = f"pitchpoint {version}. Intervals are those of independent random samples."
     return page(title, facts, sections, footer, summary.notes)
+
+
+def result_sections(summary: StudySummary) -> list[Section]:
+    """One section with the pictures of each result."""
+    return [_result(summary, one, k) for k, one in enumerate(summary.results)]
 
 
 def _overview(summary: StudySummary) -> Section:
     """Spread of all results."""
     section = Section("spread", "Spread of the results")
     limited = any(one.within is not None for one in summary.results)
-    shown = [p for p in QUANTILES if p != 0.5]
-    head = ["result", "without changes", "mean", "standard deviation", "median"]
-    head += [f"{100.0 * p:g} % quantile" for p in shown] + ["minimum", "maximum"]
-    body = []
+    head = ["result", "without changes", "mean", "standard deviation", "minimum", "maximum"]
+    body, quantiles = [], []
     for one in summary.results:
         s = one.spread
         unit = result_scale(one)
         cells = [unit.title(one.sample.name), _number(one.sample.nominal * unit.factor)]
-        cells += [_estimate(e, unit.factor) for e in (s.mean, s.deviation, s.quantiles[QUANTILES.index(0.5)])]
-        cells += [_estimate(s.quantiles[QUANTILES.index(p)], unit.factor) for p in shown]
+        cells += [_estimate(e, unit.factor) for e in (s.mean, s.deviation)]
         cells += [_number(s.minimum * unit.factor), _number(s.maximum * unit.factor)]
         if limited:
             cells.append(_estimate(one.within, 100.0) if one.within is not None else NOTHING)
         body.append(_row(cells))
+        quantiles.append(_row([cells[0], *(_estimate(q, unit.factor) for q in s.quantiles)]))
     section.add(plain_table([*head, *(["within limits [%]"] if limited else [])], body, words=1))
+    section.add("<h3>Quantiles</h3>")
+    section.add(plain_table(["result", *(f"{100.0 * p:g} %" for p in QUANTILES)], quantiles, words=1))
     section.add("<p>In brackets: limits of the confidence intervals.</p>")
     return section
 
@@ -94,12 +98,11 @@ def _factors(summary: StudySummary) -> Section:
         unit = factor_scale(factor)
         values = factor.values[summary.counted]
         if factor.labels:
-            cells = [factor.name, factor.words, NOTHING, NOTHING, ", ".join(factor.labels), ""]
+            cells = [factor.name, factor.words, NOTHING, NOTHING, NOTHING, ", ".join(factor.labels)]
         else:
             sizes = (factor.nominal, float(values.mean()), float(values.std(ddof=1)))
             ends = " to ".join(_number(float(x) * unit.factor) for x in (values.min(), values.max()))
             cells = [unit.title(factor.name), factor.words, *(_number(x * unit.factor) for x in sizes), ends]
-            cells = [*cells[:5], cells[5]]
         body.append(_row(cells, words=2))
     head = ["factor", "varies", "without changes", "mean", "standard deviation", "values"]
     section.add(plain_table(head, body, words=2))
@@ -169,10 +172,9 @@ def _sentence(summary: StudySummary, one: ResultSummary) -> str:
 def _row(cells: Sequence[str], words: int = 1) -> str:
     """Row of a table."""
     html = [f'<th scope="row">{escape(cells[0])}</th>']
-    html += [
-        f"<td{'' if k < words else ' class=num'}>{escape(cell)}</td>"
-        for k, cell in enumerate(cells[1:], start=1)
-    ]
+    for k, cell in enumerate(cells[1:], start=1):
+        text = escape(cell).replace("\n", "<br>")
+        html.append(f"<td{'' if k < words else ' class=num'}>{text}</td>")
     return f"<tr>{''.join(html)}</tr>"
 
 
@@ -185,4 +187,4 @@ def _estimate(estimate: Estimate, factor: float) -> str:
     value, low, high = (factor * x for x in (estimate.value, estimate.low, estimate.high))
     if not math.isfinite(value):
         return NOTHING
-    return f"{_number(value)} ({_number(low)} to {_number(high)})"
+    return f"{_number(value)}\n({_number(low)} to {_number(high)})"

@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import pitchpoint as pp
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.results import open_result
 from tests.support.cli_files import json_of
@@ -63,6 +64,8 @@ def test_a_whole_study_and_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
         assert data["result[frequency]"].attrs["units"] == "Hz"
         assert float(data["mean"].sel(result="frequency")) == pytest.approx(np.mean(found))
         assert data["variance_share"].dims == ("result", "factor")
+        assert len(pp.plot(data, "sensitivities[damping]").data) == 1
+        assert pp.plot(data).data[0].type == "bar"  # the distribution of the first result
     assert (out / "study.html").read_text("utf-8").startswith("<!DOCTYPE html>")
     before = {
         p: p.read_bytes() for p in out.rglob("*") if p.is_file() and p.suffix != ".h5"
@@ -122,6 +125,10 @@ def test_shards_and_levels(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     part = json_of(["study", plan, "-o", str(out), "--shard", "1/2"], capsys)
     assert "results" not in part and len(rows(out, "index-1-of-2.csv")) == 8
     whole = json_of(["study", plan, "-o", str(out)], capsys)
+    names = TWIST.replace("[10 N m, 20 N m, 25 N m]", "[10 N m, 20 N m, 10 N m + 15 N m]")
+    labels = pp.run_study(written(tmp_path / "labels", names, SERIES), jobs=1)
+    assert set(labels["factor[outer]"].values) == {"10 N m", "20 N m", "10 N m + 15 N m"}
+    assert pp.plot(labels, "over_factors[twist]").layout.xaxis2.ticktext[0] == "10 N m"
     assert whole["known"] == 9 and whole["finished"] == 16
     assert {r["outer [N m]"] for r in rows(out)} == {"10.0", "20.0", "25.0"}
     assert whole["results"]["twist"]["determination"] == pytest.approx(1.0, abs=1e-6)

@@ -100,9 +100,10 @@ def study_dataset(
     -------
     xarray.Dataset
         `factor[NAME]`, `result[NAME]`, `status` and `group` (of Sobol' indices) over `case`; `nominal`,
-        `mean`, `standard_deviation`, `share_within_limits` over `result`, `quantile` over `result` and
-        `probability`, sensitivities over `result` and `factor`, all in SI units, each with `_low` and `_high`
-        of its confidence interval. `unit` over `result` has their units. The attributes contain the notes.
+        limits, `mean`, `standard_deviation`, `share_within_limits` over `result`, `quantile` over `result`
+        and `probability`, sensitivities over `result` and `factor`, all in SI units, estimates with `_low`
+        and `_high` of the confidence interval. `unit` over `result` has the units. The attributes contain
+        the notes.
     """
     import xarray as xr
 
@@ -172,6 +173,9 @@ def statistics_tables(summary: StudySummary) -> dict[str, Any]:
             put(name + end, dims, _parts(estimates, part), words + ("" if not end else f", limit {part}"))
 
     results = summary.results
+    put("factor_nominal", "factor", [f.nominal for f in summary.factors], "value without changes")
+    put("lower_limit", "result", [one.sample.low for one in results], "smallest permitted value")
+    put("upper_limit", "result", [one.sample.high for one in results], "largest permitted value")
     put("nominal", "result", [one.sample.nominal for one in results], "value of the model without changes")
     put_estimates("mean", "result", [one.spread.mean for one in results], "mean")
     put_estimates(
