@@ -27,12 +27,14 @@ def study_summary(data: xr.Dataset) -> StudySummary:
     factors = []
     for name, nominal in zip(data["factor"].values, data["factor_nominal"].values, strict=True):
         one = data[f"factor[{name}]"]
-        values, labels = one.values, ()
-        if values.dtype.kind not in "fiu":
-            labels, values = np.unique(values.astype(str), return_inverse=True)
+        labels: tuple[str, ...] = ()
+        numbers = one.values
+        if numbers.dtype.kind not in "fiu":
+            known, numbers = np.unique(numbers.astype(str), return_inverse=True)
+            labels = tuple(map(str, known))
         words, unit = str(one.attrs.get("long_name", "")), str(one.attrs.get("units", ""))
-        numbers = np.asarray(values, np.float64)
-        factors.append(FactorSample(str(name), words, unit, numbers, tuple(map(str, labels)), float(nominal)))
+        values = np.asarray(numbers, np.float64)
+        factors.append(FactorSample(str(name), words, unit, values, labels, float(nominal)))
     results = [
         ResultSample(
             str(name),
