@@ -381,9 +381,8 @@ def test_backlash_of_the_tolerance_study_follows_its_factors():
 @outside_polynomial
 def test_a_case_of_the_tolerance_study_hammers():
     study = study_of("tolerance-study.yaml")
-    short = study.model.replace("scenarios.engine.duration", 0.06).replace(
-        "scenarios.engine.settle_time", 0.03
-    )
+    window = {"scenarios.engine.duration": 0.06, "scenarios.engine.settle_time": 0.03}
+    short = study.model.replace_all(window)
     record = evaluated(dataclasses.replace(study, model=short), cases_of(study)[0])
     assert record["status"] == OK
     values = values_of(study, record)

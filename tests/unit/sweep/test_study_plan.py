@@ -226,6 +226,7 @@ results:
             "there is no factor 'g'",
         ),
         ("{type: pitch_deviations, gears: [g1], deviation: 1 um}", "", "there is no cylindrical gear 'g1'"),
+        ("{type: normal, path: loads.outer, deviation: 1}", "", "loads.outer is not a number of the model"),
     ],
 )
 def test_bad_factors(tmp_path: Path, entry: str, more: str, words: str) -> None:
@@ -258,3 +259,17 @@ def test_backlash_that_does_not_follow_the_centre_distance_is_a_remark(tmp_path:
     assert given[0].startswith("samples (line 4): 12 is not a power of two") and "write 8 or 16" in given[0]
     assert "not its backlash: it is given; remove backlash" in given[1]
     assert len(follows) == 1
+
+
+def test_whole_numbers_have_levels(tmp_path: Path) -> None:
+    text = (
+        "model: model.yaml\nevaluate: equilibrium\nsamples: 8\nfactors:\n"
+        "  z: {type: normal, path: gears.g1.number_of_teeth, deviation: 1}\n"
+        "results:\n  force: {channel: 'mesh_force[stage]'}\n"
+    )
+    (found,) = problems(tmp_path, text, TORSIONAL_PAIR)
+    assert found.startswith(
+        "factors.z.path (line 5): gears.g1.number_of_teeth is a whole number of the model; write"
+    )
+    levels = text.replace("normal,", "levels,").replace("deviation: 1", "values: [49, 50]")
+    assert len(cases_of(study_of(tmp_path, levels, TORSIONAL_PAIR))) == 8

@@ -195,11 +195,15 @@ def _notes(summary: StudySummary) -> tuple[str, ...]:
             notes.append(
                 f"{one.sample.name}: {absent} finished cases have no such number and are not counted"
             )
-        linear = one.linear
-        if linear is not None and linear.determination < POOR:
-            notes.append(
-                f"{one.sample.name}: the regression explains {100.0 * linear.determination:.0f} % of the "
-                "variance, so that its shares and coefficients are incomplete; sensitivity: sobol_indices "
-                "includes curvature and interactions"
-            )
+    poor = [
+        f"{one.sample.name} {100.0 * one.linear.determination:.0f} %"
+        for one in summary.results
+        if one.linear is not None and one.linear.determination < POOR
+    ]
+    if poor:
+        notes.append(
+            f"the regression explains only a part of the variance ({', '.join(poor)}): results are curved, "
+            "factors interact, or the response is chaotic; sensitivity: sobol_indices includes curvature and "
+            "interactions"
+        )
     return tuple(notes)

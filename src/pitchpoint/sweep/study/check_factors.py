@@ -42,7 +42,13 @@ def made_factor(name: str, factor: Any, model: Model, report: Reader) -> Any:
     units: dict[str, str] = {}
     for path in factor.every_path:
         found = number_at(model, path)
-        if found is None and not free:
+        key = key_at(model, path)
+        if key is not None and key.kind == "integer" and not isinstance(factor, Levels):
+            remedy = "write type: levels with whole values"
+            report.problem(
+                _at(name, factor, path), "is a whole number of the model", value=path, remedy=remedy
+            )
+        elif found is None and not free:
             _no_number(name, factor, path, model, report)
         elif found is not None:
             numbers[path], units[path] = found
