@@ -20,6 +20,10 @@ LEAST = 1e-3
 """Least participation of a listed critical speed whose response is below `LARGE`."""
 LARGE = 1.0
 """Response of the machine from which a critical speed is listed: the vibration exceeds its excitation."""
+MOVES = 0.01
+"""Least relative change of a critical speed per relative change of a stiffness or mass that is listed."""
+STEP = 0.1
+"""Relative change of stiffness or mass for which outputs state the change of the critical speed."""
 NO_CRITICAL_SPEED = f"none with a response of {LARGE:g} or a participation of {100.0 * LEAST:g} %"
 """What an empty list means, for outputs."""
 
@@ -47,6 +51,10 @@ class RankedSpeed:
         Distance from the operating speed over its nearest end; NaN without operating speed.
     sidebands
         Lowest and highest speed at which sidebands of the mesh order cross the mode [rad/s]; NaN if none do.
+    moved_by
+        What moves the critical speed most: `stiffness of mesh stage`, `mass of rotor` (with its moments of
+        inertia), and the relative change of the speed per relative change of it; the largest first. Empty in
+        files without it.
     """
 
     index: int
@@ -62,6 +70,7 @@ class RankedSpeed:
     response: float
     separation: float
     sidebands: tuple[float, float]
+    moved_by: tuple[tuple[str, float], ...] = ()
 
 
 def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpeed, ...]:
@@ -121,9 +130,23 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
                 response=float(response[k]),
                 separation=float(apart[k]),
                 sidebands=(min(bands), max(bands)) if bands else (np.nan, np.nan),
+                moved_by=_moved_by(diagram, k),
             )
         )
     return tuple(found)
+
+
+def _moved_by(diagram: xr.Dataset, k: int) -> tuple[tuple[str, float], ...]:
+    """Components and parts whose stiffness or mass moves crossing k, the largest change first."""
+    found = []
+    for words, name, over in (
+        ("stiffness of", "crossing_stiffness_sensitivity", "component"),
+        ("mass of", "crossing_inertia_sensitivity", "part"),
+    ):
+        if name in diagram:
+            values = zip(_texts(diagram, over), diagram[name].values[k].tolist(), strict=True)
+            found += [(f"{words} {label}", value) for label, value in values if abs(value) >= MOVES]
+    return tuple(sorted(found, key=lambda each: -abs(each[1])))
 
 
 @dataclass(frozen=True)

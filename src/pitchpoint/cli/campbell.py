@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.campbell_output import mode_rows, print_summary, rows_of, unstable_rows
 from pitchpoint.cli.options import common, model_file, output, state, writes
-from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
+from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.ranges import modes_of, quantities
 from pitchpoint.cli.settings import set_option
 
@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-
-SHOWN = 20
-"""Number of critical speeds in the table."""
 
 
 def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> str | None:
@@ -110,7 +107,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     if as_json:
         emit_json(summary)
     elif error is None and not (quiet and files["output"] is not None):
-        _print(f"{model.title or file}: critical speeds", summary, quiet=quiet)
+        print_summary(f"{model.title or file}: critical speeds", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 
 
@@ -168,53 +165,6 @@ def compute(
     return summary, None
 
 
-def rows_of(data: xr.Dataset) -> list[dict[str, Any]]:
-    """Critical speeds of `campbell --json`, in order of rank."""
-    from dataclasses import asdict
-
-    from pitchpoint.analysis.campbell_ranking import ranked_speeds
-
-    rows = []
-    for row in map(asdict, ranked_speeds(data)):
-        row["sidebands"] = None if math.isnan(row["sidebands"][0]) else list(row["sidebands"])
-        rows.append(row)
-    return rows
-
-
-def unstable_rows(data: xr.Dataset) -> list[dict[str, Any]]:
-    """Unstable modes of `campbell --json`, lowest damping first."""
-    from dataclasses import asdict
-
-    from pitchpoint.analysis.campbell_ranking import unstable_ranges
-
-    return [asdict(row) for row in unstable_ranges(data)]
-
-
-def mode_rows(data: xr.Dataset) -> list[dict[str, Any]]:
-    """Modes of `campbell --json`: values at the ends of the speeds, energies at the highest speed."""
-    last = data.isel(speed=-1)
-    return [
-        {
-            "mode": int(number),
-            "name": str(data["name"].values[k]),
-            "frequency": [float(data["frequency"].values[s, k]) for s in (0, -1)],
-            "damping_ratio": [float(data["damping_ratio"].values[s, k]) for s in (0, -1)],
-            "whirl_index": float(last["whirl_index"].values[k]),
-            "strain_share": dict(
-                zip(last["component"].values.tolist(), last["strain_share"].values[k].tolist(), strict=True)
-            ),
-            "kinetic_share": dict(
-                zip(
-                    last["part"].values.tolist(),
-                    last["kinetic_share"].values[k].sum(axis=1).tolist(),
-                    strict=True,
-                )
-            ),
-        }
-        for k, number in enumerate(data["mode"].values)
-    ]
-
-
 def _write(
     model: Model,
     file: str,
@@ -246,15 +196,21 @@ def csv_of(data: xr.Dataset) -> str:
     from pitchpoint.io.target import ANALYSIS_MARK
 
     names = dict(zip(data["mode"].values.tolist(), map(str, data["name"].values), strict=True))
-    columns = [str(name) for name in data.data_vars if str(name).startswith("crossing_")]
-    heads = [f"{c.removeprefix('crossing_')}{_unit(data[c].attrs.get('units', ''))}" for c in columns]
+    columns: dict[str, Any] = {}
+    for key, found in data.data_vars.items():
+        name = f"{str(key).removeprefix('crossing_')}{_unit(found.attrs.get('units', ''))}"
+        if found.dims == ("crossing",):
+            columns[name] = found.values
+        elif found.dims[:1] == ("crossing",):  # sensitivities by component or part
+            labels = data[found.dims[1]].values
+            columns |= {f'"{name}, {label}"': found.values[:, k] for k, label in enumerate(labels)}
     lines = [
         ANALYSIS_MARK.rstrip("\n"),
         f"# {data.attrs['ranking']}",
-        ",".join(["rank", *heads, "mode name"]),
+        ",".join(["rank", *columns, "mode name"]),
     ]
     for k, rank in enumerate(data["crossing"].values):
-        cells = [_cell(data[c].values[k]) for c in columns]
+        cells = [_cell(values[k]) for values in columns.values()]
         lines.append(",".join([str(rank), *cells, f'"{names[int(data["crossing_mode"].values[k])]}"']))
     return "\n".join(lines) + "\n"
 
@@ -266,107 +222,3 @@ def _unit(unit: str) -> str:
 def _cell(value: Any) -> str:
     """Cell of a CSV table."""
     return f'"{value}"' if isinstance(value, str) else f"{float(value):.9g}"
-
-
-def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
-    """Print critical speeds and modes."""
-    from pitchpoint.analysis.campbell_ranking import NO_CRITICAL_SPEED
-
-    apart = summary["operating_speed"] is not None
-    cells = [
-        [
-            str(rank),
-            _rpm(row["speed"]),
-            shown(row["frequency"], "frequency", 5),
-            f"{100.0 * row['damping_ratio']:.3g} %",
-            row["order"],
-            row["mode"],
-            f"{row['source']} {100.0 * row['participation']:.3g} %",
-            _amplification(row),
-            f"{row['response']:.4g}",
-            *([_separation(row["separation"])] if apart else []),
-            NOTHING if row["sidebands"] is None else "–".join(f"{_number(s)}" for s in row["sidebands"]),
-        ]
-        for rank, row in enumerate(summary["critical_speeds"][:SHOWN], start=1)
-    ]
-    heads = ["rank", f"speed of {summary['body']}", "frequency", "damping", "order", "mode", "driven by"]
-    heads += ["amplification", "response", *(["separation"] if apart else []), "sidebands [rpm]"]
-    if cells:
-        table(title, heads, cells)
-    else:
-        show(f"{title}: {NO_CRITICAL_SPEED} in this range of speeds and frequencies")
-    _print_unstable(summary)
-    if quiet:
-        return
-    more = len(summary["critical_speeds"]) - len(cells)
-    show(f"{summary['ranking']}" + (f"; {more} more: --table, --json or -o contain all" if more > 0 else ""))
-    low, high = (_rpm(speed) for speed in summary["speeds"])
-    rows = [
-        [
-            str(row["mode"]),
-            row["name"],
-            *(shown(f, "frequency", 5) for f in row["frequency"]),
-            f"{100.0 * row['damping_ratio'][1]:.3g} %",
-            largest(row["strain_share"]),
-            largest(row["kinetic_share"]),
-        ]
-        for row in summary["modes"]
-        if max(row["frequency"]) > 0.0
-    ]
-    heads = ["no.", "mode", f"at {low}", f"at {high}", "damping", "strain energy", "kinetic energy"]
-    table("Modes", heads, rows, keys=2)
-    show(f"damping and energies at {high}")
-    show_notes(summary["notes"])
-    if summary["output"] is not None:
-        show(f"written to {summary['output']}")
-
-
-def _print_unstable(summary: dict[str, Any]) -> None:
-    """Print unstable modes, if there are any."""
-    rows = [
-        [
-            row["mode"],
-            f"{_number(row['low'])}–{_rpm(row['high'])}",
-            f"{100.0 * row['damping_ratio']:.3g} %",
-            row["source"] or NOTHING,
-        ]
-        for row in summary["unstable_modes"]
-    ]
-    if rows:
-        table("Unstable modes", ["mode", f"speed of {summary['body']}", "lowest damping", "driven by"], rows)
-
-
-def _amplification(row: dict[str, Any]) -> str:
-    """Amplification of a critical speed in words."""
-    if math.isfinite(row["amplification"]):
-        return f"{row['amplification']:.4g}"
-    return "unstable" if row["damping_ratio"] < 0.0 else "∞"
-
-
-def largest(shares: dict[str, float], count: int = 2, least: float = 0.1) -> str:
-    """Largest shares of an energy in words.
-
-    Examples
-    --------
-    >>> largest({"mesh stage": 0.2, "shaft rotor": 0.75, "bearing a": 0.05})
-    'shaft rotor 75 %, mesh stage 20 %'
-    """
-    order = sorted(shares.items(), key=lambda item: -item[1])[:count]
-    words = [
-        f"{name} {100.0 * share:.0f} %"
-        for k, (name, share) in enumerate(order)
-        if share >= least or (k == 0 and share > 0.0)
-    ]
-    return ", ".join(words) or NOTHING
-
-
-def _number(speed: float) -> str:
-    return f"{speed * 30.0 / math.pi:.5g}"
-
-
-def _rpm(speed: float) -> str:
-    return f"{_number(speed)} rpm"
-
-
-def _separation(share: float) -> str:
-    return "in range" if share == 0.0 else f"{round(100.0 * share, 1) + 0.0:+.1f} %"

@@ -3,26 +3,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import common, model_file
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.check_tables import FORCES, show_check
+from pitchpoint.cli.options import common, model_file, writes
+from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.settings import set_option
 from pitchpoint.cli.stations import beam_stations, shaft_stations
-from pitchpoint.model.sections import GROUPS
-from pitchpoint.model.signals import SECTIONS as SIGNALS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-DETAILED = (
-    *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
-)
-"""Sections that are not shown by the names of their components alone."""
-FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 FREEDOMS = {
     "torsion": ("spin",),
     "planar": ("x", "y", "spin"),
@@ -39,10 +33,22 @@ FREEDOMS = {
     is_flag=True,
     help="Compute the torques of loads with torque: balance for every scenario.",
 )
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario of the power flow; default: all.")
+@writes("--drawing", help="Draw the gearbox in section and along its axes (svg, html, png).")
 @set_option
 @common
-def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) -> int:
-    """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.
+def check(
+    file: str,
+    solve: bool,
+    scenario: str | None,
+    drawing: str | None,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
+) -> int:
+    """Check FILE; show its power flow, bodies, meshes, bearings, loads, scenarios and defaults.
+
+    The power flow is that of constant speed without losses, from ratios and balance; nothing is solved.
 
     If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
@@ -60,17 +66,53 @@ def check(file: str, solve: bool, as_json: bool, allow_code: bool, quiet: bool) 
     messages = named(remarks, settings, model.lines) if settings else remarks
     for message in messages:
         say(f"warning: {message}")
-    found = summary(model)
+    target = None if drawing is None else _target(drawing, file)
+    found = {"power_flow": _powers(model, scenario), **summary(model)}
+    if target is not None:
+        _draw(model, found["power_flow"], target)
     torques = solved(model, quiet=quiet) if solve else {}
     if torques:
         found["balance"]["scenarios"] = torques
     if as_json:
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        _print(model, file, found, len(messages))
+        show_check(model, file, found, len(messages), drawing)
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
+
+
+def _target(drawing: str, file: str) -> Path:
+    """File of the drawing, checked before the model is evaluated."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.io.target import OutputError
+    from pitchpoint.report.drawing_file import check_drawing
+
+    try:
+        return check_drawing(drawing, [file])
+    except OutputError:
+        raise
+    except PitchpointError as error:
+        raise click.BadParameter(str(error), param_hint="--drawing") from None
+
+
+def _draw(model: Model, flows: dict[str, Any], target: Path) -> None:
+    """Write the drawing of the gearbox."""
+    from pitchpoint.report.drawing_file import write_drawing
+    from pitchpoint.report.section.build import gearbox_drawing
+
+    drawn = gearbox_drawing(model, flows)
+    if drawn is None:
+        raise click.BadParameter("the file has no gears or shafts on bodies to draw", param_hint="--drawing")
+    write_drawing(target, drawn)
+
+
+def _powers(model: Model, scenario: str | None) -> dict[str, Any]:
+    """Power flow of one scenario or of all."""
+    from pitchpoint.cli.results import known_scenario
+    from pitchpoint.report.static_power import static_powers
+
+    return static_powers(model, None if scenario is None else known_scenario(model, scenario))
 
 
 def summary(model: Model) -> dict[str, Any]:
@@ -207,190 +249,3 @@ def _mobility(model: Model) -> dict[str, int]:
     count, mobility = freedoms(model.mechanism, model, others)
     more = 6 * sum(len(places) - 1 for places in model.stations.values())
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}
-
-
-def _modes(found: dict[str, Any]) -> str:
-    """Elastic bodies, whose number of modes is known only after compilation."""
-    return f" without the modes of {', '.join(found['elastic_bodies'])}" if found["elastic_bodies"] else ""
-
-
-def _show_joints(found: dict[str, Any]) -> None:
-    """Print tree, loops and number of degrees of freedom."""
-    rows = [
-        [
-            name,
-            joint["type"],
-            " - ".join(joint["bodies"]),
-            f"carries {joint['carries']} on {joint['on']}" + (" (reversed)" if joint["turned_round"] else "")
-            if joint["carries"]
-            else f"closes a loop: {joint['constraints']} constraints",
-            ", ".join(c.rsplit(".", 1)[1] for c in joint["coordinates"]),
-        ]
-        for name, joint in found["joints"].items()
-    ]
-    if rows:
-        table("Joints", ["joint", "type", "bodies", "in the tree", "coordinates"], rows)
-    for group in ("rods", "ratios"):
-        if found[group]:
-            show(f"{group}: {', '.join(found[group])}")
-    count = found["mobility"]
-    if count["constraints"]:
-        show(
-            f"{count['coordinates']} coordinates{_modes(found)} - {count['constraints']} constraints = "
-            f"{count['by_count']} degrees of freedom by count; redundant constraints, which assembly "
-            "detects, leave more"
-        )
-
-
-def _direction(axis: list[float]) -> str:
-    """Direction in words: an axis of the world, or its components.
-
-    Examples
-    --------
-    >>> _direction([0.0, 0.0, 1.0]), _direction([-1.0, 0.0, 0.0]), _direction([0.99619, 0.0, 0.08716])
-    ('z', '-x', '0.99619, 0, 0.08716')
-    """
-    k = max(range(3), key=lambda i: abs(axis[i]))
-    if abs(axis[k]) > 1.0 - 1e-12:
-        return ("-" if axis[k] < 0.0 else "") + "xyz"[k]
-    return ", ".join(f"{round(c, 6) + 0.0:.6g}" for c in axis)
-
-
-def _print(model: Model, file: str, found: dict[str, Any], warnings: int) -> None:
-    """Print the data as tables, after the number of warnings."""
-    from pitchpoint.cli.balance import show_balance
-    from pitchpoint.cli.mass import show_masses, show_shaft_masses
-    from pitchpoint.report.parameters import HEAD, parameter_lines
-
-    passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
-    show(f"{file}: {passed}" + (f" – {model.title}" if model.title else ""))
-    if found["included"]:
-        show(f"included files: {', '.join(found['included'])}")
-    if model.parameters:
-        table("Parameters", HEAD, parameter_lines(model))
-    _show_bodies(found)
-    show_shaft_masses(found["shaft_masses"])
-    if found["masses"]:
-        show_masses("Masses from several sources", found["masses"])
-    for name, frequencies in found["elastic_frequencies"].items():
-        listed = ", ".join(f"{f:.4g}" for f in frequencies)
-        show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
-    rows = [
-        [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
-        for stations in found["shafts"].values()
-        for name, station in stations.items()
-    ]
-    if rows:
-        table("Stations of shafts", ["station", "position [mm]", "attached"], rows)
-    rows = [
-        [
-            name,
-            f"{round(1e3 * station['place'], 9):.6g}",
-            ", ".join(f"{round(1e3 * x, 9) + 0.0:.6g}" for x in station["world"] or ()),
-            ", ".join(station["there"]),
-        ]
-        for stations in found["beam_stations"].values()
-        for name, station in stations.items()
-    ]
-    if rows:
-        table("Stations of beams", ["station", "from first end [mm]", "in the world [mm]", "attached"], rows)
-    _show_joints(found)
-    _show_meshes(found)
-    if found["planetary_stages"]:
-        from pitchpoint.cli.planets import show_stages
-
-        show_stages(found["planetary_stages"])
-    for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
-        if found[group] and group != "rolling_bearings":
-            show(f"{group}: {', '.join(found[group])}")
-    if found["balance"]:
-        show_balance(found["balance"])
-    if model.rolling_bearings:
-        _show_bearings(model)
-    if found["signals"]:
-        table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
-    if found["scenarios"]:
-        show("scenarios: " + ", ".join(f"{name} ({kind})" for name, kind in found["scenarios"].items()))
-    assumed = found["defaults"]
-    if assumed:
-        rows = [[entry["key"], entry["value"]] for entry in assumed]
-        table("Defaults in effect", ["key", "value"], rows)
-
-
-def _show_bearings(model: Model) -> None:
-    """Print the data of rolling bearings, given or estimated."""
-    from pitchpoint.report.bearing_data import HEAD, bearing_lines
-
-    rows, notes = bearing_lines(model)
-    table("Rolling bearings", list(HEAD), rows)
-    for note in notes:
-        show(note)
-
-
-def _show_bodies(found: dict[str, Any]) -> None:
-    upright = all(body["axis"] == [0.0, 0.0, 1.0] for body in found["bodies"].values())
-    rows = [
-        [
-            name,
-            ", ".join(body["gears"]),
-            *([] if upright else [_direction(body["axis"])]),
-            ", ".join(body["degrees_of_freedom"]) or "fixed",
-            ", ".join(f"{round(1e3 * c, 9) + 0.0:.6g}" for c in body["origin"]) if body["origin"] else "",
-            shown(body["mass"], "mass", 5),
-            shown(body["polar_inertia"], "inertia", 5) if name not in found["elastic_bodies"] else "",
-        ]
-        for name, body in found["bodies"].items()
-    ]
-    if rows:
-        n = found["degrees_of_freedom"]
-        table(
-            f"Bodies: {n} degrees of freedom",
-            [
-                "body",
-                "gears",
-                *([] if upright else ["axis"]),
-                "moves in",
-                "origin [mm]",
-                "mass",
-                "polar inertia",
-            ],
-            rows,
-        )
-
-
-def _show_meshes(found: dict[str, Any]) -> None:
-    rows = [
-        [
-            name,
-            " / ".join(mesh["gears"]),
-            shown(mesh["center_distance"], "length"),
-            shown(mesh["direction"], "angle"),
-            shown(mesh["face_width"], "length"),
-            mesh["stiffness"],
-        ]
-        for name, mesh in found["meshes"].items()
-    ]
-    if rows:
-        table("Meshes", ["mesh", "gears", "centre distance", "direction", "common width", "stiffness"], rows)
-    lengths = ("cone_distance", "face_width", "backlash")
-    rows = [
-        [
-            name,
-            " / ".join(mesh["gears"]),
-            shown(mesh["shaft_angle"], "angle"),
-            *(shown(mesh[key], "length") for key in lengths),
-            mesh["stiffness"],
-        ]
-        for name, mesh in found["bevel_meshes"].items()
-    ]
-    if rows:
-        heads = [
-            "mesh",
-            "gears",
-            "shaft angle",
-            "mean cone distance",
-            "common width",
-            "backlash",
-            "stiffness",
-        ]
-        table("Bevel meshes", heads, rows)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.campbell import largest
+from pitchpoint.cli.campbell_output import largest
 from pitchpoint.cli.options import common, model_file, output, state, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option

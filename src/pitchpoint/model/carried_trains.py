@@ -78,8 +78,8 @@ def carried_speeds(
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
-    rows = [row for link in links if (row := _relation(parts, place, link)).any()]
-    free = _null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
+    rows = [row for link in links if (row := relation(parts, place, link)).any()]
+    free = null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
     taken: list[str] = []
     wrong = []
     y = np.zeros(free.shape[1])
@@ -125,9 +125,9 @@ def speed_in_space(
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
-    row = _in_space(parts, place, body, about)
+    row = spin_row(parts, place, body, about)
     if against is not None:
-        row = row - _in_space(parts, place, against, about or body)
+        row = row - spin_row(parts, place, against, about or body)
     values = np.array([spins.get(name, 0.0) for name in turning])
     found, terms = float(row @ values), float(np.abs(row) @ np.abs(values))
     return 0.0 if abs(found) <= ROUNDING * values.size * terms else found
@@ -144,10 +144,19 @@ def _movers(parts: Parts, body: str) -> list[str]:
     return found
 
 
-def _in_space(parts: Parts, place: Mapping[str, int], body: str, about: str | None = None) -> Array:
-    """Coefficients of the absolute speed of a body over all spins, about its own axis or that of `about`.
+def spin_row(parts: Parts, place: Mapping[str, int], body: str, about: str | None = None) -> Array:
+    """Factors of the absolute speed of a body over all spins, about its own axis or that of `about`.
 
     Rotation about a non-parallel axis does not rotate one gear relative to another: it moves both.
+
+    Parameters
+    ----------
+    parts
+        A model or the parts of one.
+    place
+        Number of every spin, by body.
+    body, about
+        The body, and the body whose axis is used.
     """
     found = np.zeros(len(place))
     sense = 1.0 if about is None else _sense(parts, body, about)
@@ -170,8 +179,21 @@ def _sense(parts: Parts, one: str, two: str) -> float:
     return float(np.sign(along)) if abs(abs(along) - 1.0) < SAME else 0.0
 
 
-def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
-    """Row over the spins, zero by a mesh, a coupling or a ratio."""
+def relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
+    """Factors over the spins whose sum is zero by a mesh, a coupling or a ratio.
+
+    By virtual work the same factors times a torque are the torques of the link on all spins: the torque
+    itself acts on the second body.
+
+    Parameters
+    ----------
+    parts
+        A model or the parts of one.
+    place
+        Number of every spin, by body.
+    link
+        The link.
+    """
     where, one, two, ratio = link
     if where[0] == "ratios":  # relation between relative spins
         row = np.zeros(len(place))
@@ -179,17 +201,26 @@ def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
             if body in place:
                 row[place[body]] += factor
         return row
-    w_1, w_2 = (_in_space(parts, place, body) for body in (one, two))
+    w_1, w_2 = (spin_row(parts, place, body) for body in (one, two))
     base = np.zeros(len(place))
     if where[0] == "meshes":
-        base = _in_space(parts, place, line_carrier(parts, one, two), about=one)
+        base = spin_row(parts, place, line_carrier(parts, one, two), about=one)
     if where[0] == "bevel_meshes":  # the gears rotate about different axes
         carrier = line_carrier(parts, one, two)
-        w_1, w_2 = (w - _in_space(parts, place, carrier, about=b) for w, b in ((w_1, one), (w_2, two)))
+        w_1, w_2 = (w - spin_row(parts, place, carrier, about=b) for w, b in ((w_1, one), (w_2, two)))
     return np.asarray((w_2 - base) - ratio * (w_1 - base))
 
 
-def _null_space(rows: Array, n: int) -> Array:
+def null_space(rows: Array, n: int) -> Array:
+    """Orthonormal speeds that satisfy all relations, shape (n, freedoms).
+
+    Parameters
+    ----------
+    rows
+        Relations between the speeds.
+    n
+        Number of speeds.
+    """
     if not len(rows):
         return np.eye(n)
     _, sizes, basis = np.linalg.svd(rows / np.linalg.norm(rows, axis=1, keepdims=True))

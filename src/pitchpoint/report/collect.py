@@ -31,6 +31,7 @@ from pitchpoint.viz.report.build import (
     TimeRun,
 )
 from pitchpoint.viz.report.contact import ContactData, contact_result
+from pitchpoint.viz.report.gearbox import GearboxData
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,6 +43,8 @@ SOURCES = (
     "Mesh stiffness: DIN 3990-1:1987 and ISO 6336-1:2006, method B.",
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
+MAX_FLOWS = 3
+"""Largest number of power flows at constant speed in a report."""
 RESPONSES = ("frequency_response", "mesh_response")
 """Kinds of results in the section of the frequency responses."""
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
@@ -75,7 +78,19 @@ def describe(model: Model) -> ReportModel:
         parameters=parameter_lines(model),
         assumptions=assumptions_of(model),
         sources=_sources(model),
+        gearbox=_gearbox(model),
     )
+
+
+def _gearbox(model: Model) -> GearboxData:
+    """Drawing in section and power flow at constant speed."""
+    from pitchpoint.report.power_tables import flow_texts
+    from pitchpoint.report.section.build import gearbox_drawing
+    from pitchpoint.report.static_power import static_powers
+
+    flows = static_powers(model)
+    texts = [flow for flow in flow_texts(flows) if flow.tables]
+    return GearboxData(drawing=gearbox_drawing(model, flows) or "", flows=texts[:MAX_FLOWS])
 
 
 def _sources(model: Model) -> tuple[str, ...]:

@@ -61,7 +61,7 @@ def check_picture(
         what = "has no extension of a picture" if len(formats) > 1 else "is a page of several plots"
         raise PitchpointError(f"{target.name} {what}; use {', '.join(formats)}")
     if kind != ".html":
-        _browser(kind)
+        browser_program(kind)
     return target
 
 
@@ -112,7 +112,7 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
     """
     from playwright.sync_api import Error, sync_playwright
 
-    program = _browser(kind)
+    program = browser_program(kind)
     height = int(figure.layout.height or 480)
     options = {
         "format": kind.removeprefix("."),
@@ -138,8 +138,19 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
     return base64.b64decode(body) if head.endswith("base64") else unquote_to_bytes(body)
 
 
-def _browser(kind: str) -> str:
-    """Program of the browser."""
+def browser_program(kind: str) -> str:
+    """Program of the browser.
+
+    Parameters
+    ----------
+    kind
+        Extension of the picture that requires it.
+
+    Raises
+    ------
+    PitchpointError
+        If the browser or its driver is missing.
+    """
     program = next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None or importlib.util.find_spec("playwright") is None:
         raise PitchpointError(

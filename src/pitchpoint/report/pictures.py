@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
+    from pitchpoint.model.model import Model
+
+GEARBOX = "gearbox"
 Figures = Mapping[str, "go.Figure"]
 WORDS = {"cases": "table of cases", "modes": "list of modes"}
 """Kinds of results in messages, where they are not the kind itself."""
@@ -34,9 +37,10 @@ def plot(thing: Any, name: str = "") -> go.Figure | Picture:
         order map or time–frequency map; a mesh cycle; a gear, a pair, a model.
     name
         Which picture; default the main one, for a time response its main channels. A kind without owner
-        gives the first of that kind. Results of time: a quantity (`mesh_force`), a channel
-        (`bearing_force[left.fx]`), `spectrum`, `order_spectrum`, `order_map` or `time_frequency`, also of one
-        channel (`order_map[mesh_force[stage]]`). An unknown name lists all others in the message.
+        gives the first of that kind. A model: `gearbox`, in section. Results of time: a quantity
+        (`mesh_force`), a channel (`bearing_force[left.fx]`), `spectrum`, `order_spectrum`, `order_map` or
+        `time_frequency`, also of one channel (`order_map[mesh_force[stage]]`). An unknown name lists all
+        others in the message.
 
     Returns
     -------
@@ -48,6 +52,8 @@ def plot(thing: Any, name: str = "") -> go.Figure | Picture:
     PitchpointError
         If there is no such picture, or none of such an object.
     """
+    if name == GEARBOX and hasattr(thing, "every_mesh"):
+        return _gearbox(thing)
     for (module, word), function in notebook.SHOWN.items():
         if (type(thing).__module__, type(thing).__name__) == (module, word):
             return Picture(getattr(notebook, function)(thing))
@@ -59,6 +65,17 @@ def plot(thing: Any, name: str = "") -> go.Figure | Picture:
             f"{type(thing).__name__}: no picture available; pass a result, a gear, a pair or a model"
         )
     return pick(figures, name, type(thing).__name__)
+
+
+def _gearbox(model: Model) -> Picture:
+    """Gearbox of a model in section, with the power flow of its first scenario."""
+    from pitchpoint.report.section.build import gearbox_drawing
+    from pitchpoint.report.static_power import static_powers
+
+    drawing = gearbox_drawing(model, static_powers(model))
+    if drawing is None:
+        raise PitchpointError("the model has no gears or shafts on bodies to draw")
+    return Picture(drawing)
 
 
 def _of_result(data: xr.Dataset, name: str) -> go.Figure:

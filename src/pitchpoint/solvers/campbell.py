@@ -37,7 +37,7 @@ from pitchpoint.solvers.mode_energies import (
     energies_of,
     gyroscopic_terms,
     motions_of,
-    senses_of,
+    spins_of,
     whirl_index,
     whirl_words,
 )
@@ -140,20 +140,20 @@ def follow_modes(
     at_rest = modes.modes.shapes[:n]
     values, shapes = _branches(modes, omega, at_rest, symmetric(parts.M), progress)
     motions = motions_of(own, linear.state, parts)
-    senses = senses_of(motions, rates)
+    spins = spins_of(motions, rates)
     energies = tuple(
         energies_of(
             motions,
             z,
             np.where(modes.modes.omega[:n] == 0.0, 0.0, v),
             gyroscopic_terms(z, modes.at(s).D),
-            np.sign(s) * senses,
+            s * spins,
         )
         for s, v, z in zip(omega, values, shapes, strict=True)
     )
     words = tuple(tuple(whirl_words(e)) for e in energies)
     rest = energies_of(
-        motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), np.zeros(n), 0.0 * senses
+        motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), 0.0 * at_rest, 0.0 * spins
     )
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
     turning = [row for s, row in zip(omega, words, strict=True) if s != 0.0]

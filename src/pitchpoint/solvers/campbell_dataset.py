@@ -88,7 +88,8 @@ def solve_campbell(
 
     Over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
     (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
-    crossing_amplification, crossing_response, and crossing_separation with `operating`.
+    crossing_amplification, crossing_response, crossing_stiffness_sensitivity (also over `component`) and
+    crossing_inertia_sensitivity (over `part`), and crossing_separation with `operating`.
 
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
@@ -119,7 +120,7 @@ def campbell_dataset(
     began = time.perf_counter() if began is None else began
     listed = excitation_orders(system, found.motions, found.rates, orders, more_orders)
     critical, unstable = critical_speeds(found, listed), unstable_modes(found)
-    data = _of_modes(found) | _of_orders(found, listed) | _of_crossings(critical, operating)
+    data = _of_modes(found) | _of_orders(found, listed) | _of_crossings(found, critical, operating)
     data |= _of_unstable(unstable)
     coords = {
         "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {found.body}"}),
@@ -225,7 +226,9 @@ def _of_unstable(listed: Sequence[UnstableMode]) -> Rows:
     }
 
 
-def _of_crossings(critical: Sequence[CriticalSpeed], operating: tuple[float, float] | None) -> Rows:
+def _of_crossings(
+    found: Campbell, critical: Sequence[CriticalSpeed], operating: tuple[float, float] | None
+) -> Rows:
     """Variables over the critical speeds."""
     one = "crossing"
     speed = np.array([c.speed for c in critical])
@@ -245,6 +248,14 @@ def _of_crossings(critical: Sequence[CriticalSpeed], operating: tuple[float, flo
         ("response", "response of the machine at resonance"),
     ):
         rows[f"crossing_{name}"] = (one, np.array([getattr(c, name) for c in critical]), "1", text)
+    groups = found.motions.groups
+    for name, over, count in (
+        ("stiffness", "component", len(groups.components)),
+        ("inertia", "part", len(groups.parts)),
+    ):
+        values = np.array([getattr(c.moved_by, name) for c in critical]).reshape(-1, count)
+        text = f"relative change of the critical speed over that of the {name}"
+        rows[f"crossing_{name}_sensitivity"] = ((one, over), values, "1", text)
     if operating is not None:
         if max(map(abs, operating)) == 0.0:
             raise SolverError("operating: the operating speed is zero; give a speed above 0", INCONSISTENT)

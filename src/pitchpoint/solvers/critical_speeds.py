@@ -60,9 +60,10 @@ from pitchpoint.solvers.mode_energies import (
     Motions,
     energies_of,
     gyroscopic_terms,
-    senses_of,
+    spins_of,
     whirl_words,
 )
+from pitchpoint.solvers.speed_sensitivity import Sensitivity, sensitivities
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.tooth_response import Phases, Source, errors_of, teeth_of, tooth_response
 from pitchpoint.solvers.unstable_modes import UNDAMPED
@@ -141,6 +142,8 @@ class CriticalSpeed:
         Amplification at resonance, see the module; infinite without damping or if the mode is unstable.
     response
         Response of the machine at resonance with at least the damping ratio `DAMPED`: the rank.
+    moved_by
+        Change of the critical speed with stiffness and inertia.
     """
 
     speed: float
@@ -153,6 +156,7 @@ class CriticalSpeed:
     participation: float
     amplification: float
     response: float
+    moved_by: Sensitivity
 
 
 def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalSpeed, ...]:
@@ -166,13 +170,13 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     ]
     if not solved:
         return ()
-    _, _, speeds, values, shapes = zip(*solved, strict=True)
-    z, senses = np.array(shapes), senses_of(found.motions, found.rates)
-    turning = np.zeros(len(z))
+    _, _, speeds, values, shapes, slopes = zip(*solved, strict=True)
+    z, spins = np.array(shapes), spins_of(found.motions, found.rates)
+    turning = np.zeros(z.shape)
     phases = mesh_phases(found)
     sources = {order: _source(found, order, phases) for order in orders}
     by_teeth: list[ByTeeth | None] = []
-    for k, (order, _, speed, value, shape) in enumerate(solved):
+    for k, (order, _, speed, value, shape, _) in enumerate(solved):
         at = found.modes.at(speed)
         turning[k] = gyroscopic_terms(z[k : k + 1], at.D)[0]
         near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
@@ -183,13 +187,12 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         source = source.reversed() if speed < 0.0 else source
         gain = tooth_response(at, source, value, shape, near)
         by_teeth.append(ByTeeth(source.energy(shape), gain, source.shuttles(shape)))
-    energies = energies_of(
-        found.motions, z, np.array(values), turning, np.sign(np.array(speeds))[:, None] * senses
-    )
+    energies = energies_of(found.motions, z, np.array(values), turning, np.array(speeds)[:, None] * spins)
     words = whirl_words(energies)
+    moved = sensitivities(found.motions, energies, np.array(slopes))
     listed = [
-        _critical(found, order, mode, speed, value, (energies, k, words[k], by_teeth[k]))
-        for k, (order, mode, speed, value, _) in enumerate(solved)
+        _critical(found, order, mode, speed, value, (energies, k, words[k], by_teeth[k], moved[k]))
+        for k, (order, mode, speed, value, _, _) in enumerate(solved)
     ]
     return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
 
@@ -237,8 +240,11 @@ def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: in
 
 def _solve(
     found: Campbell, order: float, mode: int, at: tuple[int, int]
-) -> tuple[float, complex, NDArray[np.complex128]]:
-    """Speed, eigenvalue and shape at a crossing: secant steps on the mode followed from the closer point."""
+) -> tuple[float, complex, NDArray[np.complex128], float]:
+    """Speed, eigenvalue and shape at a crossing: secant steps on the mode followed from the closer point.
+
+    The fourth value is the slope of the branch over that of the order.
+    """
     ends = [float(found.speed[k]) for k in at]
     away = [
         float(found.frequency[k, mode]) - order * abs(s) / (2.0 * np.pi)
@@ -258,7 +264,7 @@ def _solve(
         last, gap = speed, new
         if done:
             break
-    return last, value, shape
+    return last, value, shape, 1.0 + slope * 2.0 * math.pi / (order * math.copysign(1.0, last))
 
 
 def _critical(
@@ -267,10 +273,10 @@ def _critical(
     mode: int,
     speed: float,
     value: complex,
-    about: tuple[Energies, int, str, ByTeeth | None],
+    about: tuple[Energies, int, str, ByTeeth | None, Sensitivity],
 ) -> CriticalSpeed:
-    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, excited by teeth."""
-    energies, k, whirl, teeth = about
+    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, teeth, changes."""
+    energies, k, whirl, teeth, moved = about
     ratio = float(ratio_of(np.array([value]))[0])
     ratio = ratio if abs(ratio) > UNDAMPED else 0.0
     source, share = driven_by(found.motions, energies, k, order)
@@ -295,6 +301,7 @@ def _critical(
         participation=share,
         amplification=gain,
         response=size / math.sqrt(share) / max(ratio, DAMPED) if share > 0.0 else 0.0,
+        moved_by=moved,
     )
 
 

@@ -36,7 +36,7 @@ from pitchpoint.solvers.mode_energies import (
     energies_of,
     gyroscopic_terms,
     motions_of,
-    senses_of,
+    spins_of,
     whirl_words,
 )
 from pitchpoint.solvers.mode_names import base_names, full_names
@@ -198,16 +198,16 @@ def find_modes(
     complex_shapes = _normalised(complex_shapes[:n], parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
     motions = motions_of(own, linear.state, parts)
-    senses = senses_of(motions, linear.state.v)
+    spins = spins_of(motions, linear.state.v)
     energies = energies_of(
         motions,
         complex_shapes,
         np.where(omega == 0.0, 0.0, values[:n]),
         gyroscopic_terms(complex_shapes, linear.D),
-        senses,
+        spins,
     )
     whirls = whirl_words(energies)
-    at_rest = energies_of(motions, shapes, (1j * omega).astype(np.complex128), 0.0 * omega, 0.0 * senses)
+    at_rest = energies_of(motions, shapes, (1j * omega).astype(np.complex128), 0.0 * shapes, 0.0 * spins)
     names = full_names(base_names(own, motions, omega, shapes, at_rest), whirls)
     factors, masses = participation(base_momenta(own, linear.state, shapes))
     moved = body_motions(own, linear.state, shapes)

@@ -114,8 +114,11 @@ class Energies:
         mesh, shape (n, meshes), in the order of `Motions.laws`.
     kinetic
         Share of each part in the kinetic energy by direction, shape (n, parts, 4), see `WAYS`.
-    strain_ratio, gyroscopic
-        Strain energy and gyroscopic energy over the kinetic energy, shape (n,).
+    strain_ratio
+        Strain energy over the kinetic energy, shape (n,).
+    turning
+        Gyroscopic energy of each part over the whole kinetic energy, shape (n, parts); Coriolis terms of a
+        body on a carrier are those of the body.
     forward, backward
         Share of the lateral motion of each part that whirls forwards and backwards in the kinetic energy,
         shape (n, parts); both zero for parts that do not rotate.
@@ -128,10 +131,15 @@ class Energies:
     teeth: Array
     kinetic: Array
     strain_ratio: Array
-    gyroscopic: Array
+    turning: Array
     forward: Array
     backward: Array
     twist: Complex
+
+    @property
+    def gyroscopic(self) -> Array:
+        """Gyroscopic energy over the kinetic energy, shape (n,)."""
+        return np.asarray(self.turning.sum(axis=1))
 
 
 def motions_of(system: System, state: State, parts: Parts) -> Motions:
@@ -157,7 +165,7 @@ def _in_body_axes(system: System, state: State, shapes: Array, axes: Array) -> t
 
 
 def energies_of(
-    motions: Motions, shapes: NDArray[np.inexact], values: Complex, turning: Array, senses: Array
+    motions: Motions, shapes: NDArray[np.inexact], values: Complex, turning: Array, spins: Array
 ) -> Energies:
     """Energies of modes.
 
@@ -168,9 +176,9 @@ def energies_of(
     shapes, values
         Shapes (n, nd), real or complex, and eigenvalues (n,) [1/s].
     turning
-        From `gyroscopic_terms`, shape (n,).
-    senses
-        Sense of rotation of each body about its axis: 1, -1, or 0 at rest, shape (nb,) or (n, nb).
+        From `gyroscopic_terms`, shape (n, nd).
+    spins
+        Speed of each body about its axis [rad/s], shape (nb,) or (n, nb).
     """
     groups, parts = motions.groups, motions.parts
     z = np.asarray(shapes, dtype=np.complex128)
@@ -188,15 +196,15 @@ def energies_of(
     total = strain.sum(axis=1)
     inertia = np.where(still, 1.0, size**2 * whole)
     omega = np.abs(values.imag)
-    gyro = np.divide(-(size**2) * turning, omega * inertia, out=np.zeros(len(z)), where=omega > 0.0)
-    ahead, back = _whirls(groups, twist, wrench, senses)
+    scale = np.divide(-(size**2), omega * inertia, out=np.zeros(len(z)), where=omega > 0.0)
+    ahead, back = _whirls(groups, twist, wrench, np.sign(spins))
     return Energies(
         strain=np.divide(strain, total[:, None], out=np.zeros_like(strain), where=total[:, None] != 0.0),
         whole_strain=total,
         teeth=np.divide(teeth, total[:, None], out=np.zeros_like(teeth), where=total[:, None] != 0.0),
         kinetic=kinetic / whole[:, None, None],
         strain_ratio=total / inertia,
-        gyroscopic=gyro,
+        turning=scale[:, None] * _by_part(motions.system, groups, turning, twist, spins),
         forward=ahead / whole[:, None],
         backward=back / whole[:, None],
         twist=twist,
@@ -222,8 +230,38 @@ def _kinetic(groups: Groups, z: Complex, M: Array, twist: Complex, wrench: Compl
 
 
 def gyroscopic_terms(shapes: NDArray[np.inexact], D: Array) -> Array:
-    """z^H (D - D^T)/2 z over i of shapes (n, nd) for the damping matrix at speed (nd, nd), shape (n,)."""
-    return np.asarray(((shapes.conj() @ (0.5 * (D - D.T))) * shapes).sum(axis=1).imag)
+    """z^H (D - D^T)/2 z over i by coordinate, for the damping matrix at speed (nd, nd), shape (n, nd).
+
+    Parameters
+    ----------
+    shapes
+        Shapes z, shape (n, nd).
+    D
+        Damping matrix at speed (nd, nd).
+    """
+    return np.asarray((shapes.conj() * (shapes @ (0.5 * (D - D.T)).T)).imag)
+
+
+def _by_part(system: System, groups: Groups, terms: Array, twist: Complex, spins: Array) -> Array:
+    """Gyroscopic terms by part, shape (n, parts): sums over its coordinates.
+
+    The terms of a body that is fixed to another one are in the coordinates of that one: they are those of a
+    disc, 2 I_p Omega Im(rx^* ry).
+    """
+    found = np.zeros((len(terms), len(groups.parts)))
+    body = system.program["body"]
+    speeds = np.broadcast_to(spins, twist.shape[:2])
+    for b, (part, carrier) in enumerate(zip(groups.part, groups.carried, strict=True)):
+        if part < 0:
+            continue
+        first, count = int(body[b]["dof"]), int(body[b]["n"])
+        found[:, part] += terms[:, first : first + count].sum(axis=1)
+        if carrier != part and b not in groups.hidden:
+            tilt = twist[:, b, 3].conj() * twist[:, b, 4]
+            own = 2.0 * float(body[b]["i_p"]) * speeds[:, b] * tilt.imag
+            found[:, part] += own
+            found[:, carrier] -= own
+    return found
 
 
 def _whirls(groups: Groups, twist: Complex, wrench: Complex, senses: Array) -> tuple[Array, Array]:
@@ -274,7 +312,7 @@ def whirl_words(energies: Energies) -> list[str]:
     return words
 
 
-def senses_of(motions: Motions, rates: Array) -> Array:
-    """Sense of rotation of each body about its axis for rates of the coordinates: 1, -1, or 0 at rest."""
+def spins_of(motions: Motions, rates: Array) -> Array:
+    """Speed of each body about its axis for rates of the coordinates, 0 for rounding, shape (nb,)."""
     spin = motions.of(rates[None].astype(np.complex128))[0][0, :, 5].real
-    return np.asarray(np.where(np.abs(spin) > STILL * np.abs(spin).max(initial=0.0), np.sign(spin), 0.0))
+    return np.asarray(np.where(np.abs(spin) > STILL * np.abs(spin).max(initial=0.0), spin, 0.0))

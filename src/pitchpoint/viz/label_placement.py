@@ -6,11 +6,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from pitchpoint.viz.svg import text
 
 LINE = 16.0
 """Distance of lines [pixels]."""
-LETTER = {"pp-halo": 8.4, "pp-small": 7.0}
+LETTER = {"pp-halo": 8.4, "pp-small": 7.0, "pp-name": 7.6, "pp-sub": 6.1}
 """Mean width of a letter by style [pixels]."""
 STEPS, SHORT, STEP = 400, 40, 2.0
 """Maximum number of the trial shifts up and down, of those to avoid lines, and their length [pixels]."""
@@ -18,6 +21,11 @@ FAR = 1e6
 """Distance beyond all drawings [pixels]."""
 MARGIN = 2.0
 """Minimum distance of labels [pixels]."""
+
+WIDE_STEP, TALL_STEP = 12.0, 9.0
+"""Steps of a search sideways, up and down [pixels]."""
+LABEL_COST, DISTANCE_COST = 6.0, 6.0
+"""Cost of covering a label, relative to a block, and of a distance [pixels]."""
 
 Rectangle = tuple[float, float, float, float]
 """Left, top, right, bottom [pixels]."""
@@ -83,6 +91,62 @@ def placed(
         found[k] = near or _first(label, taken, STEPS) or label
         taken.append(found[k].box)
     return [found[k] for k in range(len(labels))]
+
+
+def search(labels: Sequence[tuple[Label, NDArray[np.float64]]], blocks: Sequence[Rectangle]) -> list[Label]:
+    """Labels moved in both directions to places nearby where they cover least.
+
+    The cost of a place is the covered area of other labels and of blocks, and the distance from the preferred
+    place; the first labels choose first.
+
+    Parameters
+    ----------
+    labels
+        Labels at their preferred places, and the points that they mark [pixels].
+    blocks
+        Rectangles to avoid.
+
+    Examples
+    --------
+    >>> one = Label(0.0, 20.0, "middle", (("1 W", "pp-small"),))
+    >>> [(label.x, label.y) for label in search([(one, np.zeros(2))] * 2, [])]
+    [(0.0, 20.0), (0.0, 2.0)]
+    """
+    steps = np.array([(x * WIDE_STEP, y * TALL_STEP) for x in range(-12, 13) for y in range(-14, 15)])
+    avoided = np.array(list(blocks)).reshape(-1, 4)
+    reach = steps.max(axis=0)
+    taken: list[Rectangle] = []
+    found = []
+    for label, _ in labels:
+        left, top, right, bottom = label.box
+        near = (
+            (avoided[:, 0] < right + reach[0])
+            & (avoided[:, 2] > left - reach[0])
+            & (avoided[:, 1] < bottom + reach[1])
+            & (avoided[:, 3] > top - reach[1])
+        )
+        boxes = np.column_stack(
+            [left + steps[:, 0], top + steps[:, 1], right + steps[:, 0], bottom + steps[:, 1]]
+        )
+        cost = _covered(boxes, avoided[near]) + LABEL_COST * _covered(
+            boxes, np.array(taken).reshape(-1, 4), MARGIN
+        )
+        cost += DISTANCE_COST * np.hypot(steps[:, 0], steps[:, 1])
+        dx, dy = steps[int(np.argmin(cost))]
+        found.append(replace(label, x=label.x + float(dx), y=label.y + float(dy)))
+        taken.append(found[-1].box)
+    return found
+
+
+def _covered(
+    boxes: NDArray[np.float64], others: NDArray[np.float64], margin: float = 0.0
+) -> NDArray[np.float64]:
+    """Area of each box that others cover [pixels^2]."""
+    if not len(others):
+        return np.zeros(len(boxes))
+    low = np.maximum(boxes[:, None, :2], others[None, :, :2] - margin)
+    high = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + margin)
+    return np.asarray(np.prod(np.maximum(high - low, 0.0), axis=2).sum(axis=1))
 
 
 def outside(height: float) -> list[Rectangle]:

@@ -1,153 +1,102 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Modes: where their strain energy is, as bars below names and natural frequencies."""
+"""Modes: map of the shares of the components in their strain energy."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, damping_words, number, scale
+from pitchpoint.viz.quantities import scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-MAX_MODES, MAX_PARTS = 20, len(theme.SERIES) - 1
-"""Maximum numbers of modes and of components with a colour."""
-LINE, BAR, LEGEND, BOTTOM = 38, 16, 20, 52
-"""Heights of a mode with its name, of its bar, of a line of the legend, and of the axis with its title
-[pixels]."""
-LETTERS, BOX = 88, 5
-"""Letters per line of the legend on paper, and space of the mark of a name [letters]."""
-LEGEND_AT = {"x": 0, "y": 1, "xref": "container", "pad": {"t": 12}, "font": {"size": 12}}
-"""Place of the legend: at the left edge of the figure."""
-INSIDE = 90
-"""Letters that fit into a bar over the whole width on paper."""
-SMALL = 5e-3
-"""Share that is not visible."""
+MAX_MODES, MAX_PARTS = 20, 16
+"""Maximum numbers of modes and of components with a column."""
+LEAST, WRITTEN = 0.05, 0.005
+"""Share in some mode from which a component has a column, and share from which a cell has a number."""
+ROW, LINE, GAP = 22, 14, 10
+"""Heights of a row and of a line of its name, and distance of names from the map [pixels]."""
+LETTERS, UPRIGHT = 44, 24
+"""Letters per line of the names of modes, and of the names of components that are written upright."""
+WIDTH, LETTER = 560, 6.3
+"""Width of the map on narrow pages and mean width of a letter [pixels]."""
+OTHERS = "others"
+SCALE = [[0.0, "rgba(58,127,196,0)"], [1.0, "rgba(58,127,196,0.85)"]]
+"""From the colour of the paper to the first colour of the series, in light and dark mode."""
 
 
 def plot_modes(
-    names: Sequence[str],
-    frequency: ArrayLike,
-    damping_ratio: ArrayLike,
-    components: Sequence[str],
-    strain_share: ArrayLike,
+    names: Sequence[str], frequency: ArrayLike, components: Sequence[str], strain_share: ArrayLike
 ) -> go.Figure:
-    """Shares of the components in the strain energy of the lowest modes, the lowest mode at the top.
+    """Shares of the components in the strain energy of the lowest modes that vibrate, the lowest at the top.
 
     Parameters
     ----------
     names
         Names of the modes, lowest first.
-    frequency, damping_ratio
-        Natural frequencies [Hz] and damping ratios, shape (n,).
+    frequency
+        Natural frequencies [Hz], shape (n,).
     components
         Names of the components.
     strain_share
         Shares [-], shape (n, number of components).
     """
     hertz = np.asarray(frequency, dtype=np.float64)[:MAX_MODES]
-    ratio = np.asarray(damping_ratio, dtype=np.float64)[:MAX_MODES]
     share = np.nan_to_num(np.asarray(strain_share, dtype=np.float64))[:MAX_MODES]
-    n = hertz.size
-    labels = []
-    for k in range(n):
-        damping = f", ζ {damping_words(ratio[k], 2)}" if np.isfinite(ratio[k]) and hertz[k] > 0.0 else ""
-        labels.append(f"{k + 1}: {names[k]}, {scale('Hz', [hertz[k]]).text(hertz[k])}{damping}")
-    order = np.argsort(-share.sum(axis=0), kind="stable")
-    largest = [int(c) for c in order[:MAX_PARTS] if share[:, c].max(initial=0.0) > 1e-3]
-    bars = {components[c]: share[:, c] for c in largest}
-    rest = share.sum(axis=1) - sum((bar for bar in bars.values()), np.zeros(n))
-    if rest.max(initial=0.0) > SMALL:
-        bars["others"] = rest
-    legend, lines = _legend(list(bars))
-    top = 22 + LEGEND * lines
-    height = top + BOTTOM + LINE * max(n, 1)
-    figure = theme.figure("share in the strain energy [%]", "", height=height, margin={"t": top, "l": 16})
-    for k, (name, values) in enumerate(bars.items()):
-        others = name == "others"
-        colour = _colour(name, k)
-        words = _others_in_words(components, share, largest) if others else None
-        figure.add_bar(
-            y=labels,
-            x=100.0 * values,
-            orientation="h",
-            name=name,
-            marker={"color": colour},
-            text=words,
-            textposition="inside",
-            insidetextanchor="middle",
-            # the texts fit: the library would turn them or make them smaller
-            textangle=0,
-            constraintext="none",
-            insidetextfont={"color": theme.LIGHT["paper"], "size": 11},
-            hovertemplate=f"{name}: %{{x:.3g}} %<extra></extra>",
-        )
-    for k, label in enumerate(labels):
-        # long names next to the bars would leave little width for them
-        figure.add_annotation(
-            x=0,
-            xref="paper",
-            y=k,
-            yshift=0.5 * BAR,
-            text=escape(label),
-            showarrow=False,
-            xanchor="left",
-            yanchor="bottom",
-            borderpad=0,
-            font={"size": 12},
-        )
-    figure.update_layout(
-        barmode="stack",
-        bargap=1.0 - BAR / LINE,
-        showlegend=False,
-        # the legend of the library would be as narrow as the axis, next to the names of the modes
-        title={**theme.title_above(legend), **LEGEND_AT},
-        xaxis={"range": [0.0, 100.0]},
-        yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "showticklabels": False},
+    rows = np.flatnonzero(share.sum(axis=1) > 0.0)
+    share = share[rows]
+    # in the order of the model, so that the two bearings of a shaft are neighbours
+    largest = np.argsort(-share.max(axis=0, initial=0.0), kind="stable")[:MAX_PARTS]
+    columns = sorted(int(c) for c in largest if share[:, c].max(initial=0.0) >= LEAST)
+    heads, z = [components[c] for c in columns], share[:, columns]
+    rest = share.sum(axis=1) - z.sum(axis=1)
+    if rest.max(initial=0.0) >= LEAST:
+        heads, z = [*heads, OTHERS], np.column_stack([z, rest])
+    labels = [_label(k, names[k], float(hertz[k])) for k in rows.tolist()]
+    across = int(WIDTH / max(len(heads), 1) / LETTER)
+    upright = max((len(word) for head in heads for word in head.split()), default=0) > across
+    words = [wrap(head, UPRIGHT if upright else across) for head in heads]
+    longest = max((len(line) for lines in words for line in lines), default=0)
+    most = max(map(len, words), default=1)
+    top = GAP + round(LETTER * longest if upright else LINE * most)
+    row = max([ROW, *(LINE * (label.count("<br>") + 1) + 2 for label in labels)])
+    figure = theme.figure(
+        "", "", height=top + GAP + row * max(len(labels), 1), margin={"t": top, "b": GAP, "l": 8}
     )
+    figure.add_heatmap(
+        z=100.0 * z,
+        text=[[f"{100.0 * x:.0f}" if x >= WRITTEN else "" for x in row] for row in z],
+        texttemplate="%{text}",
+        textfont={"size": 11},
+        colorscale=SCALE,
+        zmin=0.0,
+        zmax=100.0,
+        xgap=1,
+        ygap=1,
+        showscale=False,
+        customdata=[heads for _ in rows],
+        hovertemplate="%{customdata}: %{z:.3g} %<extra></extra>",
+    )
+    look = {"showgrid": False, "zeroline": False, "ticks": "", "showline": False, "tickfont": {"size": 11}}
+    figure.update_xaxes(
+        tickvals=list(range(len(words))),
+        ticktext=["<br>".join(map(escape, lines)) for lines in words],
+        side="top",
+        tickangle=-90 if upright else 0,
+        **look,
+    )
+    figure.update_yaxes(tickvals=list(range(len(rows))), ticktext=labels, autorange="reversed", **look)
     return figure
 
 
-def _colour(name: str, index: int) -> str:
-    return theme.GREY if name == "others" else theme.SERIES[index % len(theme.SERIES)]
-
-
-def _legend(names: Sequence[str]) -> tuple[str, int]:
-    """Names of the bars with a square in their colour, and the number of lines."""
-    lines, width = [""], 0
-    for k, name in enumerate(names):
-        if width and width + len(name) + BOX > LETTERS:
-            lines, width = [*lines, ""], 0
-        mark = f'<span style="color:{_colour(name, k)}">■</span>'
-        lines[-1] += f"{'&nbsp;&nbsp; ' if width else ''}{mark} {escape(name)}"
-        width += len(name) + BOX
-    return "<br>".join(lines), len(lines)
-
-
-def _others_in_words(components: Sequence[str], share: Array, coloured: Sequence[int]) -> list[str]:
-    """Largest components without colour per mode, as many as fit into their part of the bar, and the rest."""
-    left = share.copy()
-    left[:, list(coloured)] = 0.0
-    return [_largest(components, row) for row in left]
-
-
-def _largest(components: Sequence[str], row: Array) -> str:
-    """Largest shares of a mode and the sum of the other ones, in the space of their sum."""
-    order = [int(k) for k in np.argsort(-row, kind="stable") if row[k] > 0.0]
-    found = ""
-    for count in range(1, int((row > SMALL).sum()) + 1):
-        parts = [f"{components[k]} {number(100.0 * row[k], 2)} %" for k in order[:count]]
-        rest = order[count:]
-        more = float(row[rest].sum())
-        parts += [f"{len(rest)} more {number(100.0 * more, 2)} %"] if more > SMALL else []
-        words = ", ".join(parts)
-        if len(words) > INSIDE * row.sum():
-            break
-        found = words
-    return found
+def _label(index: int, name: str, hertz: float) -> str:
+    """Number, name and natural frequency of a mode."""
+    text = f"{index + 1}: {name}, {scale('Hz', [hertz]).text(hertz)}"
+    return "<br>".join(escape(line) for line in wrap(text, LETTERS))

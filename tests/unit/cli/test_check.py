@@ -146,3 +146,36 @@ def test_a_torque_that_is_not_found_ends_with_code_3(tmp_path, capsys, monkeypat
     file = written(tmp_path, gearbox("100 N m"))
     assert run_command(["check", file, "--balance"]) == 3
     assert "torque: balance in run: not found; no equilibrium" in capsys.readouterr().out
+
+
+def test_the_power_flow_comes_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, TORSION)
+    assert run_command(["check", file]) == 0
+    shown = capsys.readouterr().out
+    places = [
+        shown.index(words)
+        for words in ("no problems", "Power flow in", "Meshes", "--drawing", "Bodies", "Defaults in effect")
+    ]
+    assert places == sorted(places)
+
+
+def test_one_scenario_of_the_power_flow(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, TORSION)
+    assert set(json_of(["check", file], capsys)["power_flow"]) == {"steady", "sweep"}
+    flow = json_of(["check", file, "-s", "steady"], capsys)["power_flow"]
+    assert set(flow) == {"steady"}
+    steady = flow["steady"]
+    assert steady["power_out"] == pytest.approx(steady["power_in"], rel=1e-12)
+    assert run_command(["check", file, "-s", "standstill"]) == 2
+    assert "no scenario 'standstill'" in capsys.readouterr().err
+
+
+def test_defaults_are_listed_by_component(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One row per component, with all keys of the JSON list."""
+    file = written(tmp_path, TORSION)
+    entries = json_of(["check", file], capsys)["defaults"]
+    assert run_command(["check", file]) == 0
+    shown = " ".join(capsys.readouterr().out.split("Defaults in effect")[1].split())
+    for entry in entries:
+        key = entry["key"].split(".", 2)[-1]
+        assert f"{key}:" in shown, key

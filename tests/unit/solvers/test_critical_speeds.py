@@ -338,3 +338,45 @@ def test_finely_divided_shafts_need_few_solutions_of_the_whole_system(geared):
     assert len(found.modes.exact) < 9
     exact = damped_modes(at_speeds(found.modes.linear, found.speed[7] * found.rates), found.modes.modes)[0]
     assert found.eigenvalue[7, 1:] == pytest.approx(_matched(found.eigenvalue[7, 1:], exact), rel=1e-8)
+
+
+def test_what_moves_the_critical_speed_of_a_tilting_disc(rotor):
+    """W^2 = k/(I_t -+ I_p) with light damping: 1/2 per stiffness, -1/2 per inertia, also forward at 1x.
+
+    The branch itself moves by half of that or less: it crosses the order at a slope. Damping of 0.2 % and the
+    secant between points 75 rad/s apart limit the accuracy.
+    """
+    data = pp.solve_campbell(rotor, np.linspace(0.0, 3000.0, 41), "disc", orders=["1x"])
+    assert data.sizes["crossing"] == 5  # two of translation, two of tilt, the soft torsional support
+    np.testing.assert_allclose(data.crossing_stiffness_sensitivity.sum("component"), 0.5, rtol=2e-3)
+    np.testing.assert_allclose(data.crossing_inertia_sensitivity.sum("part"), -0.5, rtol=2e-3)
+
+
+def test_what_moves_critical_speeds_is_what_another_solution_gives():
+    """Mass and stiffness changed by 0.2 %: critical speeds of a rotor with an overhung disc."""
+    model = pp.load_model(EXAMPLE)
+    speeds = np.linspace(3600.0, 6600.0, 11) * RPM
+
+    def solved(changes=None):
+        system = pp.compile_model(model.replace_all(changes) if changes else model, "fast")
+        return pp.solve_campbell(system, speeds, "rotor", "fast", orders=["1x"])
+
+    data, rel = solved(), 0.002
+    disc = {"mass": 4.93, "inertia": 0.02465, "transverse_inertia": 0.01249}
+    changed = {
+        ("stiffness", "component", "bearing rotor_2"): {"bearings.rotor_2.stiffness.radial": 1e8},
+        ("inertia", "part", "disc"): {f"bodies.disc.{key}": value for key, value in disc.items()},
+    }
+    assert data.sizes["crossing"] == 2
+    for (what, over, name), values in changed.items():
+        by_whirl = [
+            dict(zip(d.crossing_whirl.values, d.crossing_speed.values, strict=True))
+            for d in (solved({k: v * (1.0 + sign * rel) for k, v in values.items()}) for sign in (1.0, -1.0))
+        ]
+        sensitivity = data[f"crossing_{what}_sensitivity"].sel({over: name}).values
+        for whirl, speed, found in zip(
+            data.crossing_whirl.values, data.crossing_speed.values, sensitivity, strict=True
+        ):
+            moved = (by_whirl[0][whirl] - by_whirl[1][whirl]) / (2.0 * rel * speed)
+            assert found == pytest.approx(moved, rel=0.01), (name, whirl)
+            assert abs(moved) > 0.005

@@ -75,25 +75,29 @@ def test_shaft_orders_at_one_place_are_named_by_their_range() -> None:
     assert sum(t.line.dash == "dash" for t in figure.data) == 15, "all lines are drawn"
 
 
-def test_names_of_modes_are_above_their_bars_and_texts_fit_into_them() -> None:
-    """Long names, and eleven equal parts: six with a colour, the others named as far as there is room."""
+def test_every_share_of_the_strain_energy_is_in_the_map() -> None:
+    """Long names are folded; eleven equal parts."""
     parts = [f"mesh sun-planet_{k}" for k in range(11)]
     share = np.array([np.full(11, 1.0 / 11.0), np.eye(11)[10], np.eye(11)[0]])
     names = ["1st translational mode of planetary stage set (a)", "mesh mode", "rigid rotation"]
-    figure = plot_modes(names, [1405.0, 5264.0, 0.0], [0.026, 0.05, np.nan], parts, share)
-    labels = [a.text for a in figure.layout.annotations]
-    assert labels == [
-        "1: 1st translational mode of planetary stage set (a), 1405 Hz, ζ 2.6 %",
-        "2: mesh mode, 5264 Hz, ζ 5 %",
+    figure = plot_modes(names, [1405.0, 5264.0, 0.0], parts, share)
+    assert list(figure.layout.yaxis.ticktext) == [
+        "1: 1st translational mode of planetary stage<br>set (a), 1405 Hz",
+        "2: mesh mode, 5264 Hz",
         "3: rigid rotation, 0 Hz",
     ]
-    assert figure.layout.yaxis.showticklabels is False and figure.layout.margin.l < 20
-    others = next(bar for bar in figure.data if bar.name == "others")
-    # 45 % of 648 pixels at 6 pixels per letter
-    text = others.text[0]
-    assert 0 < len(text) <= 0.01 * others.x[0] * 648.0 / 6.0
-    assert text.startswith("mesh sun-planet_") and text.endswith("more 36 %"), "the parts add up to the bar"
-    assert others.text[1:] == ("", "") and others.x[2] == pytest.approx(0.0)
+    cells = figure.data[0]
+    assert [row[0] for row in cells.customdata] == parts[:1] * 3
+    np.testing.assert_allclose(np.sum(cells.z, axis=1), 100.0)
+    assert list(cells.text[1]) == [""] * 10 + ["100"]
+
+
+def test_components_with_little_energy_are_one_column() -> None:
+    share = np.full((2, 40), 0.6 / 39.0)
+    share[:, 7] = 0.4
+    cells = plot_modes(["a", "b"], [1.0, 2.0], [f"bearing {k}" for k in range(40)], share).data[0]
+    assert list(cells.customdata[0]) == ["bearing 7", "others"]
+    np.testing.assert_allclose(cells.z, [[40.0, 60.0]] * 2)
 
 
 def test_every_rank_of_close_critical_speeds_is_shown() -> None:

@@ -13,6 +13,7 @@ from pitchpoint.model.checks.choices import exactly_one
 from pitchpoint.model.checks.references import known
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
+from pitchpoint.model.locked_loops import locked_loops, loop_with
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import (
@@ -193,12 +194,18 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             reported.add(link)
             still = {one, two} & fixed
             where = ".".join(map(str, link))
+            loop = None if still else loop_with(locked_loops(parts), link)
             if still:
                 what = f"{where} connects its gear train to {still.pop()}, which is fixed"
                 remedy = "set the speed to zero, or give the fixed body another motion"
             else:
                 what = f"{where} locks {one} and {two}: other meshes and couplings give a different ratio"
-                remedy = "remove one link of the loop, or set the speed to zero"
+                if loop is not None:  # one message for the whole loop
+                    reported |= {loop.link, *loop.through}
+                    (one, two), (own, others) = loop.bodies, loop.words
+                    where = ".".join(map(str, loop.link))
+                    what = f"{where} locks {one} and {two}: {own}, but {others}"
+                remedy = "correct a number of teeth, remove one link of the loop, or set the speed to zero"
             report.problem(place, f"cannot rotate {body}: {what}", remedy=remedy)
 
 

@@ -25,6 +25,7 @@ from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
 from pitchpoint.model.remarks.space import bearings_in_gears, gears_in_one_place
 from pitchpoint.model.remarks.supports import axially_free, tilting
+from pitchpoint.model.remarks.trains import contradictory_loops, unconnected_shafts
 from pitchpoint.model.remarks.unusual_values import overdamped_meshes, preloads_above_the_rating
 
 if TYPE_CHECKING:
@@ -262,6 +263,8 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *preloads_above_the_rating(model),
         *axially_free(model),
         *tilting(model),
+        *contradictory_loops(model),
+        *unconnected_shafts(model),
         *at_stages(model, overdamped_meshes(model)),
         *at_stages(model, no_backlash(model)),
     )

@@ -85,15 +85,28 @@ def ring(size: BearingSize, inner: bool, sides: int = 48) -> shapes.Surface:
     sides
         Number of corners of a circle.
     """
+    return shapes.turned_profile(ring_line(size, inner), sides)
+
+
+def ring_line(size: BearingSize, inner: bool) -> Line:
+    """Closed section of a ring (r, z), from the middle of the elements [m].
+
+    Parameters
+    ----------
+    size
+        Dimensions of the bearing.
+    inner
+        The inner one.
+    """
     if size.form == "thrust":
-        return shapes.turned_profile(_washer(size, inner), sides)
+        return _washer(size, inner)
     h = 0.5 * size.width
     seat = 0.5 * (size.bore if inner else size.outside)
-    race = raceway(size, inner)
+    race = [(float(r), float(z)) for r, z in raceway(size, inner)]
     ends = [(seat, -h), (seat, h)]
     # counter-clockwise in the section: the seat of an inner ring is on the left
     line = [ends[0], *race, ends[1]] if inner else [*ends, *race[::-1]]
-    return shapes.turned_profile([*line, line[0]], sides)
+    return [*line, line[0]]
 
 
 def raceway(size: BearingSize, inner: bool) -> Array:
@@ -213,18 +226,31 @@ def element_surface(size: BearingSize, sides: int, row: int = 0) -> shapes.Surfa
     place = (at.radius, 0.0, at.height)
     if size.type == "ball":
         return shapes.ball(0.5 * size.element, place, sides)
-    h, edge = 0.5 * size.length, 0.04 * size.element
-    if size.form == "sphere":
-        profile = [(0.5 * size.element - _drop(size, float(x)), float(x)) for x in np.linspace(-h, h, ARC)]
-    else:
-        low, high = (
-            0.5 * size.element * (1.0 - 2.0 * s * size.length / size.pitch * math.sin(at.angle))
-            for s in (-0.5, 0.5)
-        )
-        profile = [(low - edge, -h), (low, edge - h), (high, h - edge), (high - edge, h)]
+    h = 0.5 * size.length
+    profile = roller_profile(size, row)
     line = [(0.0, -h), *profile, (0.0, h)]
     direction = (-math.sin(at.angle), 0.0, math.cos(at.angle))
     return shapes.moved(shapes.turned_profile(line, sides), place, shapes.across(direction))
+
+
+def roller_profile(size: BearingSize, row: int = 0) -> Line:
+    """Half section of a roller of a row: radius and position along its own axis [m].
+
+    Parameters
+    ----------
+    size
+        Dimensions of the bearing.
+    row
+        Number of the row.
+    """
+    h, edge = 0.5 * size.length, 0.04 * size.element
+    if size.form == "sphere":
+        return [(0.5 * size.element - _drop(size, float(x)), float(x)) for x in np.linspace(-h, h, ARC)]
+    angle = rows_of(size)[row].angle
+    low, high = (
+        0.5 * size.element * (1.0 - 2.0 * s * size.length / size.pitch * math.sin(angle)) for s in (-0.5, 0.5)
+    )
+    return [(low - edge, -h), (low, edge - h), (high, h - edge), (high - edge, h)]
 
 
 def spall(size: BearingSize, inner: bool, half: float, sides: int = 12) -> shapes.Surface:

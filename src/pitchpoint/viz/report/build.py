@@ -22,6 +22,7 @@ from pitchpoint.viz.report.compare import compare_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
+from pitchpoint.viz.report.gearbox import GearboxData, gearbox_section
 from pitchpoint.viz.report.overview import provenance_section, scene_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
@@ -74,6 +75,8 @@ class ReportModel:
         Omitted keys and the values in effect, by component in words.
     sources
         Standards and papers.
+    gearbox
+        Drawing in section, and power flow at constant speed.
     """
 
     title: str
@@ -93,6 +96,7 @@ class ReportModel:
     warnings: Sequence[str] = ()
     assumptions: Sequence[tuple[str, Sequence[tuple[str, str]]]] = ()
     sources: Sequence[str] = ()
+    gearbox: GearboxData = field(default_factory=GearboxData)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -339,6 +343,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     overlaid = {name for _, members in results.compared for name in members.values()}
     sections = [
         summary_section(model.counts, results, model.warnings),
+        gearbox_section(model.gearbox),
         compare_section(results.compared, results),
         scene_section(results.scene),
         power_section(results.powers),

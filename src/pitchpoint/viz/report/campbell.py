@@ -13,6 +13,7 @@ import numpy as np
 from pitchpoint.analysis.campbell_ranking import (
     LARGE,
     NO_CRITICAL_SPEED,
+    STEP,
     RankedSpeed,
     UnstableRange,
     ranked_speeds,
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 LISTED = 12
 """Number of critical speeds in the table, in addition to those that the summary names."""
+MOVERS = 3
+"""Number of stiffnesses and masses listed for each critical speed."""
 MAX_CRITICAL = 3
 """Maximum number of critical speeds that the summary names."""
 
@@ -55,6 +58,7 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
             section.add(_table(ranked, listed, "crossing_separation" in data))
             more = len(ranked) - len(listed)
             section.add(f"<p>{more} more in the result of pitchpoint campbell.</p>" if more > 0 else "")
+            section.add(_movers_table(ranked, listed))
         unstable = unstable_ranges(data)
         if unstable:
             without = "; the model has no damping" if data.attrs.get("dissipation") == "none" else ""
@@ -104,6 +108,26 @@ def range_words(speeds: Sequence[float]) -> str:
     if amount(low, "rad/s") == amount(high, "rad/s"):
         return f"speed {amount(high, 'rad/s')}"
     return f"range {span(low, high, 'rad/s')}"
+
+
+def _movers_table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int]) -> str:
+    """What moves critical speeds; those of one mode with the same changes are one row."""
+    ranks: dict[str, list[int]] = {}
+    for k in listed:
+        words = ", ".join(
+            f"{label} {100.0 * STEP * value:+.1f} %".replace("-", "−")
+            for label, value in ranked[k].moved_by[:MOVERS]
+        )
+        if words:
+            ranks.setdefault(words, []).append(k)
+    if not ranks:
+        return ""
+    rows = [
+        f'<tr><th scope="row">{", ".join(str(k + 1) for k in which)}</th><td>{escape(words)}</td></tr>'
+        for words, which in ranks.items()
+    ]
+    heads = ("rank", f"change of the critical speed for +{100.0 * STEP:g} % of stiffness or mass")
+    return plain_table(heads, rows, words=1, texts=(1,))
 
 
 def _unstable_table(listed: tuple[UnstableRange, ...]) -> str:

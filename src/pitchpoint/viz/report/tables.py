@@ -43,13 +43,12 @@ def _add_modes(section: Section, modes: Any) -> None:
     section.add(f"<p>{escape(_conditions(modes))}</p>")
     section.add(plain_table(("mode", "name", "natural frequency at rest", "damping ratio"), body[:MAX_MODES]))
     if len(modes.components):
-        drawn = plot_modes(
-            modes.names, modes.frequency, modes.damping_ratio, modes.components, modes.strain_share
-        )
+        drawn = plot_modes(modes.names, modes.frequency, modes.components, modes.strain_share)
         keep_height(drawn)
         section.add_figure(
             drawn,
-            "Shares of the components in the strain energy of the lowest modes.",
+            "Strain energy of the lowest modes by component, in percent. A stiffness moves the modes in "
+            "which its component has much strain energy.",
             name="modes",
         )
     total = max(modes.total, len(body))

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""SVG drawings as files: SVG and HTML pages directly, PNG with the browser of the system."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.figure_picture import KINDS, browser_program, marked_png
+from pitchpoint.report.film import FLAGS
+
+SCALE = 2
+"""Pixels of a PNG per pixel of the drawing."""
+
+
+def check_drawing(path: str | os.PathLike[str], inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
+    """Path of a drawing; checks before a computation that it can be written.
+
+    Parameters
+    ----------
+    path
+        File to write: svg, html or png.
+    inputs
+        Input files of the same command.
+
+    Raises
+    ------
+    PitchpointError
+        If the extension is another one, or the browser for PNG is missing.
+    OutputError
+        If the file must not be replaced, see `io.target.check_target`.
+    """
+    from pitchpoint.io.target import check_target
+
+    target = Path(path)
+    kind = target.suffix.lower()
+    if kind not in KINDS:
+        raise PitchpointError(f"{target.name} has no extension of a drawing; use .svg, .html or .png")
+    check_target(target, KINDS[kind], inputs)
+    if kind == ".png":
+        browser_program(kind)
+    return target
+
+
+def write_drawing(target: Path, drawing: str) -> Path:
+    """Write an SVG drawing in the format of the extension.
+
+    Parameters
+    ----------
+    target
+        File from `check_drawing`.
+    drawing
+        The drawing, from `viz.svg.document`.
+
+    Raises
+    ------
+    PitchpointError
+        If the browser fails or the file cannot be written.
+    """
+    from pitchpoint.io.target import PAGE_MARK, SVG_MARK, write_file
+
+    kind = target.suffix.lower()
+    if kind == ".svg":
+        return write_file(target, drawing.replace(">", f">{SVG_MARK}", 1))
+    if kind == ".html":
+        head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
+        return write_file(target, f"{head}<body>{drawing}</body></html>")
+    return write_file(target, marked_png(_png(drawing)))
+
+
+def _png(drawing: str) -> bytes:
+    """Picture of a drawing in its own size."""
+    from playwright.sync_api import Error, sync_playwright
+
+    program = browser_program(".png")
+    size = re.search(r'viewBox="0 0 (\d+) (\d+)"', drawing)
+    width, height = (int(x) for x in size.groups()) if size else (1000, 1000)
+    root = hasattr(os, "geteuid") and os.geteuid() == 0
+    try:
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(
+                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
+            )
+            page = browser.new_page(
+                viewport={"width": width, "height": height}, device_scale_factor=SCALE, color_scheme="light"
+            )
+            page.set_content(f'<!DOCTYPE html><body style="margin:0">{drawing}</body>')
+            made = page.screenshot(clip={"x": 0, "y": 0, "width": width, "height": height})
+            browser.close()
+    except Error as error:
+        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
+    return made
