@@ -21,7 +21,7 @@ factors:
   torque: {type: normal, path: parameters.input_torque, deviation: 5 %, apply: multiply}
 results:
   te: {channel: "transmission_error[stage_1]", statistic: peak_to_peak}
-  force: {channel: "mesh_force[stage_2]", statistic: greatest}
+  force: {channel: "mesh_force[stage_2]", statistic: magnitude}
   bearing: {channel: "bearing_force[middle_1.radial]", statistic: max}
 """
 ROLL = "\n  roll: {speed: {input: input_speed}, quasi_static: {mesh: stage_1, points: 20}}\n"

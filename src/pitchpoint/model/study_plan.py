@@ -14,8 +14,8 @@ from pitchpoint.model.keys import Place, choice, integer, key, positive, quantit
 
 APPLY = ("absolute", "add", "multiply")
 """How the value of a factor changes the number of the model."""
-STATISTICS = ("mean", "rms", "min", "max", "greatest", "peak_to_peak")
-"""Statistics of a channel: mean, rms of the alternating part, extremes, the larger in size, range."""
+STATISTICS = ("mean", "rms", "min", "max", "magnitude", "peak_to_peak")
+"""Statistics of a channel: mean, rms of the alternating part, extremes, their magnitude, range."""
 LATIN, SOBOL, RANDOM, FACTORIAL = SAMPLINGS = ("latin_hypercube", "sobol", "random", "full_factorial")
 RUN, EQUILIBRIUM, MODES = EVALUATIONS = ("run", "equilibrium", "modes")
 REGRESSION, INDICES = SENSITIVITIES = ("regression", "sobol_indices")

@@ -88,7 +88,7 @@ def value_of(numbers: Mapping[str, list[float]], channel: str, statistic: str | 
     row = dict(zip(STATISTICS, numbers[channel], strict=True))
     if statistic == "peak_to_peak":
         return row["max"] - row["min"]
-    return greatest(row) if statistic == "greatest" else row[statistic or "mean"]
+    return abs(greatest(row)) if statistic == "magnitude" else row[statistic or "mean"]
 
 
 def _single(value: float) -> list[float]:
