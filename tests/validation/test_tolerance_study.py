@@ -67,7 +67,7 @@ def test_sobol_indices_of_a_natural_frequency(tmp_path: Path) -> None:
 
 @pytest.mark.study
 def test_sobol_indices_of_a_natural_frequency_with_many_samples(tmp_path: Path) -> None:
-    frequency_study(tmp_path, 1024)
+    frequency_study(tmp_path, 256)
 
 
 @pytest.mark.parametrize("sampling", ["latin_hypercube", "sobol"])

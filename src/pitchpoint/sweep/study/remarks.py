@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.errors import Message
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.model import Model
 from pitchpoint.model.study_plan import INDICES, LATIN, SOBOL
 from pitchpoint.sweep.study.check import Study
@@ -65,9 +65,11 @@ def _on_factors(study: Study) -> list[Message]:
             text = f"has its mean {far:.3g} standard deviations away from the number of the model"
             found.append(_remark(study, at, text, "compare with the number of the model, and with `apply`"))
         value = float(factor.values(np.array([HIGH]))[0])
-        for mesh, reason, remedy in _fixed_gaps(
-            study.model, study.model.replace_all(factor.changes(HIGH, value))
-        ):
+        try:
+            changed = study.model.replace_all(factor.changes(HIGH, value))
+        except ModelError:  # cases with such values fail
+            continue
+        for mesh, reason, remedy in _fixed_gaps(study.model, changed):
             text = f"changes the centre distance of {mesh}, but not its backlash: {reason}"
             found.append(_remark(study, at, text, remedy))
     return found
