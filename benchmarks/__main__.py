@@ -21,6 +21,7 @@ from benchmarks import (
     rexs,
     scene,
     shovel,
+    study,
     two_inertia,
     wind,
 )
@@ -55,6 +56,7 @@ def main() -> None:
         ("wind-turbine drive train, planetary set in all directions", wind.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("gearbox from REXS", rexs.rows),
+        ("tolerance study of a two-stage gearbox", study.rows),
         ("command line", command_line.rows),
         ("scene in a browser", scene.rows),
     ):

@@ -78,7 +78,7 @@ GROUPS = {
         "reduce_system",
         "state_space",
     ),
-    "Many runs": ("sweep_speed", "run_cases", "cases_dataset"),
+    "Many runs": ("sweep_speed", "run_cases", "cases_dataset", "run_study"),
     "Analyse": ("analyse", "by_component", "plot"),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (

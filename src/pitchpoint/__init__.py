@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
+    from pitchpoint.sweep.study.run_study import run_study
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import planet_loads
 
@@ -145,6 +146,7 @@ __all__ = [
     "read_rexs",
     "reduce_system",
     "run_cases",
+    "run_study",
     "solve_campbell",
     "solve_contact",
     "solve_contacts_on_shafts",
@@ -241,6 +243,7 @@ _HOMES = {
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
+    "sweep.study.run_study": ("run_study",),
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
 }
