@@ -6,7 +6,6 @@ Usage: ``python docs/generate.py build/docs/source``. `make docs` builds the sit
 
 from __future__ import annotations
 
-import importlib
 import json
 import shutil
 import sys
@@ -18,7 +17,7 @@ import make_api
 import make_drawings
 import make_gallery
 
-from pitchpoint.cli.main import COMMANDS, EPILOG, pitchpoint
+from pitchpoint.cli.main import COMMANDS, EPILOG, command_of, pitchpoint
 from pitchpoint.core.nomenclature import markdown_table
 from pitchpoint.core.unit_table import DIMENSIONS, PLAIN_UNITS, WORDS, Unit
 from pitchpoint.core.units import display_unit
@@ -107,8 +106,7 @@ def commands() -> str:
     settings: dict[str, Any] = pitchpoint.context_settings | {"terminal_width": 100}
     program = click.Context(pitchpoint, info_name="pitchpoint", **settings)
     for name in COMMANDS:
-        function = name.replace("-", "_")
-        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{function}"), function)
+        command = command_of(name)
         context = click.Context(command, info_name=name, parent=program)
         lines += [f"## {name}", "", *_help(context)]
         for part, child in sorted(getattr(command, "commands", {}).items()):

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.results import open_result
+    from pitchpoint.io.rexs.importing import import_rexs
+    from pitchpoint.io.rexs.reading import read_rexs
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -39,14 +41,19 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.damping import Damping
     from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.housing import HousingBody, HousingMatrix, RigidHousing
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.components.load import Load
+    from pitchpoint.model.components.load_case import LoadCase
+    from pitchpoint.model.components.lubricant import Lubricant
     from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.own_material import OwnMaterial
     from pitchpoint.model.components.parameter import Parameter
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
     from pitchpoint.model.components.ratio import Ratio
     from pitchpoint.model.components.rod import Rod
     from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+    from pitchpoint.model.components.scissor_gear import ScissorGear
     from pitchpoint.model.components.shaft import Shaft
     from pitchpoint.model.components.spring import Maxwell, Spring
     from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
@@ -93,21 +100,28 @@ __all__ = [
     "Gear",
     "GearPair",
     "GeometryError",
+    "HousingBody",
+    "HousingMatrix",
     "Joint",
     "Load",
+    "LoadCase",
+    "Lubricant",
     "Maxwell",
     "Mesh",
     "Model",
     "ModelError",
+    "OwnMaterial",
     "Parameter",
     "PitchpointError",
     "PlainBearing",
     "PlanetaryStage",
     "Ratio",
     "ReliefPlan",
+    "RigidHousing",
     "Rod",
     "RollingBearing",
     "Scenario",
+    "ScissorGear",
     "Shaft",
     "SolverError",
     "Spring",
@@ -123,11 +137,13 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "import_rexs",
     "load_model",
     "open_result",
     "planet_loads",
     "plot",
     "read_measured",
+    "read_rexs",
     "reduce_system",
     "run_cases",
     "run_study",
@@ -163,6 +179,8 @@ _HOMES = {
     "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
     "io.measured.reading": ("read_measured",),
     "io.results": ("open_result",),
+    "io.rexs.importing": ("import_rexs",),
+    "io.rexs.reading": ("read_rexs",),
     "io.yaml_model": ("load_model", "write_model"),
     "model.components.beam": ("Beam",),
     "model.components.bearing": ("Bearing",),
@@ -180,11 +198,16 @@ _HOMES = {
     "model.components.damping": ("Damping",),
     "model.components.elastic_body": ("ElasticBody",),
     "model.components.gear": ("Gear",),
+    "model.components.housing": ("HousingBody", "HousingMatrix", "RigidHousing"),
     "model.components.joint": ("Joint",),
     "model.components.load": ("Load",),
+    "model.components.load_case": ("LoadCase",),
+    "model.components.lubricant": ("Lubricant",),
     "model.components.mesh": ("Mesh",),
+    "model.components.own_material": ("OwnMaterial",),
     "model.components.parameter": ("Parameter",),
     "model.components.planetary_stage": ("PlanetaryStage",),
+    "model.components.scissor_gear": ("ScissorGear",),
     "model.components.ratio": ("Ratio",),
     "model.components.rod": ("Rod",),
     "model.components.rolling_bearing": (

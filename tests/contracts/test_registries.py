@@ -4,13 +4,12 @@
 from __future__ import annotations
 
 import ast
-import importlib
 
 import numpy as np
 import pytest
 from click import Command, Option
 
-from pitchpoint.cli.main import COMMANDS
+from pitchpoint.cli.main import COMMANDS, command_of
 from pitchpoint.contact.stiffness import law_function
 from pitchpoint.core import status
 from pitchpoint.elements.kind import CONSTRAINT, FRAME
@@ -102,8 +101,7 @@ def test_a_stiffness_law_is_its_file_and_its_class(name):
 
 @pytest.mark.parametrize("name", sorted(COMMANDS))
 def test_commands_can_be_found_under_their_name(name):
-    function = name.replace("-", "_")
-    command = getattr(importlib.import_module(f"pitchpoint.cli.{function}"), function)
+    command = command_of(name)
     assert isinstance(command, Command)
     assert command.help
     assert all(p.help for p in command.params if isinstance(p, Option))

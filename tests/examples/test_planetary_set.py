@@ -65,7 +65,7 @@ def test_planets_fit_in_phase(model):
 
     straight = model.replace("planetary_stages.set.pin_errors.planet_1.tangential", 0.0)
     planets = stages_of_model(straight)["set"]["planets"].values()
-    assert [row["phase_sun"] for row in planets] == pytest.approx([0.0] * 3, abs=1e-9)
+    assert [row["phases"]["sun"] for row in planets] == pytest.approx([0.0] * 3, abs=1e-9)
 
 
 @pytest.mark.parametrize("error", [0.0, 30e-6, 200e-6])
@@ -81,7 +81,7 @@ def test_phases_are_those_of_the_angles_of_the_pins(model, error):
     psi = 2.0 * math.pi * np.arange(3) / 3 - error / stage["center_distance"] * (np.arange(3) > 0)
     for side, gear, z in (("sun", "sun", 21), ("ring", "ring", -99)):
         turned = z * psi / (2.0 * math.pi)
-        listed = [row[f"phase_{side}"] for row in stage["planets"].values()]
+        listed = [row["phases"][side] for row in stage["planets"].values()]
         assert listed == list(central[gear]["phases"].values())
         miss = np.array(listed) - turned
         assert miss - np.round(miss) == pytest.approx(np.zeros(3), abs=1e-5)

@@ -5,6 +5,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.model import Model
+
 TEETH = "normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0"
 LAW = "stiffness: {law: constant, value: 5e8 N/m}, damper: {ratio: 0.05}"
 ARM = 90e-3
@@ -97,3 +102,37 @@ def by_hand(
     meshes = [f"  sun-planet_{k}: {{gears: [sun, planet_{k}], {mesh}}}" for k in range(1, n + 1)]
     meshes += [f"  planet_{k}-ring: {{gears: [planet_{k}, ring], {mesh}}}" for k in range(1, n + 1)]
     return "\n".join([text.rstrip("\n"), *lines, "joints:", *joints, "meshes:", *meshes, ""])
+
+
+def planet_set(sun: int, planet: int, ring: int, count: int, module: float = 4.0) -> Model:
+    """Model of a set with its ring held, planets written by hand; torque into the sun, out of the carrier."""
+    gear = (
+        "number_of_teeth: {}, normal_module: {} mm, face_width: 40 mm, profile_shift_coefficient: 0, "
+        "normal_pressure_angle: 25 deg"
+    )
+    arm = 0.5 * module * (sun + planet)
+    angles = 2.0 * np.pi * np.arange(count) / count
+    places = [(float(arm * np.cos(a)), float(arm * np.sin(a))) for a in angles]
+    mesh = "stiffness: {law: constant, value: 5e8 N/m}, damper: {ratio: 0.05}"
+    lines = [
+        "gears:",
+        f"  sun: {{{gear.format(sun, module)}}}",
+        f"  ring: {{{gear.format(ring, module)}, type: internal}}",
+        *(f"  p{k}: {{{gear.format(planet, module)}}}" for k in range(count)),
+        "bodies:",
+        "  sun: {gears: [sun], position: [0, 0, 0]}",
+        "  carrier: {inertia: 0.5 kg m^2, mass: 10 kg, position: [0, 0, 0]}",
+        "  ring: {gears: [ring], motion: fixed, position: [0, 0, 0]}",
+        *(f"  b{k}: {{gears: [p{k}], position: [{x!r} mm, {y!r} mm, 0]}}" for k, (x, y) in enumerate(places)),
+        "joints:",
+        *(f"  pin{k}: {{type: revolute, bodies: [carrier, b{k}]}}" for k in range(count)),
+        "meshes:",
+        *(f"  s{k}: {{gears: [sun, p{k}], {mesh}}}" for k in range(count)),
+        *(f"  r{k}: {{gears: [p{k}, ring], {mesh}}}" for k in range(count)),
+        "loads:",
+        "  in: {body: sun, torque: 300 N m}",
+        "  out: {body: carrier, torque: balance}",
+        "scenarios:",
+        "  steady: {speed: {sun: 1000 rpm}, duration: 20 ms}",
+    ]
+    return loads_model("\n".join(lines))

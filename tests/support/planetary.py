@@ -101,11 +101,3 @@ def lin_parker(n=3, damping=0.0):
     supports = (1e8, 1e8, 1e8, 1e8, 1e9 * r_r**2)
     masses = (0.4, 5.43, 2.35, 0.66)
     return planetary(pairs, inertias, (5e8, 5e8), masses, supports, n, damping)
-
-
-def touching(system, angle):
-    """State in which sun and ring have turned so far that every mesh just touches, as if the sun drove."""
-    state = system.initial_state()
-    for name in ("sun", "ring"):
-        state.q[system.layout.coordinate(f"{name}.spin")] = angle
-    return state

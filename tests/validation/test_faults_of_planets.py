@@ -22,7 +22,7 @@ import pytest
 
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.validation.test_planet_sets import planet_set
+from tests.support.planet_stages import planet_set
 
 SUN, PLANET, RING, COUNT = 21, 39, 99, 3
 DEPTH = 8e-6

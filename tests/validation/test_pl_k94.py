@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""PL-K94: torsional planetary set with a fixed ring, planets hanging on the carrier, in closed form.
+"""PL-K94: torsional planetary set with a fixed ring, as a planetary stage, in closed form.
 
 A. Kahraman, Natural modes of planetary gear trains, J. Sound Vib. 173 (1994), numbers of cases.md: three
 planets, base radii of sun and planet 0.5 m, carrier arm 1 m, inertias 4 (carrier), 0.5 (sun), 0.75 kg m^2
 (planet), meshes 7 (sun) and 11 N/m (ring). His angles are absolute, ours are those of the planets on the
-carrier; frequencies do not care. Springs act along base tangents: only base radii enter, so the pressure
-angle is free. The published four digits are those of the closed form, here written out with all digits.
+carrier; frequencies do not care. Springs act along base tangents, along which the arm a of the carrier is
+a cos(alpha), the sum of the base radii for any pressure angle. The published four digits are those of the
+closed form, here written out with all digits.
 """
 
 from __future__ import annotations
@@ -15,9 +16,10 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.system import evaluate
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.system.compile import compile_model
 from tests.support.engine import frequencies
-from tests.support.planetary import gear_pairs, planetary, touching
 
 K_SUN, K_RING, ARM, BASE = 7.0, 11.0, 1.0, 0.5
 CARRIER, SUN, PLANET = 4.0, 0.5, 0.75
@@ -41,17 +43,38 @@ def test_the_closed_form_has_the_published_numbers():
 
 
 @pytest.mark.parametrize("alpha", [14.5, 24.6])
-def test_frequencies_of_the_set(alpha):
-    """Springs of 10 N/m against inertias of 1 kg m^2: rounding only."""
-    alpha = math.radians(alpha)
-    module = 2.0 * BASE / (40 * math.cos(alpha))
-    pairs = gear_pairs(40, 40, module, alpha)
-    # the ring is a body that turns: its inertia stops it, as good as a wall to 1e-12
-    system = planetary(pairs, (SUN, CARRIER, 1e13, PLANET), (K_SUN, K_RING))
-    M, D, K = evaluate.linearize(system, touching(system, 1e-9))
-    found = frequencies(M, K)
-    assert np.abs(D).max() < 1e-12
-    np.testing.assert_allclose(found[-4:], closed_form()[-4:], rtol=1e-9)
-    for frequency, published in zip(found[-4:], PUBLISHED[-4:], strict=True):
-        assert frequency == pytest.approx(published, abs=1e-8)
-    np.testing.assert_allclose(found[:2], 0.0, atol=1e-6)
+def test_frequencies_of_the_stage(alpha):
+    """Published digits."""
+    module = 2.0 * BASE / (42 * math.cos(math.radians(alpha)))
+    teeth = (
+        f"normal_module: {module!r} m, normal_pressure_angle: {alpha} deg, face_width: 100 mm, "
+        "profile_shift_coefficient: 0"
+    )
+    text = f"""
+gears:
+  sun: {{number_of_teeth: 42, {teeth}}}
+  ring: {{number_of_teeth: 126, {teeth}, type: internal, tip_diameter: {module * 125!r} m}}
+bodies:
+  sun: {{gears: [sun], inertia: {SUN}, position: [0, 0, 0]}}
+  ring: {{gears: [ring], motion: fixed}}
+  carrier: {{inertia: {CARRIER}}}
+planetary_stages:
+  set:
+    sun: sun
+    ring: ring
+    carrier: carrier
+    planets: 3
+    planet: {{number_of_teeth: 42, {teeth}}}
+    planet_mass: 0
+    planet_inertia: {PLANET}
+    sun_mesh: {{stiffness: {{law: constant, value: {K_SUN} N/m}}}}
+    ring_mesh: {{stiffness: {{law: constant, value: {K_RING} N/m}}}}
+"""
+    found = find_modes(compile_model(loads_model(text)))
+    assert found.frequency == pytest.approx(PUBLISHED, abs=2e-8)
+    assert [name.partition(" mode")[0].split(" ")[-1] for name in found.names[1:]] == [
+        "planet",
+        "planet",
+        "rotational",
+        "rotational",
+    ]

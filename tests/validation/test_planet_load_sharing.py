@@ -95,6 +95,23 @@ def test_a_floating_sun_and_four_planets(error, torque):
     assert found == pytest.approx(torque / (4 * R_B) + rest, abs=1e-3 * torque / (4 * R_B))
 
 
+@pytest.mark.parametrize("torque", [300.0, 600.0, 1200.0, 2400.0])
+def test_the_factor_of_one_pin_error_over_the_torque(torque):
+    """K_gamma of a pin that is ahead by e, with the mean force F: 1 for three planets with a floating sun and
+    1 + K e'/(3 F) on fixed axes; 1 + K e'/(4 F) for four planets with either sun."""
+    error = 4e-6
+    spring = 2.0 * math.cos(ALPHA) * error / (2.0 / K + 4.0 * math.cos(ALPHA) ** 2 / K_PIN)
+    for count, sun, wanted in (
+        (3, "planar", 1.0),
+        (3, "torsion", 1.0 + spring * R_B / torque),
+        (4, "planar", 1.0 + spring * R_B / torque),
+        (4, "torsion", 1.0 + spring * R_B / torque),
+    ):
+        model = stage((error, *[0.0] * (count - 1)), torque=torque, sun=sun)
+        loads = pitchpoint.planet_loads(model, solve_equilibrium(compile_model(model)))["set"]
+        assert loads.factor == pytest.approx(wanted, abs=1e-3), (count, sun)
+
+
 def test_the_factor_in_static_solution_roll_and_run():
     """K_gamma of planets 2 and 3, which carry more; alike in all three, as the stiffness is constant."""
     errors = (8e-6, 0.0, 0.0)

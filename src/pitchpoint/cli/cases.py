@@ -140,8 +140,27 @@ def compute(
 
 
 def notes_of(results: Sequence[CaseResult]) -> list[str]:
-    """Notes on single cases, with their numbers."""
-    return [f"case {r.index}: {note}" for r in results for note in r.notes]
+    """Notes with the numbers of their cases, equal notes of several cases once."""
+    found: dict[str, list[int]] = {}
+    for result in results:
+        for note in result.notes:
+            found.setdefault(note, []).append(result.index)
+    return [f"{_cases(numbers)}: {note}" for note, numbers in found.items()]
+
+
+def _cases(numbers: Sequence[int]) -> str:
+    """Numbers of cases in words.
+
+    Examples
+    --------
+    >>> _cases([3]), _cases([0, 1, 2]), _cases([0, 2, 5])
+    ('case 3', 'cases 0 to 2', 'cases 0, 2 and 5')
+    """
+    if len(numbers) == 1:
+        return f"case {numbers[0]}"
+    if len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1:
+        return f"cases {numbers[0]} to {numbers[-1]}"
+    return f"cases {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
 
 
 def as_data(result: CaseResult) -> dict[str, Any]:

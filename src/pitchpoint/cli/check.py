@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.check_tables import FORCES, show_check
+from pitchpoint.cli.flexible_rims import rims_of_model, ring_modes
 from pitchpoint.cli.options import common, model_file, writes
 from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.settings import set_option
@@ -54,6 +55,7 @@ def check(
     """
     from pitchpoint.cli.balance import show_balance, solved
     from pitchpoint.cli.failure import FAILED, OK, say
+    from pitchpoint.cli.gearbox import without_nodes
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.settings import changes_of, settings_of_command
     from pitchpoint.model.changes import named
@@ -76,7 +78,7 @@ def check(
     if as_json:
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        show_check(model, file, found, len(messages), drawing)
+        show_check(model, file, without_nodes(found), len(messages), drawing)
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
@@ -122,8 +124,10 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.housing import gearbox_facts
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
+    from pitchpoint.report.scissor_gears import scissors_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
@@ -150,7 +154,8 @@ def summary(model: Model) -> dict[str, Any]:
         "included": list(model.origin.files),
         "degrees_of_freedom": sum(
             len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
-        ),
+        )
+        + ring_modes(model),
         "gravity": list(model.gravity) if model.gravity is not None else None,
         "gears": list(model.gears),
         "bevel_gears": list(model.bevel_gears),
@@ -179,10 +184,13 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.bevel_meshes.items()
         },
         "planetary_stages": stages_of_model(model),
+        "scissor_gears": scissors_of_model(model),
         "shafts": shaft_stations(model),
         "beam_stations": beam_stations(model),
+        **gearbox_facts(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
+        "flexible_rims": rims_of_model(model),
         "joints": _joints(model),
         "rods": list(model.rods),
         "ratios": list(model.ratios),
@@ -247,5 +255,5 @@ def _mobility(model: Model) -> dict[str, int]:
     held = sum(c.permanent for group in contacts for c in group.values())
     others = len(model.rods) + len(model.ratios) + held
     count, mobility = freedoms(model.mechanism, model, others)
-    more = 6 * sum(len(places) - 1 for places in model.stations.values())
+    more = 6 * sum(len(places) - 1 for places in model.stations.values()) + ring_modes(model)
     return {"coordinates": count + more, "constraints": count - mobility, "by_count": mobility + more}

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.cli.flexible_rims import show_rims
 from pitchpoint.cli.output import show, shown, table
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
@@ -15,7 +16,8 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+    *("bevel_meshes", "planetary_stages", "scissor_gears", "bearings", "couplings", "loads", "load_cases"),
+    *("scenarios", *SIGNALS),
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -83,6 +85,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
         File of the drawing, if there is one.
     """
     from pitchpoint.cli.balance import show_balance
+    from pitchpoint.cli.gearbox import show_gearbox
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.cli.power_flow import show_power_flows
     from pitchpoint.report.parameters import HEAD, parameter_lines
@@ -105,6 +108,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
         show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
+    show_rims(found["flexible_rims"])
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
@@ -130,6 +134,11 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
         from pitchpoint.cli.planets import show_stages
 
         show_stages(found["planetary_stages"])
+    if found["scissor_gears"]:
+        from pitchpoint.cli.scissor_gears import show_scissors
+
+        show_scissors(found["scissor_gears"])
+    show_gearbox(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -58,25 +58,33 @@ def frequencies(
 ) -> None:
     """Show the frequencies of shafts, meshes, planetary gear sets and rolling bearings of FILE.
 
-    Specify speeds by a scenario or --speed; the other speeds follow from the gear ratios.
+    Specify speeds by a scenario, --load-case or --speed; the other speeds follow from the gear ratios.
     """
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.report.frequencies import frequencies_of, scenario_speeds, turning_speeds
+    from pitchpoint.model.load_cases import speeds_in_effect
+    from pitchpoint.report.frequencies import (
+        frequencies_of,
+        scenario_speeds,
+        turning_speeds,
+        undetermined_speeds,
+    )
 
     model = read_model(file, allow_code, quiet)
     remarks: list[str] = []
-    speeds = dict(given)
+    speeds = dict(given) or ({} if scenario is not None else speeds_in_effect(model))
     if given and scenario is not None:
         raise click.UsageError("--speed replaces a scenario; omit one of the two")
     driven: Collection[str] = ()
-    if not given:
+    held: Sequence[str] = ()
+    if not speeds:
         scenario = _scenario(model, scenario)
         speeds, remarks = scenario_speeds(model, scenario)
-        driven = model.scenarios[scenario].drive
-    spins = turning_speeds(model, speeds, driven=driven)
+        driven, held = model.scenarios[scenario].drive, model.scenarios[scenario].hold
+    spins = turning_speeds(model, speeds, driven=driven, held=held)
     if not any(spins.values()):
         where = f"scenario {scenario}: nothing rotates" if scenario else "nothing rotates"
         raise click.UsageError(f"{where}; give a speed, such as --speed {next(iter(model.bodies))}=1500rpm")
+    remarks += undetermined_speeds(model, [*speeds, *held])
     found = {"scenario": scenario, **frequencies_of(model, spins), "remarks": remarks}
     if as_json:
         emit_json(found)

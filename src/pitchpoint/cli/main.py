@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The `pitchpoint` command: list of subcommands and handling of errors.
 
-A command is a module of this folder with a function of the same name. It is imported when called, so that
-`pitchpoint --help` does not load numerical libraries.
+A command is a module of this folder with a function of the same name; for words of Python both end in an
+underscore. It is imported when called, so that `pitchpoint --help` does not load numerical libraries.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import gc
 import importlib
 import io
+import keyword
 import os
 import sys
 import warnings
@@ -22,6 +23,7 @@ from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 
 COMMANDS = {
     "new": "Write a commented model to start from.",
+    "import": "Model from a REXS file of a gear unit.",
     "check": "Check a model file; list its parts and defaults.",
     "gears": "Geometry of gears and pairs; drawings.",
     "clearance": "Clearances between assembled gears, with pictures.",
@@ -57,6 +59,20 @@ EPILOG = (
 )
 
 
+def command_of(name: str) -> click.Command:
+    """Import a command.
+
+    Parameters
+    ----------
+    name
+        One of `COMMANDS`.
+    """
+    module = name.replace("-", "_")
+    module += "_" if keyword.iskeyword(module) else ""
+    command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{module}"), module)
+    return command
+
+
 class LazyGroup(click.Group):
     """Command group that imports only the command that is called."""
 
@@ -66,11 +82,7 @@ class LazyGroup(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import a command; None for unknown names."""
-        if cmd_name not in COMMANDS:
-            return None
-        name = cmd_name.replace("-", "_")
-        command: click.Command = getattr(importlib.import_module(f"pitchpoint.cli.{name}"), name)
-        return command
+        return command_of(cmd_name) if cmd_name in COMMANDS else None
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

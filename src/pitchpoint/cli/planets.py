@@ -8,28 +8,22 @@ from typing import Any
 
 from pitchpoint.cli.output import shown, table
 
-TITLES = {
-    "angle": "angle",
-    "phase_sun": "phase, sun mesh",
-    "phase_ring": "phase, ring mesh",
-    "tangential_pin_error": "tangential pin error",
-    "radial_pin_error": "radial pin error",
-}
-ERRORS = ("tangential_pin_error", "radial_pin_error")
+ERRORS = {"tangential_pin_error": "tangential pin error", "radial_pin_error": "radial pin error"}
 
 
 def show_stages(stages: Mapping[str, Mapping[str, Any]]) -> None:
     """Print angle, mesh phases and pin error of every planet; phases are in base pitches."""
     for name, stage in stages.items():
         planets = stage["planets"]
-        columns = [
-            key
-            for key in TITLES
-            if any(key in row for row in planets.values())
-            and (key not in ERRORS or any(row[key] for row in planets.values()))
-        ]
+        errors = [key for key in ERRORS if any(row[key] for row in planets.values())]
         rows = [
-            [planet, *(_cell(key, row[key]) for key in columns if key in row)]
+            [
+                planet,
+                shown(row["angle"], "angle"),
+                *(f"{row['phases'][mate]:.4f}" for mate in stage["mates"]),
+                *(shown(angle, "angle", 5) for angle in row["orientations"].values()),
+                *(shown(row[key], "length", 4) for key in errors),
+            ]
             for planet, row in planets.items()
         ]
         notes = []
@@ -38,12 +32,12 @@ def show_stages(stages: Mapping[str, Mapping[str, Any]]) -> None:
         if stage["planet_gap"] is not None:
             notes.append(f"distance between neighbouring planets {shown(stage['planet_gap'], 'length', 4)}")
         title = f"Planetary stage {name}: planets on {stage['carrier']}"
-        table(title, ["planet", *(TITLES[key] for key in columns)], rows, notes)
-
-
-def _cell(key: str, value: float) -> str:
-    if key.startswith("phase"):
-        return f"{value:.4f}"
-    if key == "angle":
-        return shown(value, "angle")
-    return shown(value, "length", 4)
+        if stage["ring_after_sun"] is not None:
+            notes.append(
+                f"flanks pass the pitch point with {stage['ring']} {stage['ring_after_sun']:.4f} mesh cycles "
+                f"after those with {stage['sun']}, if {stage['sun']} drives"
+            )
+        steps = next(iter(planets.values()))["orientations"]
+        columns = ["angle", *(f"phase, {mate}" for mate in stage["mates"])]
+        columns += [*(f"teeth of {step}" for step in steps), *(ERRORS[key] for key in errors)]
+        table(title, ["planet", *columns], rows, notes)

@@ -219,6 +219,11 @@ def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
         table(title, ["planet", "mesh", "mean mesh force", "share"], rows)
 
 
+def _largest_force(row: Mapping[str, Any] | None) -> str:
+    """Mesh force of the largest magnitude, negative on the back flank; a dash if it is not a channel."""
+    return "-" if row is None else shown(max(row["min"], row["max"], key=abs), "force", 4)
+
+
 def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
     """Print impacts and contact loss of the meshes that lose contact."""
     rows, notes = [], []
@@ -233,9 +238,10 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 f"{100.0 * row['contact_loss_share']:.3g} %",
                 shown(row["longest_loss"], "time", 3),
                 f"{row['front_impacts']} front, {row['back_impacts']} back",
+                _largest_force(channels.get(f"mesh_force[{mesh}]")),
                 f"{1e3 * row['closing_speed_max']:.4g} mm/s",
                 f"{row['impulse_max']:.4g} N s" if row["impulse_max"] > 0.0 else "-",
-                f"{index:.3g}" if math.isfinite(index) else "not known",
+                (f"{index:.3g}" if index >= 1e-3 else "0") if math.isfinite(index) else "not known",
             ]
         )
         shortest = row["shortest_contact"]
@@ -246,7 +252,16 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 f"every {step}, so impacts may be missed; use a smaller step"
             )
     if rows:
-        head = ["mesh", "contact loss", "longest", "impacts", "closing speed", "impulse", "rattle index"]
+        head = [
+            "mesh",
+            "contact loss",
+            "longest",
+            "impacts",
+            "largest force",
+            "closing speed",
+            "impulse",
+            "rattle index",
+        ]
         table("contact loss", head, rows, notes)
 
 

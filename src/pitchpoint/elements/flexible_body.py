@@ -18,6 +18,8 @@ components of omega. Its reactions on the frame are of second order in eta and n
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -137,7 +139,9 @@ def flexible_row(
     return row
 
 
-def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.void]]:
+def modal_bodies(
+    name: str, n: int, first: int, words: Sequence[str] | None = None
+) -> tuple[list[Body], NDArray[np.void]]:
     """Hidden bodies for n modal coordinates, three each, and the guide records that move them.
 
     Parameters
@@ -148,16 +152,19 @@ def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.
         Number of modal coordinates.
     first
         Number of the first hidden body in the records.
+    words
+        Names of the coordinates instead of eta1 ...
 
     Returns
     -------
     list of Body, records of the kind guide
     """
+    known = words or [f"eta{k + 1}" for k in range(n)]
     bodies, rows = [], []
     for g in range(-(-n // GROUP)):
         mine = range(GROUP * g, min(GROUP * (g + 1), n))
-        words = tuple((f"eta{k + 1}", "m") for k in mine)
-        bodies.append(Body(motion=GUIDED, guided_by=words, name=f"{name}.{g + 1}"))
+        own = tuple((known[k], "m") for k in mine)
+        bodies.append(Body(motion=GUIDED, guided_by=own, name=f"{name}.{g + 1}"))
         for m in range(len(mine)):
             row = np.zeros(1, guide.RECORD)
             row["i"], row["m"], row["k"], row["slope"] = first + g, m, m, 1.0
@@ -261,6 +268,11 @@ def entry(ctl, rec, n):
     return flexible_body(view(rec, n, RECORD), c, fr, kk)
 
 
+def label(record: np.void) -> str:
+    """Word before the name: the rim of a gear has no mass of its own."""
+    return "flexible body" if record["mass"] > 0.0 else "bending"
+
+
 KIND = Kind(
     name="flexible_body",
     channel=FRAME,
@@ -274,5 +286,6 @@ KIND = Kind(
     spins=FREE,
     fine=True,
     excites=False,
-    sections={"elastic_bodies": ""},
+    sections={"elastic_bodies": "", "gears": ""},
+    label=label,
 )

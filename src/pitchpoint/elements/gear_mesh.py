@@ -21,7 +21,7 @@ import numpy as np
 from pitchpoint.contact.pair_shape import FOURIER, RECTANGULAR, phase_stiffness
 from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, RIM, WITH_RIM, Kind, Power
 from pitchpoint.elements.mesh.eccentricity import begin_displaced, damping_alone, end_displaced, whole
 from pitchpoint.elements.mesh.exact_tangent import turning
 from pitchpoint.elements.mesh.flank_deviations import (
@@ -30,6 +30,7 @@ from pitchpoint.elements.mesh.flank_deviations import (
     runs_damped,
     spin_direction,
 )
+from pitchpoint.elements.mesh.flexible_rim import bend_rim, release_rim
 from pitchpoint.elements.mesh.force_directions import (
     friction_directions,
     normal_directions,
@@ -86,7 +87,6 @@ from pitchpoint.multibody.channels import F8, frame_args
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
-
 RECORD_BYTES = RECORD.itemsize
 _STEP = 1e-5
 """Maximum phase step of the difference quotient of a user stiffness law (for the parametric power only)."""
@@ -105,9 +105,8 @@ def bends(record: np.void) -> tuple[str, ...]:
     Contact: always. Tooth pairs: unless the stiffness is a sum of harmonics. Sliding velocity: only with
     friction, whose force reverses with it.
     """
-    names = tuple(name for name, _ in EVENTS)
-    if record["source"] == SURFACE:  # tip edges come into contact smoothly
-        names = tuple(name for name in names if "pair" not in name)
+    smooth = record["source"] == SURFACE  # tip edges come into contact smoothly
+    names = tuple(name for name, _ in EVENTS if not (smooth and "pair" in name))
     if record["contact"]["mu"] > 0.0:
         return names
     harmonic = record["source"] == PHASE and record["form"] == FOURIER
@@ -322,8 +321,10 @@ def _one_mesh(b, fr, kk):
 
 @kernel
 def _displaced_mesh(b, ctl, fr, kk):
-    """Evaluate the mesh of gears that are eccentric or wobble on the axes of their bodies."""
+    """Evaluate the mesh of gears that are eccentric or wobble on their bodies, or whose rim bends."""
     frames = begin_displaced(b, fr)
+    if b["n_rim"] > 0:
+        call(b["bend_rim"], b["here"], ctl["at"], 0)
     request = b["request"]
     status = OK
     if request["jac"] == 2 and request["ck"] != 0.0:
@@ -332,6 +333,8 @@ def _displaced_mesh(b, ctl, fr, kk):
         end_damping(b, kept)
         request["jac"] = 2
     status = max(status, _one_mesh(b, frames, whole(b, frames)))
+    if b["n_rim"] > 0:
+        call(b["release_rim"], b["here"], ctl["at"], 0)
     end_displaced(b, ctl, fr, kk, frames)
     return status
 
@@ -381,7 +384,11 @@ KIND = Kind(
         "rigid": (rigid_flank, "is_rigid"),
         "flexible": (flexible_flank, "is_flexible"),
         "tabulated": (tabulated_flank, "is_tabulated"),
+        "bend_rim": (bend_rim, "n_rim"),
+        "release_rim": (release_rim, "n_rim"),
     },
+    pairs=WITH_RIM,
+    paired=RIM,
     role=MESH,
     massless=True,
     spins=GEARED,

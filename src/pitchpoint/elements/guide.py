@@ -201,6 +201,6 @@ KIND = Kind(
     entry=entry,
     outputs=OUTPUTS,
     spins=FREE,
-    sections={"joints": "", "elastic_bodies": ""},
+    sections={"joints": "", "elastic_bodies": "", "gears": ""},
     power=Power(),
 )

@@ -37,12 +37,14 @@ __all__ = [
     "RATIO",
     "RAYLEIGH",
     "RELATIVE",
+    "RIM",
     "SIGNAL",
     "SINGLE",
     "TOGETHER",
     "TORQUE",
     "WEIGHT",
     "WITH_MODES",
+    "WITH_RIM",
     "WITH_STATE",
     "Kind",
     "Power",
@@ -91,6 +93,10 @@ MODAL = ("i", "j", "k", "l", "m", *(f"m{n}" for n in range(5, 11)))
 """Fields of a floating frame and of the hidden bodies of its modal coordinates, three each."""
 WITH_MODES = tuple((a, b) for n, a in enumerate(MODAL) for b in MODAL[n + 1 :])
 """Pairs of kinds that couple a floating frame and all hidden bodies of its modal coordinates."""
+RIM = ("i", "j", *(f"h{n}" for n in range(1, 11)))
+"""Fields of two bodies, and of the hidden bodies of the modal coordinates of the second one."""
+WITH_RIM = tuple((a, b) for n, a in enumerate(RIM) for b in RIM[n + 1 :])
+"""Pairs of kinds that couple all of them."""
 
 
 @dataclass(frozen=True)

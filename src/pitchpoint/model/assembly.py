@@ -17,12 +17,14 @@ import numpy as np
 from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
+from pitchpoint.model.housing import place_nodes
 from pitchpoint.model.lines_of_centres import by_couplings, line_up
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.planetary_stages import orient_pins, place_planets
+from pitchpoint.model.planet_places import orient_pins, place_planets, settle_angles
 from pitchpoint.model.profile_shifts import determine_shifts, usable
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import place_free_halves
 
 
 def resolve(parts: Parts, report: Reader) -> None:
@@ -30,6 +32,7 @@ def resolve(parts: Parts, report: Reader) -> None:
     _check_hands(parts, report)
     determine_shifts(parts, report)
     _pairs(parts, report)
+    settle_angles(parts, report)
     orient(parts)
     orient_pins(parts)
     settle_twists(parts, report)
@@ -92,6 +95,8 @@ def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
         while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
             before = len(placed)
             place_planets(parts)
+            place_free_halves(parts)
+            place_nodes(parts)
             place_joined(parts)
             _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None], given)
 

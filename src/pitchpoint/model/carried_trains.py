@@ -101,6 +101,25 @@ def carried_speeds(
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
+def undetermined(parts: Parts, links: list[Link], known: Sequence[str]) -> list[str]:
+    """Bodies in a train with the known ones whose spin speeds do not follow from these.
+
+    `carried_speeds` gives them the least speeds that fit.
+    """
+    turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
+    place = {name: k for k, name in enumerate(turning)}
+    rows = [row for link in links if (row := relation(parts, place, link)).any()]
+    free = null_space(np.array(rows).reshape(-1, len(turning)), len(turning))
+    taken = free[[place[name] for name in known if name in place]]
+    if not free.shape[1] or not len(taken):
+        return []
+    _, sizes, basis = np.linalg.svd(taken)
+    spanned, left = np.split(basis, [int(np.sum(sizes > SAME * sizes.max()))])
+    moved = np.linalg.norm(free @ spanned.T, axis=1) > SAME  # by the known ones
+    loose = np.linalg.norm(free @ left.T, axis=1) > SAME
+    return [name for name, k in place.items() if moved[k] and loose[k]]
+
+
 def speed_in_space(
     parts: Parts,
     spins: Mapping[str, float],

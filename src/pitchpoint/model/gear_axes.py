@@ -15,7 +15,7 @@ import numpy as np
 
 from pitchpoint.model.frames import Array, Machine, body_frame
 from pitchpoint.model.keys import Place
-from pitchpoint.model.planetary_stages import axis_bodies
+from pitchpoint.model.planet_places import axis_bodies
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:

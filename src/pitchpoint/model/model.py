@@ -176,7 +176,8 @@ class Model(Contents):
             object.__setattr__(self, name, part)
 
     def _parts(self) -> Parts:
-        parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)
+        keys = (*sections.groups_of(self), "damping", "housing", "lubricant", "load_case")
+        parts = Parts.of({name: getattr(self, name) for name in keys})
         parts.mechanism = self.mechanism or parts.mechanism
         return parts
 
@@ -222,6 +223,7 @@ class Model(Contents):
             allow_code=code,
             directory=self.directory,
             parameters=self.amounts,
+            materials=self.materials,
             sources=dict(self.origin.sources),
             bare=list(self.origin.bare),
         )
@@ -262,11 +264,13 @@ class Model(Contents):
 
     @cached_property
     def _all_lines(self) -> dict[tuple[Any, ...], int]:
-        """Lines of the keys of the file, and of the components of planetary stages."""
+        """Lines of the keys of the file, and of the components of planetary stages and scissor gears."""
         from pitchpoint.model.planetary_stages import lines_of_planets
+        from pitchpoint.model.scissor_gears import lines_of_free_halves
 
         lines = self.lines or {}
-        return {**dict(lines_of_planets(self.planetary_stages, lines)), **lines}
+        planets = lines_of_planets(self.planetary_stages, lines)
+        return {**dict(planets), **dict(lines_of_free_halves(self, lines)), **lines}
 
     def backlash(self, mesh: str) -> float:
         """Backlash along the base tangent at the centre distance [m]: as given, or from geometry.

@@ -73,14 +73,14 @@ def tooth_twist(gear: Gear, offset: float) -> float:
 
 def _phase(gear: Gear, angle: float, direction: float, offset: float) -> float:
     """Signed tooth phase of one gear at the pitch point, z (gamma + twist - theta) [rad]."""
-    return gear.sign * gear.number_of_teeth * (angle + tooth_twist(gear, offset) - direction)
+    return _teeth(gear) * (angle + tooth_twist(gear, offset) - direction)
 
 
 def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
     """Rotate all gears so that all meshes are centred in their backlash.
 
-    Gears with an `initial_angle` keep it; in a train without any, gear 1 of the first mesh is at 0. The
-    residual of a mesh between two gears of known angle is its `offset`.
+    Gears with an `initial_angle` keep it, and aligned gears the angle between them; in a train without any,
+    gear 1 of the first mesh is at 0. The residual of a mesh between two gears of known angle is its `offset`.
 
     Parameters
     ----------
@@ -96,6 +96,7 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
     loose = dict(meshes)
     fresh = list(angle)
     while loose:
+        fresh += _aligned(gears, angle)
         ready = {n for gear in fresh for n in of_gear.get(gear, ()) if n in loose}
         if not ready:
             fresh = [next(iter(loose.values())).gears[0]]
@@ -108,6 +109,7 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
                 if mesh.gears[other] not in angle:
                     angle[mesh.gears[other]] = _turned(gears, mesh, this, angle[mesh.gears[this]])
                     fresh.append(mesh.gears[other])
+    _aligned(gears, angle)
     for name in gears:
         angle.setdefault(name, 0.0)
     missed = {name: _pitches(gears, mesh, angle)[0] for name, mesh in meshes.items()}
@@ -150,18 +152,43 @@ def _centre(
     """
     import numpy as np
 
-    free = [n for n, g in gears.items() if g.initial_angle is None]
+    free = [n for n, g in gears.items() if g.initial_angle is None and g.aligned is None]
     place = {name: k for k, name in enumerate(free)}
     rows = np.zeros((len(meshes), len(free)))
     for row, mesh in zip(rows, meshes.values(), strict=True):
-        for gear in mesh.gears:
-            if gear in place:
-                row[place[gear]] += 1.0
+        for name in mesh.gears:
+            base = (gears[name].aligned or (name,))[0]
+            if base in place:
+                row[place[base]] += _teeth(gears[name]) / _teeth(gears[base])
     # the least change of all: trains without errors stay as they are
     moved = np.linalg.lstsq(rows, -np.array(list(missed.values())), rcond=None)[0]
     for name, pitches in zip(free, moved.tolist(), strict=True):
         if abs(pitches) > ROUNDING:
-            angle[name] += math.tau * pitches / (gears[name].sign * gears[name].number_of_teeth)
+            angle[name] += math.tau * pitches / _teeth(gears[name])
+    for name, gear in gears.items():
+        if gear.aligned is not None:
+            angle[name] = angle[gear.aligned[0]] + gear.aligned[1]
+
+
+def _teeth(gear: Gear) -> int:
+    """Number of teeth, negative for internal gears."""
+    return gear.sign * gear.number_of_teeth
+
+
+def _aligned(gears: Mapping[str, Gear], angle: dict[str, float]) -> list[str]:
+    """Set the angles of gears aligned with another one of known angle, or reverse; the gears set."""
+    found = []
+    for name, gear in gears.items():
+        if gear.aligned is None:
+            continue
+        base, turned = gear.aligned
+        if base in angle and name not in angle:
+            angle[name] = angle[base] + turned
+            found.append(name)
+        elif name in angle and base not in angle:
+            angle[base] = angle[name] - turned
+            found.append(base)
+    return found
 
 
 def _turned(gears: Mapping[str, Gear], mesh: Mesh, fixed: int, angle: float) -> float:
@@ -171,7 +198,7 @@ def _turned(gears: Mapping[str, Gear], mesh: Mesh, fixed: int, angle: float) -> 
     offsets = (mesh.offset1, mesh.offset2)
     moved = 1 - fixed
     rest = math.pi - _phase(pair[fixed], angle, directions[fixed], offsets[fixed])
-    z = pair[moved].sign * pair[moved].number_of_teeth
+    z = _teeth(pair[moved])
     return directions[moved] - tooth_twist(pair[moved], offsets[moved]) + math.remainder(rest, math.tau) / z
 
 

@@ -7,23 +7,27 @@ the pins, moved by the error of its pin; the distances of the places are the cen
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.joint import Joint
-from pitchpoint.model.components.planetary_stage import JOINTS, PinError, PlanetaryStage, SinglePlanet
-from pitchpoint.model.frames import Array, body_frame
+from pitchpoint.model.components.planetary_stage import (
+    JOINTS,
+    PlanetaryStage,
+    SinglePlanet,
+    SingleStep,
+    Wheel,
+    names_of,
+)
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import places_of_free_half
 from pitchpoint.model.show import dotted
 
 if TYPE_CHECKING:
@@ -62,24 +66,16 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
     """Check names and types of the members of a stage."""
     at: Place = (SECTION, name)
     before = len(report.problems)
-    if stage.sun is None and stage.ring is None:
+    for wheel in stage.wheels:
+        if wheel.step and not wheel.mates:
+            report.problem(
+                (*at, *wheel.key),
+                "has no mate",
+                remedy="give sun, ring or inner_planets that it meshes with",
+            )
+    if not any(side != "planet" for wheel in stage.wheels for side in wheel.mates):
         report.problem(at, "has neither sun nor ring", remedy="name the gear that the planets mesh with")
-    for key, gear, kind in (("sun", stage.sun, "external"), ("ring", stage.ring, "internal")):
-        if gear is None:
-            continue
-        if not parts.has("gears", gear):
-            guess = did_you_mean(gear, parts.known("gears"))
-            have = f"there are {', '.join(sorted(parts.known('gears'))) or 'none'}"
-            report.problem(
-                (*at, key), f"names the gear {gear[:40]!r}, which does not exist", remedy=guess + have
-            )
-        elif gear in parts.gears and parts.gears[gear].type != kind:
-            report.problem(
-                (*at, key),
-                f"names the {parts.gears[gear].type} gear {gear}",
-                limit=f"an {kind} gear",
-                remedy=f"name an {kind} gear, or give {gear} type: {kind}",
-            )
+    _mates(parts, at, stage, report)
     if not parts.has("bodies", stage.carrier):
         known = parts.known("bodies") | parts.known("shafts") | parts.known("elastic_bodies")
         if stage.carrier not in known:
@@ -89,8 +85,10 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
                 f"names the body {stage.carrier[:40]!r}, which does not exist",
                 remedy=guess + f"there are {', '.join(sorted(known)) or 'none'}",
             )
-    if stage.planet.type != "external":
-        report.problem((*at, "planet", "type"), "is internal", limit="external", remedy="remove type")
+    for wheel in stage.wheels:
+        if wheel.gear.type != "external":
+            path = (*wheel.key, "gear") if wheel.step else ("planet",)
+            report.problem((*at, *path, "type"), "is internal", limit="external", remedy="remove type")
     if stage.motion == "torsion" and stage.bearing is not None:
         report.problem(
             (*at, "bearing"),
@@ -105,7 +103,101 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
                     "is not a planet of the stage",
                     remedy=did_you_mean(planet, stage.names) + f"its planets are {', '.join(stage.names)}",
                 )
+    for name_of_step, step_part in stage.steps.items():
+        if step_part.orientation is not None and step_part.gear.initial_angle is not None:
+            report.problem(
+                (*at, "steps", name_of_step, "orientation"),
+                "is given twice: the gear has an initial_angle",
+                remedy="remove one of them",
+            )
+    for planet, own in stage.single_planets.items():
+        for step in own.steps.keys() - stage.steps.keys():
+            report.problem(
+                (*at, "single_planets", planet, "steps", step),
+                "is not a step of the planets",
+                remedy=did_you_mean(step, stage.steps) + f"there are {', '.join(stage.steps) or 'none'}",
+            )
     return len(report.problems) == before and at not in report.tainted
+
+
+def _mates(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
+    """Check names and types of sun, ring and inner planets of every gear of the planets."""
+    taken: dict[str, Place] = {}
+    inner = 0
+    for wheel in stage.wheels:
+        for side, mate in wheel.mates.items():
+            key: Place = (*at, *wheel.key, "inner_planets" if side == "planet" else side)
+            if mate in taken:
+                report.problem(
+                    key, f"names {mate}, as does {dotted(taken[mate])}", remedy="remove it from one of them"
+                )
+                continue
+            taken[mate] = key
+            if side == "planet":
+                inner += 1
+                _inner(parts, key, stage, mate, inner, report)
+            else:
+                _central(parts, key, mate, "external" if side == "sun" else "internal", report)
+
+
+def _central(parts: Parts, key: Place, gear: str, kind: str, report: Reader) -> None:
+    """Check that a sun or ring exists, with teeth of its type."""
+    if not parts.has("gears", gear):
+        guess = did_you_mean(gear, parts.known("gears"))
+        have = f"there are {', '.join(sorted(parts.known('gears'))) or 'none'}"
+        report.problem(key, f"names the gear {gear[:40]!r}, which does not exist", remedy=guess + have)
+    elif gear in parts.gears and parts.gears[gear].type != kind:
+        report.problem(
+            key,
+            f"names the {parts.gears[gear].type} gear {gear}",
+            limit=f"an {kind} gear",
+            remedy=f"name an {kind} gear, or give {gear} type: {kind}",
+        )
+
+
+def _inner(parts: Parts, key: Place, stage: PlanetaryStage, mate: str, count: int, report: Reader) -> None:
+    """Check that inner planets are those of another stage, as many, on the same carrier."""
+    others = {s.planet_name: s for s in parts.planetary_stages.values() if s is not stage}
+    other = others.get(mate)
+    unread = len(parts.planetary_stages) < len(parts.known(SECTION))
+    if (other is None and unread) or (other is not None and not other.names):
+        # of a stage that could not be read, or without a number of planets: reported there
+        parts.names["gears"] = parts.known("gears") | set(names_of(mate, len(stage.names)))
+        return
+    if mate == stage.planet_name:
+        report.problem(
+            key,
+            f"names its own planets, {mate}",
+            remedy="give the stages different planet_name, and name that of the other one",
+        )
+    elif count > 1:
+        report.problem(key, "is the second of the planets", limit="1", remedy="remove one inner_planets")
+    elif other is None:
+        report.problem(
+            key,
+            f"names the planets {mate[:40]!r}, which do not exist",
+            remedy=did_you_mean(mate, others)
+            + f"planet_name of other stages: {', '.join(others) or 'there is no other stage'}",
+        )
+    elif stage.names and len(other.names) != len(stage.names):
+        report.problem(
+            key,
+            f"names {len(other.names)} planets for {len(stage.names)} planets",
+            remedy="give both stages the same number of planets",
+        )
+    elif other.carrier != stage.carrier:
+        report.problem(
+            key,
+            f"names planets on {other.carrier}",
+            limit=f"planets on the same carrier, {stage.carrier}",
+            remedy="give both stages the same carrier",
+        )
+    elif stage.planet_name in inner_chain(parts, stage):
+        report.problem(
+            key,
+            "is a loop: each stage has the planets of the other as inner_planets",
+            remedy="remove inner_planets from one of them",
+        )
 
 
 def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> bool:
@@ -134,31 +226,51 @@ def places_in_file(name: str, stage: PlanetaryStage) -> dict[Place, Place]:
     at: Place = (SECTION, name)
     found: dict[Place, Place] = {}
     for group, word, _, key in members(name, stage):
-        found[group, word] = (*at, key) if key else at
+        found[group, word] = (*at, *key)
         if group == "meshes":
             found[group, word, "gears"] = at
-            found[group, word, "center_distance"] = (*at, "center_distance")
+            apart = "planet_center_distance" if key[-1] == "planet_mesh" else "center_distance"
+            found[group, word, "center_distance"] = (*at, apart)
         elif group == "bearings":
             found |= {(group, word, "body"): at, (group, word, "housing"): (*at, "carrier")}
         elif group == "joints":
             found[group, word, "position"] = (*at, "carrier")
-    for planet, own in stage.single_planets.items():
-        place: Place = (*at, "single_planets", planet)
-        for key in ("modifications", "deviations", "tooth_thickness_allowance"):
-            if getattr(own, key) is not None:
-                found["gears", planet, key] = (*place, key)
-        found |= {("gears", planet, "faults", fault): (*place, "faults", fault) for fault in own.faults}
-        for side, mesh in _meshes_of(stage, planet).items():
-            found |= {("meshes", mesh, key): (*place, side, key) for key in getattr(own, side).given}
+    for planet in stage.single_planets.keys() & set(stage.names):
+        for wheel in stage.wheels:
+            own = single_step(stage, planet, wheel.step)
+            place: Place = (*at, "single_planets", planet, *wheel.key)
+            gear = wheel.of(planet)
+            for word in ("modifications", "deviations", "tooth_thickness_allowance"):
+                if getattr(own, word) is not None:
+                    found["gears", gear, word] = (*place, word)
+            found |= {("gears", gear, "faults", fault): (*place, "faults", fault) for fault in own.faults}
+    for mesh_group in stage.groups:
+        side = f"{mesh_group.side}_mesh"
+        for planet, mesh in zip(stage.names, mesh_group.names, strict=True):
+            given = getattr(single_step(stage, planet, mesh_group.wheel.step), side).given
+            base: Place = (*at, "single_planets", planet, *mesh_group.wheel.key, side)
+            found |= {("meshes", mesh, word): (*base, word) for word in given}
     return found
 
 
-def _meshes_of(stage: PlanetaryStage, planet: str) -> dict[str, str]:
-    """Meshes of one planet, by the key of the stage that describes them."""
-    sides = {"sun_mesh": stage.sun_meshes(), "ring_mesh": stage.ring_meshes()}
-    if planet not in stage.names:
-        return {}
-    return {side: meshes[stage.names.index(planet)] for side, meshes in sides.items() if meshes}
+def single_step(stage: PlanetaryStage, planet: str, step: str) -> SingleStep:
+    """Data of one planet, or of one of its steps, that replace the common ones."""
+    own = stage.single_planets.get(planet, SinglePlanet())
+    return own.steps.get(step, SingleStep()) if step else own
+
+
+def inner_chain(parts: Any, stage: PlanetaryStage) -> list[str]:
+    """Names of the inner planets of a stage, of theirs, and so on."""
+    by_planets = {s.planet_name: s for s in parts.planetary_stages.values()}
+    found: list[str] = []
+    here: PlanetaryStage | None = stage
+    while here is not None:
+        mate = next((w.mates["planet"] for w in here.wheels if "planet" in w.mates), None)
+        if mate is None or mate in found:
+            break
+        found.append(mate)
+        here = by_planets.get(mate)
+    return found
 
 
 def lines_of_planets(
@@ -173,7 +285,7 @@ def lines_of_planets(
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages on components of planets at the keys of their stages, equal ones on several planets once.
+    """Messages on components of planets and free halves at the keys that describe them, equal ones once.
 
     Parameters
     ----------
@@ -187,6 +299,8 @@ def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
         for n, s in model.planetary_stages.items()
         for p, q in places_in_file(n, s).items()
     }
+    for name, scissor in model.scissor_gears.items():
+        places |= {dotted(p): dotted(q) for p, q in places_of_free_half(model, name, scissor).items()}
     if not places:
         return tuple(messages)
     found = []
@@ -218,125 +332,53 @@ def told_once(
     return tuple(found.values())
 
 
-def members(name: str, stage: PlanetaryStage) -> Iterator[tuple[str, str, Any, str]]:
-    """Components of the planets: section, name, component, and key of the stage that describes it."""
+def members(name: str, stage: PlanetaryStage) -> Iterator[tuple[str, str, Any, tuple[str, ...]]]:
+    """Components of the planets: section, name, component, and keys of the stage that describe it."""
     for planet in stage.names:
-        yield "gears", planet, _gear(name, stage, planet), "planet"
-        yield "bodies", planet, _body(name, stage, planet), ""
+        for wheel in stage.wheels:
+            key = (*wheel.key, "gear") if wheel.step else ("planet",)
+            yield "gears", wheel.of(planet), _gear(name, stage, planet, wheel), key
+        yield "bodies", planet, _body(name, stage, planet), ()
         pin = Joint(type=JOINTS[stage.motion], bodies=(stage.carrier, planet), stage=name)
-        yield "joints", f"{planet}-pin", pin, ""
+        yield "joints", f"{planet}-pin", pin, ()
         if stage.bearing is not None:
             bearing = Bearing(
                 body=planet,
+                position=(0.0, 0.0, stage.bearing.position),
                 housing=stage.carrier,
                 stiffness=stage.bearing.on_pin(),
                 damping=stage.bearing.damping,
                 stage=name,
             )
-            yield "bearings", f"{planet}-bearing", bearing, "bearing"
-    common = {"center_distance": stage.center_distance, "stage": name}
-    own = {planet: stage.single_planets.get(planet, SinglePlanet()) for planet in stage.names}
-    for planet, mesh in zip(stage.names, stage.sun_meshes(), strict=False):
-        gears = (str(stage.sun), planet)
-        yield "meshes", mesh, stage.sun_mesh.between(gears, own[planet].sun_mesh, **common), "sun_mesh"
-    for planet, mesh in zip(stage.names, stage.ring_meshes(), strict=False):
-        gears = (planet, str(stage.ring))
-        yield "meshes", mesh, stage.ring_mesh.between(gears, own[planet].ring_mesh, **common), "ring_mesh"
+            yield "bearings", f"{planet}-bearing", bearing, ("bearing",)
+    for group in stage.groups:
+        apart = stage.planet_center_distance if group.side == "planet" else stage.center_distance
+        settings = group.wheel.settings[group.side]
+        for planet, mesh, gears in zip(stage.names, group.names, group.gears, strict=True):
+            own = getattr(single_step(stage, planet, group.wheel.step), f"{group.side}_mesh")
+            part = settings.between(gears, own, center_distance=apart, stage=name)
+            yield "meshes", mesh, part, group.key
 
 
-def _gear(name: str, stage: PlanetaryStage, planet: str) -> Gear:
-    """Gear of one planet."""
-    own = stage.single_planets.get(planet)
+def _gear(name: str, stage: PlanetaryStage, planet: str, wheel: Wheel) -> Gear:
+    """One gear of one planet."""
+    own = single_step(stage, planet, wheel.step)
+    given = {key: getattr(own, key) for key in ("modifications", "deviations", "tooth_thickness_allowance")}
     changes: dict[str, Any] = {"stage": name}
-    if own is not None:
-        given = {key: getattr(own, key) for key in ("modifications", "deviations")}
-        given["tooth_thickness_allowance"] = own.tooth_thickness_allowance
-        changes |= {key: value for key, value in given.items() if value is not None}
-        changes |= {"faults": {**stage.planet.faults, **own.faults}} if own.faults else {}
-    return replace(stage.planet, **changes)
+    changes |= {key: value for key, value in given.items() if value is not None}
+    changes |= {"faults": {**wheel.gear.faults, **own.faults}} if own.faults else {}
+    if wheel.step and planet == stage.names[0]:  # the others follow from their meshes, as they are equal
+        angle = stage.steps[wheel.step].orientation
+        changes["aligned"] = None if angle is None else (planet, angle)
+    return replace(wheel.gear, **changes)
 
 
 def _body(name: str, stage: PlanetaryStage, planet: str) -> Body:
     """Body of one planet; its place follows from the stage."""
     return Body(
-        gears={planet: 0.0},
+        gears={wheel.of(planet): wheel.position for wheel in stage.wheels},
         mass=stage.planet_mass,
         inertia=stage.planet_inertia,
         transverse_inertia=stage.planet_transverse_inertia,
         stage=name,
     )
-
-
-# --- places -------------------------------------------------------------------------------------------------
-def central_bodies(parts: Any, stage: PlanetaryStage) -> list[tuple[str, float]]:
-    """Bodies of sun and ring, and axial positions of the gears on them [m]."""
-    found = []
-    for gear in (stage.sun, stage.ring):
-        body = None if gear is None else parts.body_of(gear)
-        if body is not None and body in parts.bodies:
-            found.append((body, parts.bodies[body].gears[gear]))
-    return found
-
-
-def axis_bodies(parts: Any, stage: PlanetaryStage) -> list[str]:
-    """Bodies on the axis of a stage: those of sun and ring, and the carrier."""
-    return [*(body for body, _ in central_bodies(parts, stage)), stage.carrier]
-
-
-def orient_pins(parts: Parts) -> None:
-    """Give the pins of the planets the axes of their bodies."""
-    for name, joint in parts.joints.items():
-        if joint.stage is not None and joint.bodies[1] in parts.bodies:
-            parts.joints[name] = replace(joint, axes=parts.bodies[joint.bodies[1]].orientation)
-
-
-def nominal_distance(parts: Any, stage: PlanetaryStage) -> float | None:
-    """Distance of the pins from the axis without pin errors [m]; None if its meshes are not valid."""
-    for name in (*stage.sun_meshes(), *stage.ring_meshes()):
-        if name in parts.meshes and (a := parts.meshes[name].a_w) is not None:
-            return abs(a)
-    return None
-
-
-def place_planets(parts: Parts) -> None:
-    """Locate the bodies of all stages whose axis is known: sun, ring and carrier on it, planets around it."""
-    for stage in parts.planetary_stages.values():
-        seats = [(b, at) for b, at in central_bodies(parts, stage) if parts.bodies[b].origin is not None]
-        centre = _centre(parts, seats, stage)
-        if centre is None:
-            continue
-        origin, axes = centre
-        for body, at in central_bodies(parts, stage):
-            if parts.bodies[body].origin is None:
-                _put(parts, body, origin - at * axes[:, 2])
-        if stage.carrier in parts.bodies and parts.bodies[stage.carrier].origin is None:
-            _put(parts, stage.carrier, origin)
-        distance = nominal_distance(parts, stage)
-        for planet, angle in zip(stage.names, stage.places, strict=True):
-            if distance is None or planet not in parts.bodies or parts.bodies[planet].origin is not None:
-                continue
-            error = stage.pin_errors.get(planet, PinError())
-            out, along = distance + error.radial, error.tangential
-            x = out * math.cos(angle) - along * math.sin(angle)
-            y = out * math.sin(angle) + along * math.cos(angle)
-            _put(parts, planet, origin + axes @ np.array((x, y, 0.0)))
-
-
-def _centre(
-    parts: Parts, seats: list[tuple[str, float]], stage: PlanetaryStage
-) -> tuple[Array, Array] | None:
-    """Middle of the gears on the axis of a stage [m] and its axes; None if its place is unknown."""
-    for body, at in seats:
-        origin, axes = body_frame(parts, body)
-        if origin is not None:
-            return origin + at * axes[:, 2], axes
-    origin, _ = body_frame(parts, stage.carrier)
-    members = central_bodies(parts, stage)
-    if origin is None or not members:
-        return None
-    return origin, body_frame(parts, members[0][0])[1]
-
-
-def _put(parts: Parts, body: str, place: Array) -> None:
-    x, y, z = (float(v) for v in place)
-    parts.bodies[body] = replace(parts.bodies[body], origin=(x, y, z))

@@ -25,9 +25,9 @@ booleans are rejected where a number is expected. `pitchpoint new` writes a mode
 
 Every number may be a formula of numbers with units, [parameters](#model-parameters), `pi` and functions:
 `302.585 mm * cos(120 deg)`. A *law* is a constant, a formula of the time `t` (loads: also `angle` and
-`speed`; along lines: `elongation` and `rate`), a table `{table: [[0 s, 0], [1 s, 150 N m]], over: time}`, or
-a Python function `{python: "file.py:function"}`; a torque may be `balance`, the value that balances all
-others.
+`speed`; along lines: `elongation` and `rate`), a table `{table: [[0 s, 0], [1 s, 150 N m]], over: time}` or
+`{table: FILE.csv, over: angle, shift: 60 deg}`, or a Python function `{python: "file.py:function"}`; a torque
+may be `balance`, the value that balances all others.
 
 (model-include)=
 ## include

@@ -134,7 +134,8 @@ def torque_balance(parts: Parts, external: Sequence[External], more: Sequence[Li
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
-    paths = _paths(parts, place, more)
+    known = {one.name for one in external}  # such as a spring of known torque
+    paths = [path for path in _paths(parts, place, more) if path.place not in known]
     outer = []
     for one in external:
         row = spin_row(parts, place, one.body)

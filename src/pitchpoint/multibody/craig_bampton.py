@@ -142,6 +142,39 @@ def craig_bampton(
     return _elastic(values, basis @ vectors)
 
 
+def fixed_modes(structure: Structure, held: Sequence[int], count: int) -> Modes:
+    """Lowest modes of a structure with some nodes fixed.
+
+    Parameters
+    ----------
+    structure
+        Matrices of the unsupported body.
+    held
+        Nodes without displacements.
+    count
+        Number of modes.
+
+    Raises
+    ------
+    CompileError
+        If a node does not exist, or the held nodes do not fix the body.
+    """
+    nodes = sorted(set(held))
+    if not nodes or nodes[0] < 0 or nodes[-1] >= len(structure.places):
+        raise CompileError(f"held: give at least one node from 0 to {len(structure.places) - 1}")
+    fixed = np.isin(structure.node, nodes)
+    if np.linalg.matrix_rank(structure.rigid(structure.places.mean(axis=0))[fixed], tol=1e-9) < 6:
+        raise CompileError(
+            "held: the nodes do not fix all rigid-body motions; add a node with rotations or use three nodes"
+        )
+    free = np.flatnonzero(~fixed)
+    K, M = structure.K[free][:, free].tocsc(), structure.M[free][:, free].tocsc()
+    shapes, frequency = _fixed_interface_modes(K, M, min(count, free.size))
+    whole = np.zeros((structure.size, frequency.size))
+    whole[free] = shapes
+    return Modes(frequency, whole, 0.0)
+
+
 def _fixed_interface_modes_below(K: Any, M: Any, limit: float) -> Array:
     """All fixed-interface modes up to a frequency [Hz]; the number is doubled until one is above it."""
     count = 16

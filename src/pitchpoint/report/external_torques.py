@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.words import ranges
 from pitchpoint.model.components.actuator import TorqueActuator
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.torque_balance import External
+from pitchpoint.report.scissor_gears import scissors_of_model
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -49,6 +51,7 @@ def external_torques(
     machine: Any = model
     found: list[External] = []
     remarks: list[str] = []
+    alike: dict[str, list[str]] = {}
     for name, load in model.loads.items():
         if load.torque is None or load.body not in model.bodies:
             continue
@@ -56,7 +59,9 @@ def external_torques(
         base = speeds.get(reaction, 0.0)
         value, words = mean_torque(load.torque, scenario, speeds.get(load.body, 0.0) - base)
         found.append(External(("loads", name), load.body, value, reaction))
-        remarks += [f"{name}: {words}"] if words else []
+        if words:
+            alike.setdefault(words, []).append(name)
+    remarks += [f"{ranges(names)}: {words}" for words, names in alike.items()]
     for key in scenario.drive:
         end = coordinate(model.mechanism, model, key)
         if not isinstance(end, str) and model.mechanism.seats[end[0]].coordinates[end[1]] == "spin":
@@ -67,8 +72,12 @@ def external_torques(
         if isinstance(actuator, TorqueActuator):
             bodies = [split(end)[0] for end in (*actuator.bodies, GROUND)][:2]
             found.append(External(("actuators", name), bodies[0], reaction=bodies[1]))
+    for name, row in scissors_of_model(model).items():  # preload of the spring
+        found.append(External(("torsion_springs", name), name, row["spring_torque"], row["body"]))
     sticking: list[Link] = []
     for name, clutch in model.clutches.items():
+        if clutch.stage is not None:  # between halves at rest to each other
+            continue
         bodies = [split(end)[0] for end in (*clutch.bodies, GROUND)][:2]
         slip = speeds.get(bodies[0], 0.0) - speeds.get(bodies[1], 0.0)
         capacity, words = mean_torque(clutch.capacity, scenario, slip)
@@ -136,7 +145,7 @@ def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | Non
     if isinstance(law, TableLaw):
         x, y = np.array(law.abscissa), np.array(law.values)
         mean = float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x)) / (x[-1] - x[0]))
-        return mean, "mean over its period"
+        return round_off(mean, float(np.abs(y).max())), "mean over its period"
     return None, ""
 
 

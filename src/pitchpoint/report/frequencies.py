@@ -7,7 +7,7 @@ Frequencies are in Hz, speeds in rad/s relative to the inertial frame; the formu
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
+from pitchpoint.core.words import listed
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.frames import GROUND
 from pitchpoint.report.planets import Array, mesh_phases, planet_angles
@@ -84,7 +85,7 @@ def _at_end(drive: Drive, end: float) -> float | None:
 
 
 def turning_speeds(
-    model: Model, given: Mapping[str, float], *, driven: Collection[str] = ()
+    model: Model, given: Mapping[str, float], *, driven: Collection[str] = (), held: Sequence[str] = ()
 ) -> dict[str, float]:
     """Speeds of all bodies relative to their parents [rad/s], from given ones through meshes and couplings.
 
@@ -96,6 +97,8 @@ def turning_speeds(
         Speeds by body [rad/s].
     driven
         Bodies whose given speed may contradict the gear ratios; the ratios take precedence.
+    held
+        Bodies at rest if the given speeds permit it.
 
     Raises
     ------
@@ -123,7 +126,7 @@ def turning_speeds(
             ]
     if problems:
         raise ModelError(problems)
-    spins, found = start_speeds(machine, given)
+    spins, found = start_speeds(machine, given, held)
     wrong = [(body, fitting) for body, fitting in found if body not in driven]
     if wrong:
         raise ModelError(
@@ -139,6 +142,26 @@ def turning_speeds(
             ]
         )
     return spins
+
+
+def undetermined_speeds(model: Model, known: Collection[str]) -> list[str]:
+    """Remarks on bodies whose speeds do not follow from those that are known or held."""
+    from pitchpoint.model.carried_trains import has_carriers, undetermined
+    from pitchpoint.model.speed_ratios import links_of
+    from pitchpoint.model.torsional_supports import supported_bodies
+
+    machine: Any = model
+    links = links_of(machine)
+    if not has_carriers(machine, links):
+        return []
+    loose = undetermined(machine, links, [*known, *supported_bodies(machine)])
+    own = [body for body in loose if model.bodies[body].stage is None]
+    if not own:
+        return []
+    return [
+        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: shown are the least that "
+        "fit; give the speed of another member, or hold it"
+    ]
 
 
 def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
@@ -164,6 +187,7 @@ def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
                 "frequency": abs(speeds[body]) / math.tau,
             }
             for body, part in model.bodies.items()
+            if not part.of_housing
         },
         "meshes": meshes,
         "gears": _gears(model, meshes),
@@ -233,21 +257,25 @@ def _planet_sets(
     from pitchpoint.analysis.planet_frequencies import excited_motion
     from pitchpoint.model.mechanism import base_of
 
-    found: dict[str, dict[str, Any]] = {}
+    sets: dict[tuple[str, str], dict[str, Any]] = {}
     for name, row in ((n, r) for n, r in meshes.items() if n in model.meshes):
         bodies = [str(model.body_of(gear)) for gear in row["gears"]]
         rides = [base_of(model, model.mechanism, body) == row["carrier"] for body in bodies]
         if row["carrier"] is None or rides[0] == rides[1]:
             continue
         planet, central = bodies[rides.index(True)], row["gears"][rides.index(False)]
-        entry = found.setdefault(row["carrier"], {"planets": [], "central": {}})
+        stage = model.bodies[planet].stage or ""
+        entry = sets.setdefault((row["carrier"], stage), {"planets": [], "central": {}})
         if planet not in entry["planets"]:
             entry["planets"].append(planet)
         entry["central"].setdefault(central, []).append((name, planet))
-    for carrier, entry in found.items():
+    on_one = [carrier for carrier, _ in sets]
+    found = {}
+    for (carrier, stage), entry in sets.items():
         turns = abs(speeds[carrier]) / math.tau
+        found[carrier if on_one.count(carrier) == 1 else f"{carrier}, {stage}"] = entry
         entry |= {"frequency": turns, "planet_pass": len(entry["planets"]) * turns}
-        places = math.tau / sum(model.gears[gear].number_of_teeth for gear in entry["central"])
+        places = math.tau / _places(model, stage, entry["central"])
         for gear, pairs in entry["central"].items():
             angles = planet_angles(model, carrier, [planet for _, planet in pairs])
             z, n = model.gears[gear].number_of_teeth, len(pairs)
@@ -261,6 +289,19 @@ def _planet_sets(
                 "spacing_limit": limit,
             }
     return found
+
+
+def _places(model: Model, stage: str, central: Mapping[str, Any]) -> int:
+    """Number of places on a turn at which planets fit; the sum of all teeth without a condition."""
+    from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
+
+    for chain in connected(model):
+        if stage in chain:
+            stages = [model.planetary_stages[name] for name in chain]
+            return spacing_teeth(stage_meshes(model, stages)) or sum(
+                model.gears[gear].number_of_teeth for gear in central
+            )
+    return sum(model.gears[gear].number_of_teeth for gear in central)
 
 
 def _spacing_error(angles: Array) -> float:

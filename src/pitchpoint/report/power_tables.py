@@ -15,6 +15,8 @@ from pitchpoint.core.words import ranges
 NOTHING = "–"
 TORQUE, FORCE = "torque", "force"
 """Dimensions."""
+SPRING = "torsion_springs"
+"""Section of the springs of scissor gears."""
 ZERO = 1e-9
 """Share of the largest torque that counts as none."""
 SHAFT = ("shaft", "gears", "speed", "ratio", "frequency", TORQUE, "power", "driven by", "drives")
@@ -121,16 +123,17 @@ def _summary(flow: Mapping[str, Any]) -> str:
     largest = max((abs(row[TORQUE] or 0.0) for row in flow["external"]), default=0.0)
     for row in flow["external"]:
         torque = row[TORQUE]
-        if torque is None or abs(torque) <= ZERO * largest:
-            continue
+        if torque is None or abs(torque) <= ZERO * largest or row["section"] == SPRING:
+            continue  # springs of scissor gears are within the train
         power = row["power"]
-        words = f"{row['name']} ({shown(torque, 'torque', 5)})"
+        size = f"({shown(torque, 'torque', 5)})"
+        words = f"{row['name']} {size}"
         if not flow["turns"]:
             sides["from"].append(words)
         elif power:
             sides["from" if power > 0.0 else "to"].append(words)
         else:
-            sides["held by"].append(words)
+            sides["held by"].append(f"{row['name'].removesuffix(', held')} {size}")
     parts = [f"{word} {ranges(sides[word])}" for word in sides if sides[word]]
     size = "at rest" if not flow["turns"] else shown(flow["power_in"], "power", 5)
     if flow["turns"] and flow["power_in"] is None:

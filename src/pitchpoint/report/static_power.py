@@ -86,14 +86,14 @@ def static_power(model: Model, scenario: Scenario, name: str = "") -> dict[str, 
     from pitchpoint.report.frequencies import frequencies_of, turning_speeds
 
     given, notes = _speeds(model, scenario, name)
-    spins = turning_speeds(model, given, driven=scenario.drive)
+    spins = turning_speeds(model, given, driven=scenario.drive, held=scenario.hold)
     external, sticking, remarks = external_torques(model, scenario, spins)
     machine: Any = model
     balance = torque_balance(machine, external, sticking)
     turns = any(spins.values())
     loaded = [each.body for each in external if balance.external[each.name]]
     if not turns and loaded:
-        spins = _unit_speeds(model, loaded[0])
+        spins = _unit_speeds(model, loaded[0], scenario.hold)
     rates = frequencies_of(model, spins)
     outer = _external(model, balance, external, spins)
     powers = [row["power"] for row in outer if row["power"] is not None]
@@ -125,19 +125,19 @@ def _speeds(model: Model, scenario: Scenario, name: str) -> tuple[dict[str, floa
     if sweep is not None:
         speed = sweep.speed[1] if sweep.speed is not None else 0.0
         if sweep.mesh_frequency is not None:
-            rates = frequencies_of(model, _unit_speeds(model, sweep.body))["meshes"]
+            rates = frequencies_of(model, _unit_speeds(model, sweep.body, scenario.hold))["meshes"]
             speed = sweep.mesh_frequency[1] / rates[model.sweep_mesh(scenario)]["frequency"]
         given[sweep.body] = speed
         notes.append(f"{sweep.body}: highest speed of the sweep")
     return given, notes
 
 
-def _unit_speeds(model: Model, body: str) -> dict[str, float]:
-    """Speeds of all bodies at 1 rad/s of one of them; all zero if it cannot rotate."""
+def _unit_speeds(model: Model, body: str, held: Sequence[str]) -> dict[str, float]:
+    """Speeds of all bodies at 1 rad/s of one of them and held ones at rest; all zero if it cannot rotate."""
     from pitchpoint.report.frequencies import turning_speeds
 
     try:
-        return turning_speeds(model, {body: 1.0})
+        return turning_speeds(model, {body: 1.0}, held=held)
     except ModelError:
         return dict.fromkeys(model.bodies, 0.0)
 

@@ -49,6 +49,8 @@ class Groups:
         Whether each part is free to rotate about its axis, or has gears.
     hidden
         Bodies with modal coordinates, and floating frames.
+    deflects
+        Part whose deflection or floating frame each coordinate moves, shape (nd,); -1 for others.
     components
         Names of the components with strain energy: `mesh stage`, `bearing front`, `shaft rotor`.
     component
@@ -69,6 +71,7 @@ class Groups:
     moves: tuple[int, ...]
     rotates: tuple[bool, ...]
     hidden: frozenset[int]
+    deflects: tuple[int, ...]
     components: tuple[str, ...]
     component: tuple[int, ...]
     kinds: tuple[str, ...]
@@ -114,6 +117,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
         moves=tuple(carried[part.index(k)] for k in range(len(listed))),
         rotates=tuple(k in spins for k in range(len(listed))),
         hidden=hidden,
+        deflects=_deflects(system, part, hidden),
         components=listed_components,
         component=tuple(place[label] for label in labels),
         kinds=tuple(kinds[first[label]] for label in listed_components),
@@ -124,6 +128,16 @@ def groups_of(system: System, parts: Parts) -> Groups:
         ends=tuple(ends[first[label]] for label in listed_components),
         bodies=tuple(frozenset(touched[label]) for label in listed_components),
     )
+
+
+def _deflects(system: System, part: Sequence[int], hidden: frozenset[int]) -> tuple[int, ...]:
+    """Part of each coordinate of an elastic body, -1 for others."""
+    body = system.program["body"]
+    found = [-1] * len(system.layout.coordinates)
+    for b in hidden:
+        for d in range(int(body[b]["dof"]), int(body[b]["dof"] + body[b]["n"])):
+            found[d] = part[b]
+    return tuple(found)
 
 
 def _mounted(system: System) -> set[int]:
@@ -151,7 +165,8 @@ def _components(
     for label, kind, pair in zip(parts.elements, parts.kinds, parts.bodies, strict=True):
         own = tuple(dict.fromkeys(part[b] for b in pair if b))
         word = label.partition(" ")[0]
-        if pair.all() and len(own) == 1 and hidden.isdisjoint(pair.tolist()):
+        within = pair.all() and pair[0] != pair[1] and len(own) == 1
+        if within and hidden.isdisjoint(pair.tolist()):
             label, word = f"{SHAFT} {names[own[0]]}", SHAFT
         elif kind != ROTATION and registry.find(kind).role == MESH:
             word = MESH

@@ -182,8 +182,10 @@ def energies_of(
     """
     groups, parts = motions.groups, motions.parts
     z = np.asarray(shapes, dtype=np.complex128)
-    twist, wrench = motions.of(z)
-    kinetic, whole = _kinetic(groups, z, parts.M, twist, wrench)
+    moved = z.copy()
+    moved[:, motions.system.states] = 0.0  # coordinates of element states have no mass
+    twist, wrench = motions.of(moved)
+    kinetic, whole = _kinetic(groups, moved, parts.M, twist, wrench)
     strain = np.zeros((len(z), len(groups.components)))
     for e, share in enumerate(parts.shares):
         strain[:, groups.component[e]] += share.energy(z.real) + share.energy(z.imag)
@@ -221,11 +223,16 @@ def _kinetic(groups: Groups, z: Complex, M: Array, twist: Complex, wrench: Compl
         found[:, part, 0] += each[:, b, [0, 1, 3, 4]].sum(axis=1)
         found[:, part, 1] += each[:, b, 2]
         found[:, part, 2] += each[:, b, 5]
-    whole = ((z.conj() @ M) * z).sum(axis=1).real
-    elastic = sorted({groups.part[b] for b in groups.hidden})
+    by_coordinate = ((z.conj() @ M) * z).real
+    whole = by_coordinate.sum(axis=1)
     rest = whole - found.sum(axis=(1, 2))
-    for part in elastic:  # floating frames and modal coordinates: what the other bodies leave
-        found[:, part, 3] += rest / len(elastic)
+    deflects = np.array(groups.deflects, dtype=np.int64)
+    elastic = sorted(set(groups.deflects) - {-1})
+    own = np.array([by_coordinate[:, deflects == part].sum(axis=1) for part in elastic])
+    every = own.sum(axis=0) if elastic else np.zeros(len(z))
+    for part, energy in zip(elastic, own, strict=True):  # what the other bodies leave
+        even = np.full(len(z), 1.0 / len(elastic))
+        found[:, part, 3] += rest * np.divide(energy, every, out=even, where=every > 0.0)
     return found, np.maximum(whole, 1e-300)
 
 

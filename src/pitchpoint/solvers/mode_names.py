@@ -4,7 +4,8 @@
 The name is that of the first rule that applies; shares are those of the kinetic or strain energy:
 
 1. rigid modes, without strain: rigid rotation, rigid motion;
-2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body;
+2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body; of a
+   flexible rim: ring mode with the number of waves that has most of it;
 3. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational,
    planet mode; but tilting of the central body that has half of the energy is named as such;
 4. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
@@ -27,6 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import MESH
+from pitchpoint.multibody.ring_modes import waves_of
 from pitchpoint.solvers.gear_trains import rotations, turning_spins
 from pitchpoint.solvers.machine_groups import SHAFT
 from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
@@ -99,7 +101,9 @@ def base_names(
     """
     namer = _Namer(system, motions, energies, int(np.sum(omega == 0.0)) > 1)
     twist, wrench = motions.of(np.asarray(shapes, dtype=np.complex128))
-    found = [namer.name(k, bool(omega[k] == 0.0), twist[k], wrench[k]) for k in range(len(omega))]
+    M = motions.parts.M
+    inertia = ((np.conj(shapes) @ M) * shapes).real
+    found = [namer.name(k, bool(omega[k] == 0.0), twist[k], wrench[k], inertia[k]) for k in range(len(omega))]
     for one, frequency in zip(found, omega, strict=True):
         one.omega = float(frequency)
     _number(found)
@@ -198,8 +202,8 @@ class _Namer:
             if part >= 0:
                 self.moved_by[carried, part] = 1.0
 
-    def name(self, k: int, rigid: bool, twist: Complex, wrench: Complex) -> _Named:
-        """Name of mode k."""
+    def name(self, k: int, rigid: bool, twist: Complex, wrench: Complex, inertia: Array) -> _Named:
+        """Name of mode k with the kinetic energies `inertia` of the coordinates."""
         kinetic = np.einsum("ab,bw->aw", self.moved_by, self.energies.kinetic[k])
         strain = np.abs(self.energies.strain[k])
         strain = strain / max(float(strain.sum()), 1e-300)
@@ -207,7 +211,7 @@ class _Namer:
             return _Named(self._rigid(kinetic))
         elastic = int(np.argmax(kinetic[:, 3]))
         if kinetic[elastic, 3] >= MAIN:
-            return _Named(f"elastic mode of {self.groups.parts[elastic]}", True)
+            return self._elastic(elastic, inertia)
         for planets in self.sets:
             kind = type_of_mode(planets, twist, wrench, kinetic, strain)
             if kind:
@@ -221,6 +225,17 @@ class _Namer:
         if teeth.sum() >= MAIN:
             return _Named(f"mesh mode of {self._meshes(teeth)}")
         return self._motion(kinetic, strain, twist, wrench)
+
+    def _elastic(self, part: int, inertia: Array) -> _Named:
+        """Name of a mode of an elastic body, or of a flexible rim."""
+        waves: dict[int, float] = {}
+        for d, own in enumerate(self.groups.deflects):
+            if own == part:
+                n = waves_of(self.system.layout.coordinates[d])
+                waves[n] = waves.get(n, 0.0) + float(inertia[d])
+        most = max(waves, key=waves.__getitem__)
+        name = self.groups.parts[part]
+        return _Named(f"ring mode of {name}, n = {most}") if most else _Named(f"elastic mode of {name}", True)
 
     def _rigid(self, kinetic: Array) -> str:
         """Name of a mode without strain."""
@@ -272,8 +287,9 @@ class _Namer:
         return self._lateral(part, strain, twist, wrench)
 
     def _bodies(self, *parts: int) -> list[int]:
-        """Bodies that move with some parts."""
-        return [b for b, own in enumerate(self.groups.carried) if own in parts]
+        """Bodies that move with some parts, without their modal coordinates if there are others."""
+        own = [b for b, part in enumerate(self.groups.carried) if part in parts]
+        return [b for b in own if b not in self.groups.hidden] or own
 
     def _plane_of(self, bodies: Sequence[int], twist: Complex, wrench: Complex) -> Array:
         """Direction of the largest lateral motion of some bodies."""

@@ -25,7 +25,12 @@ def elastic_records(system: System) -> list[tuple[str, np.void, tuple[str, ...]]
 
 
 def modal_bodies(system: System, frames: bool = False) -> list[int]:
-    """Numbers of all bodies with modal coordinates; with `frames` also those of the floating frames."""
-    own = ("i",) if frames else ()
-    found = {int(r[field]) for _, r, fields in elastic_records(system) for field in (*own, *fields)}
+    """Numbers of all bodies with modal coordinates; with `frames` also those of the floating frames.
+
+    The frame of a flexible rim is none: it is a body with mass, and the record has none.
+    """
+    found = set()
+    for _, record, fields in elastic_records(system):
+        own = ("i",) if frames and record["mass"] > 0.0 else ()
+        found |= {int(record[field]) for field in (*own, *fields)}
     return sorted(found - {0})

@@ -20,18 +20,19 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+IDLE = 1e-3
+"""Mean force over the largest of all meshes up to which one of several mates of a stage runs idle."""
 WORDS = "mesh load factor of the planets, from mean mesh forces"
 
 
 @dataclass(frozen=True)
 class PlanetLoads:
-    """Loads of the planets of one stage.
+    """Loads of the planets of one stage, from one group of parallel meshes.
 
     Parameters
     ----------
-    meshes
-        Names of the parallel meshes, in the order of the planets: with the sun, or with the ring of a stage
-        without sun.
+    planets, meshes
+        Names of the planets and of their meshes.
     force
         Mean mesh force along the base tangent by planet [N].
     share
@@ -40,6 +41,7 @@ class PlanetLoads:
         Mesh load factor K_gamma [-]; None without load.
     """
 
+    planets: tuple[str, ...]
     meshes: tuple[str, ...]
     force: tuple[float, ...]
     share: tuple[float, ...]
@@ -67,8 +69,22 @@ def mesh_load_factor(forces: Sequence[float], least: float = 0.0) -> float | Non
     return len(forces) * max(map(abs, forces)) / total
 
 
+def load_groups(model: Model) -> dict[str, tuple[tuple[str, ...], tuple[str, ...]]]:
+    """Planets and parallel meshes by name: STAGE, or STAGE.MATE where the groups of a stage differ.
+
+    Planets of one gear between sun and ring have equal forces at both; the mates of others do not.
+    """
+    found = {}
+    for name, stage in model.planetary_stages.items():
+        groups = stage.groups
+        alike = len(stage.wheels) == 1 and set(stage.wheels[0].mates) <= {"sun", "ring"}
+        for group in groups[:1] if alike else groups:
+            found[name if alike else f"{name}.{group.mate}"] = stage.names, group.names
+    return found
+
+
 def loads_of_planets(model: Model, mean: Callable[[str], float | None]) -> dict[str, PlanetLoads]:
-    """Loads of the planets of all stages.
+    """Loads of the planets of all stages, by the names of `load_groups`.
 
     Parameters
     ----------
@@ -83,16 +99,18 @@ def loads_of_planets(model: Model, mean: Callable[[str], float | None]) -> dict[
     every = {mesh: mean(f"mesh_force[{mesh}]") for mesh in model.every_mesh}
     largest = max((abs(f) for f in every.values() if f is not None and math.isfinite(f)), default=0.0)
     least = least_forces(model, largest)
-    for name, stage in model.planetary_stages.items():
-        meshes = stage.sun_meshes() or stage.ring_meshes()
+    for name, (planets, meshes) in load_groups(model).items():
         forces = [every[mesh] for mesh in meshes]
         known = [force for force in forces if force is not None and math.isfinite(force)]
         if len(known) < len(meshes):
             continue
-        factor = mesh_load_factor(known, max(least[mesh] for mesh in meshes))
+        limit = max(least[mesh] for mesh in meshes)
+        if "." in name:  # members that run idle only have the rest of a vibration
+            limit = max(limit, IDLE * largest)
+        factor = mesh_load_factor(known, limit)
         total = math.nan if factor is None else math.fsum(known)
         share = tuple(force / total for force in known)
-        found[name] = PlanetLoads(meshes, tuple(known), share, factor)
+        found[name] = PlanetLoads(planets, meshes, tuple(known), share, factor)
     return found
 
 
@@ -139,19 +157,19 @@ def factors_of(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[
 
 def factor_quantities(model: Model) -> list[tuple[str, str, str]]:
     """Names, unit and description of the mesh load factors of all stages."""
-    return [(factor_name(stage), "1", WORDS) for stage in model.planetary_stages]
+    return [(factor_name(name), "1", WORDS) for name in load_groups(model)]
 
 
 def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """Loads of the planets from statistics of channels, as plain data for files and tables."""
-    return as_data(model, loads_of_planets(model, lambda c: _mean_of(channels, c)))
+    return as_data(loads_of_planets(model, lambda c: _mean_of(channels, c)))
 
 
-def as_data(model: Model, stages: Mapping[str, PlanetLoads]) -> dict[str, dict[str, Any]]:
+def as_data(stages: Mapping[str, PlanetLoads]) -> dict[str, dict[str, Any]]:
     """Loads of the planets as plain data."""
     return {
         name: {
-            "planets": list(model.planetary_stages[name].names),
+            "planets": list(loads.planets),
             "meshes": list(loads.meshes),
             "mean_force": list(loads.force),
             "share": list(loads.share),

@@ -56,6 +56,15 @@ def _carried(records: NDArray[np.void], i: int, j: int) -> int:
     return 0 if one == two else 1 if len(one) > len(two) else 2
 
 
+_WORDS = ("dof_", "n_", "guide_", "o_", "spin_")
+"""Beginnings of the fields with indices of one body."""
+
+
+def _index_fields(a: str, b: str) -> set[str]:
+    """Names of the fields with indices of two bodies."""
+    return {a + a, a + b, b + a, b + b, *(f"{word}{end}" for word in _WORDS for end in (a, b))}
+
+
 def fill(
     kind: Kind,
     bank: NDArray[np.void],
@@ -64,19 +73,19 @@ def fill(
     parts: Mapping[str, Any],
 ) -> None:
     """Set the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
-    fields = bank.dtype.names or ()
-    paired = kind.paired
+    fields = frozenset(bank.dtype.names or ())
+    indices = [pair for pair in kind.pairs if "blk" in fields or not fields.isdisjoint(_index_fields(*pair))]
     for record in bank:
-        for x, a in enumerate(paired):
-            for y, b in enumerate(paired):
-                record["pairs"][x, y] = pair_index.get((int(record[a]), int(record[b])), 0)
-        for a, b in kind.pairs:
+        if kind.paired:
+            own = [int(record[a]) for a in kind.paired]
+            record["pairs"] = [[pair_index.get((a, b), 0) for b in own] for a in own]
+        if "carried" in fields:
+            record["carried"] = _carried(records, int(record["i"]), int(record["j"]))
+        for a, b in indices:
             i, j = int(record[a]), int(record[b])
             for name, key in ((a + a, (i, i)), (a + b, (i, j)), (b + a, (j, i)), (b + b, (j, j))):
                 if name in fields:
                     record[name] = pair_index.get(key, 0)
-            if "carried" in fields:
-                record["carried"] = _carried(records, i, j)
             if "blk" in fields:
                 ni, nj = parts["node_of"][i], parts["node_of"][j]
                 record["blk"] = parts["blocks"].get((ni, nj), 0) if ni >= 0 and nj >= 0 else 0

@@ -13,6 +13,7 @@ from pitchpoint.analysis.fault_frequencies import train_frequencies
 from pitchpoint.analysis.planet_frequencies import planetary_frequencies
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import ISO_EX1, json_of, written
+from tests.support.planet_gearboxes import ravigneaux
 
 RPM = math.pi / 30.0
 
@@ -241,3 +242,20 @@ def test_files_without_speeds_say_what_to_give(tmp_path: Path, capsys: pytest.Ca
     assert "or give --speed BODY=QUANTITY" in capsys.readouterr().err
     assert run_command(["frequencies", written(tmp_path, ISO_EX1)]) == 2
     assert "the file has no bodies" in capsys.readouterr().err
+
+
+def test_speeds_that_do_not_follow_have_a_remark(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A Ravigneaux set requires two speeds, or a speed and a held member."""
+    hold = "scenarios:\n  run: {hold: [carrier], speed: {small_sun: 1000 rpm}, duration: 1 ms}\n"
+    file = written(tmp_path, ravigneaux(scenarios=hold))
+    (remark,) = json_of(["frequencies", file, "--speed", "small_sun=1000rpm"], capsys)["remarks"]
+    assert remark.startswith(
+        "the speeds of large_sun, ring and carrier do not follow from those of small_sun"
+    )
+    for known in (["--speed", "small_sun=1000rpm", "--speed", "ring=0rpm"], ["-s", "run"]):
+        assert json_of(["frequencies", file, *known], capsys)["remarks"] == []
+    given = ["--speed", "carrier=60rpm", "--speed", "ring=0rpm"]
+    sets = json_of(["frequencies", file, *given], capsys)["planet_sets"]
+    assert {name: row["planet_pass"] for name, row in sets.items()} == pytest.approx(
+        {"carrier, short": 3.0, "carrier, long": 3.0}
+    )

@@ -125,7 +125,7 @@ def test_cases_of_a_roll_show_what_a_single_roll_shows(
     for mesh, numbers in (("first", single[4:10]), ("second", single[10:16])):
         row = next(line for line in text.splitlines() if line.split()[:4] == ["60", "N", "m", mesh])
         assert [cell for cell in numbers if cell not in row] == []
-    assert "note: case 1: mesh second repeats after 3 periods of first" in text
+    assert "note: cases 0 and 1: mesh second repeats after 3 periods of first" in text
 
 
 @pytest.mark.parametrize("option", ["--step=5 us", "--decimate=2", "--jobs=2"])

@@ -192,7 +192,7 @@ def test_phases_that_check_shows(teeth, sequence):
         text = text.replace(f"number_of_teeth: {old}, {TEETH}", f"number_of_teeth: {new}, {gear}")
     rows = stages_of_model(loads_model(text))["set"]["planets"].values()
     for side in ("sun", "ring"):
-        phases = np.array([row[f"phase_{side}"] for row in rows])
+        phases = np.array([row["phases"][side] for row in rows])
         off = [np.abs((phases - sign * np.array(sequence) + 0.5) % 1.0 - 0.5).max() for sign in (1, -1)]
         assert min(off) < 1e-8, (side, phases)
 
@@ -273,7 +273,7 @@ def test_different_centre_distances_are_a_difference():
     text = stage_file().replace(ring, f"{ring.removesuffix('0')}-0.2")
     problems = refused(text)
     assert "planetary_stages.set.center_distance" in problems[0]
-    assert "0.5" in problems[0] and "than 90 mm from that of the sun" in problems[0]
+    assert "0.5" in problems[0] and "than 90 mm from that of sun" in problems[0]
     given = loads_model(text.replace("planets: 3", "planets: 3\n    center_distance: 90 mm"))
     assert given.meshes["planet_1-ring"].a_w == pytest.approx(-0.09)
 
@@ -313,7 +313,7 @@ def test_a_warning_about_all_planets_is_told_once_whatever_their_pin_errors():
         Message(
             f"meshes.{mesh}.gears", f"reaches below the root of planet_{k}", "tip of ring", f"{38 + k} mm"
         )
-        for k, mesh in enumerate(model.planetary_stages["set"].ring_meshes(), start=1)
+        for k, mesh in enumerate(model.planetary_stages["set"].groups[1].names, start=1)
     ]
     (only,) = at_stages(model, told)
     assert (only.where, only.limit) == ("planetary_stages.set", "39 mm")

@@ -9,7 +9,8 @@ import pytest
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report.scene.planets import grouped, planet_members
 from pitchpoint.viz.scene.content import SceneChannel
-from tests.validation.test_planet_sets import planet_set
+from tests.support.planet_gearboxes import ravigneaux
+from tests.support.planet_stages import planet_set
 
 ON_BEARINGS = """\
 gears:
@@ -104,3 +105,11 @@ def test_channels_get_the_name_of_their_group():
         ("displacement[planets.x]", "displacement, planets x", 2),
         ("", "", 0),
     ]
+
+
+def test_planets_in_series_have_the_names_of_their_stages():
+    found = planet_members(loads_model(ravigneaux()))
+    assert found["small_sun-short_2"] == ("planets of short with small_sun", 2)
+    assert found["long_3-ring"] == ("planets of long with ring", 3)
+    assert found["short_1-long_1"] == ("planets of long with short", 1)
+    assert found["short_3-pin"] == ("pins of planets of short", 3)

@@ -14,8 +14,8 @@ from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.mode_names import ordinal
 from pitchpoint.system.compile import compile_model
+from tests.support.planet_stages import planet_set
 from tests.support.planetary import lin_parker
-from tests.validation.test_planet_sets import planet_set
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CART, BLOCK, NEAR, BETWEEN, FAR = 1.0, 4.0, 1e2, 1e4, 3e4

@@ -128,6 +128,24 @@ def _own_tangents(b, first):
 
 
 @kernel
+def tangent_blocks(b):
+    """Tangents of the gear frames [4, 6, 6]."""
+    return view(pooled(b, b["seats"]) + 8 * _TANGENTS, (4, 6, 6), F8)
+
+
+@kernel
+def damping_blocks(b):
+    """Damping part of these tangents [4, 6, 6], with exact tangents only."""
+    return view(pooled(b, b["seats"]) + 8 * _DAMPING, (4, 6, 6), F8)
+
+
+@kernel
+def arms_of(b):
+    """Vectors from the origins of the bodies to those of the gears [2, 3]."""
+    return view(pooled(b, b["seats"]) + 8 * _ARMS, (2, 3), F8)
+
+
+@kernel
 def damping_alone(b):
     """Target blocks for the tangents of the damping alone; requests them from the next evaluation."""
     b["request"]["jac"] = 1
@@ -144,13 +162,17 @@ def whole(b, own):
 
 
 @kernel
+def swing_rate(own, arms, side, k):
+    """Change of a gear velocity with a rotation of its body about axis k, at constant body velocities."""
+    return cross(angular_velocity(own[side]), cross(unit(k), triple(arms[side], 0)))
+
+
+@kernel
 def _swing_rates(kk, dk, own, arms, ck):
     """Add the change of the gear velocities with rotations of the bodies, at constant body velocities."""
     for side in range(2):
-        arm = triple(arms[side], 0)
-        w = angular_velocity(own[side])
         for k in range(3):
-            moved = cross(w, cross(unit(k), arm))
+            moved = swing_rate(own, arms, side, k)
             for p in range(2):
                 for r in range(6):
                     s = 0.0
@@ -179,10 +201,10 @@ def _carry(source, target, left, right):
 def end_displaced(b, ctl, fr, kk, own):
     """Transform wrenches and tangents of the displaced gears `own` back to their bodies."""
     where = pooled(b, b["seats"])
-    own_kk = view(where + 8 * _TANGENTS, (4, 6, 6), F8)
-    arms = view(where + 8 * _ARMS, (2, 3), F8)
+    own_kk = tangent_blocks(b)
+    arms = arms_of(b)
     if ctl["jac"] == 2 and ctl["ck"] != 0.0:
-        _swing_rates(own_kk, view(where + 8 * _DAMPING, (4, 6, 6), F8), own, arms, ctl["ck"])
+        _swing_rates(own_kk, damping_blocks(b), own, arms, ctl["ck"])
     if ctl["out"] != 0:
         observed(b)["transmission_error"] = view(where + 8 * _TRAVEL, 1, F8)[0]
     one = triple(arms[0], 0)

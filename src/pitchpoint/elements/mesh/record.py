@@ -11,6 +11,7 @@ import numpy as np
 
 from pitchpoint.contact.flank_law import FLANK_LAW
 from pitchpoint.contact.potential_table import MAX_QUANTITIES
+from pitchpoint.elements.kind import RIM
 from pitchpoint.elements.mesh.sums import scratch_of_sums
 
 #: Sources of the stiffness, field `source`.
@@ -36,8 +37,14 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: pure rotation of both bodies, fixed line of action
     ("carried", "i8"),  # gear whose base rotates the line of centres (carrier); 0: both on one base
-    ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
+    ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body, or its rim bends
     ("seats", "i8"),  # displacement of the gears on their bodies, offset in the pool; see `mesh.eccentricity`
+    *((name, "i8") for name in RIM[2:]),  # hidden bodies of the rim of gear 2, see `mesh.flexible_rim`
+    ("pairs", "i8", (len(RIM), len(RIM))),
+    ("n_rim", "i8"),  # modal coordinates of the rim, 0: rigid
+    ("rim", "i8"),  # its shapes and scratch, offset in the pool
+    ("bend_rim", "i8"),
+    ("release_rim", "i8"),  # addresses of the functions of `mesh.flexible_rim`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),

@@ -15,6 +15,7 @@ from pitchpoint.model.carried_trains import line_carrier
 from pitchpoint.model.frames import GROUND, body_frame
 from pitchpoint.model.mechanism import base_of, seat_frame
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.scissor_gears import mesh_name
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -113,8 +114,11 @@ def _placed_by_default(parts: Parts, report: Reader) -> None:
         gear1, gear2 = (parts.gears.get(g) for g in mesh.gears)
         if gear1 is None or gear2 is None or gear2.type != "internal":
             continue
+        same = {name, *(mesh_name(name, free) for free in parts.scissor_gears)}
         others = [
-            n for n, m in parts.meshes.items() if n != name and mesh.gears[0] in m.gears and m.a_w is not None
+            n
+            for n, m in parts.meshes.items()
+            if n not in same and mesh.gears[0] in m.gears and m.a_w is not None
         ]
         if not others:
             continue

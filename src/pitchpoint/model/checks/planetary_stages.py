@@ -1,22 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of planetary stages: spacing of the planets, equal centre distances, room between the planets.
+"""Checks of planetary stages: pin errors, spacing of the planets, equal centre distances.
 
 With sun and ring, all planets can be assembled if the angles between them are whole multiples of
-2 pi/(z_s + z_r); for N planets at equal angles (z_s + z_r)/N is then a whole number. Derivation:
-docs/theory/planetary_stages.md, "Assembly".
+2 pi/(z_s + z_r); for N planets at equal angles (z_s + z_r)/N is then a whole number. Other sets:
+`model.planet_spacing`.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.gear_pairs import pair_of
 from pitchpoint.model.keys import Place
-from pitchpoint.model.planetary_stages import SECTION, nominal_distance
+from pitchpoint.model.planet_places import inner_stage
+from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
+from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
 
@@ -57,17 +59,22 @@ def check_pin_errors(parts: Parts, report: Reader) -> None:
 
 
 def check_spacing(parts: Parts, report: Reader) -> None:
-    """Check the assembly condition and the common centre distance of all stages."""
-    for name, stage in parts.planetary_stages.items():
-        at: Place = (SECTION, name)
-        ready = at not in report.tainted and all(
-            gear is None or (gear in parts.gears and ("gears", gear) not in report.tainted)
-            for gear in (stage.sun, stage.ring)
+    """Check the assembly condition of all stages, and the common centre distance of their meshes."""
+    for chain in connected(parts):
+        stages = {name: parts.planetary_stages[name] for name in chain}
+        gears = [g.mate for s in stages.values() for g in s.groups if g.side != "planet"]
+        ready = not any((SECTION, name) in report.tainted for name in chain) and all(
+            gear in parts.gears and ("gears", gear) not in report.tainted for gear in gears
         )
-        if ready and stage.sun is not None and stage.ring is not None:
-            _spacing(parts, at, stage, report)
+        if not ready:
+            continue
+        teeth = spacing_teeth(stage_meshes(parts, tuple(stages.values())))
+        for name, stage in stages.items():
+            own = stage.angles is not None or inner_stage(parts, stage) is None
+            if teeth and own and not _spacing(parts, (SECTION, name), stage, teeth, report):
+                report.tainted.update(("meshes", mesh) for s in stages.values() for mesh in s.meshes)
             if stage.center_distance is None:
-                _distances(parts, at, stage, report)
+                _distances(parts, (SECTION, name), stage, report)
 
 
 def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
@@ -78,7 +85,7 @@ def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
     angles
         Angles of the planets [rad].
     teeth
-        Sum of the tooth numbers of sun and ring.
+        Number of places on a turn at which a planet fits: the sum of the teeth of sun and ring.
 
     Examples
     --------
@@ -91,28 +98,35 @@ def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
     return tuple(angles[0] + round((angle - angles[0]) / step) * step for angle in angles)
 
 
-def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
-    sun, ring = (parts.gears[str(gear)] for gear in (stage.sun, stage.ring))
-    teeth = sun.number_of_teeth + ring.number_of_teeth
+def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report: Reader) -> bool:
+    """Check the angles of planets, which fit at a number of places on a turn; False if they do not."""
     nearest = possible_angles(stage.places, teeth)
-    radius = 0.5 * sun.normal_module * (sun.number_of_teeth + stage.planet.number_of_teeth)
+    largest = max(wheel.gear.normal_module * wheel.gear.number_of_teeth for wheel in stage.wheels)
+    central = [parts.gears[g.mate] for g in stage.groups if g.side != "planet"]
+    radius = 0.5 * max(largest, *(gear.normal_module * gear.number_of_teeth for gear in central))
     missed = [(abs(a - b), b) for a, b in zip(stage.places, nearest, strict=True)]
     worst = max(missed)[0]
     if worst * radius <= SAME:
-        return
-    report.tainted.update(("meshes", mesh) for mesh in (*stage.sun_meshes(), *stage.ring_meshes()))
+        return True
     listed = ", ".join(f"{round(math.degrees(b), 9):.9g} deg" for b in nearest)
     count = len(stage.places)
+    simple = len(stage.wheels) == 1 and set(stage.wheels[0].mates) == {"sun", "ring"}
+    simple = simple and teeth == sum(gear.number_of_teeth for gear in central)
+    words = " + ".join(str(gear.number_of_teeth) for gear in central)
+    fitted = ", or fitted: true at a step" if any(not s.fitted for s in stage.steps.values()) else ""
     if stage.angles is None:
         whole = [n for n in range(count - 1, 1, -1) if teeth % n == 0][:1]
         fewer = f", or {whole[0]} planets" if whole else ""
         report.problem(
             (*at, "planets"),
-            f"cannot be assembled at equal angles: ({sun.number_of_teeth} + {ring.number_of_teeth})/{count} "
+            f"cannot be assembled at equal angles: {f'({words})' if simple else teeth}/{count} "
             f"= {teeth / count:.6g} is not a whole number",
             value=str(count),
-            limit="whole multiples of 360 deg/(z_s + z_r) between the planets",
-            remedy=f"give angles: [{listed}], the nearest possible spacing{fewer}, or other tooth numbers",
+            limit="whole multiples of 360 deg/(z_s + z_r) between the planets"
+            if simple
+            else f"whole multiples of 360 deg/{teeth} between the planets",
+            remedy=f"give angles: [{listed}], the nearest possible spacing{fewer}{fitted}, or other tooth "
+            "numbers",
         )
     else:
         report.problem(
@@ -120,65 +134,35 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> 
             f"cannot be assembled: a planet is {math.degrees(worst):.4g} deg off the nearest possible angle",
             limit=f"whole multiples of 360/{teeth} = {360.0 / teeth:.6g} deg between the planets",
             remedy=said_of(report, (*at, "angles"))
-            or f"give angles: [{listed}], and errors of the pins as pin_errors",
+            or f"give angles: [{listed}], and errors of the pins as pin_errors{fitted}",
         )
+    return False
 
 
 def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
-    """Check that both pairs have the same centre distance if it follows from the profile shifts."""
-    gears = [parts.gears[str(g)] for g in (stage.sun, stage.ring)]
-    if stage.planet.profile_shift_coefficient is None or any(
-        gear.profile_shift_coefficient is None for gear in gears
-    ):
-        return
-    try:
-        planet = stage.planet.geometry
-        sun, ring = (
-            abs(pair_of(one, two, None).a_w)
-            for one, two in ((gears[0].geometry, planet), (planet, gears[1].geometry))
-        )
-    except GeometryError:
-        return  # reported for the pair
-    if abs(ring - sun) > SAME:
-        what = "more" if ring > sun else "less"
-        size = format_quantity(abs(ring - sun), "length", 3)
-        report.problem(
-            (*at, "center_distance"),
-            f"is missing: the planets would be {ring * 1e3:.7g} mm from the axis of the ring, {size} {what} "
-            f"than {sun * 1e3:.7g} mm from that of the sun, both without backlash",
-            limit="a difference of 1 µm",
-            remedy=f"give center_distance: {min(sun, ring) * 1e3:.7g} mm, or change a profile shift",
-        )
-
-
-def check_planets(parts: Parts, report: Reader) -> None:
-    """Check that neighbouring planets do not touch."""
-    for name, stage in parts.planetary_stages.items():
-        bare = said_of(report, (SECTION, name, "angles"))
-        if bare and (SECTION, name, "angles") in report.tainted:
-            continue  # the same unit has been reported
-        for gap, (one, two) in planet_gaps(parts, stage):
-            if gap > 0.0:
-                continue
+    """Check that all pairs have the same centre distance if it follows from the profile shifts."""
+    found: list[tuple[float, str]] = []
+    for group in stage.groups:
+        if group.side == "planet":
+            continue
+        gear, planet = parts.gears[group.mate], group.wheel.gear
+        if gear.profile_shift_coefficient is None or planet.profile_shift_coefficient is None:
+            return
+        pair = (gear.geometry, planet.geometry) if group.side == "sun" else (planet.geometry, gear.geometry)
+        try:
+            found.append((abs(pair_of(*pair, None).a_w), group.mate))
+        except GeometryError:
+            return  # reported for the pair
+    (first, one), *others = found
+    for other, two in others:
+        if abs(other - first) > SAME:
+            what = "more" if other > first else "less"
+            size = format_quantity(abs(other - first), "length", 3)
             report.problem(
-                (SECTION, name, "planets" if stage.angles is None else "angles"),
-                f"makes {one} and {two} overlap by {format_quantity(-gap, 'length', 3)} at their tips",
-                remedy=bare or "use fewer planets, or planets with a smaller tip diameter",
-                taint=False,
+                (*at, "center_distance"),
+                f"is missing: the planets would be {other * 1e3:.7g} mm from the axis of {two}, {size} "
+                f"{what} than {first * 1e3:.7g} mm from that of {one}, both without backlash",
+                limit="a difference of 1 µm",
+                remedy=f"give center_distance: {min(first, other) * 1e3:.7g} mm, or change a profile shift",
             )
-            break
-
-
-def planet_gaps(parts: Any, stage: PlanetaryStage) -> list[tuple[float, tuple[str, str]]]:
-    """Distances between the tip circles of neighbouring planets, without pin errors [m], and their names."""
-    distance = nominal_distance(parts, stage)
-    order = sorted(range(len(stage.places)), key=lambda k: stage.places[k] % math.tau)
-    if distance is None or len(order) < 2 or not all(name in parts.gears for name in stage.names):
-        return []
-    found = []
-    for k, one in enumerate(order):
-        two = order[(k + 1) % len(order)]
-        chord = 2.0 * distance * abs(math.sin(0.5 * (stage.places[two] - stage.places[one])))
-        tips = 0.5 * sum(parts.gears[stage.names[n]].geometry.d_a for n in (one, two))
-        found.append((chord - tips, (stage.names[one], stage.names[two])))
-    return found if len(order) > 2 else found[:1]
+            return

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import choice, key, positive, quantity
+from pitchpoint.model.keys import choice, derived, key, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,3 +54,5 @@ class Clutch(Component):
         "time", "bristles: ratio of damping to stiffness of the bristles", 1e-3, minimum=0.0
     )
     slip_speed: float = positive("angular_speed", "smooth: slip speed of full friction", 0.1)
+    stage: str | None = derived()
+    """Scissor gear that contains the clutch, if any."""

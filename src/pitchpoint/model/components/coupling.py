@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.keys import component, key, quantities
+from pitchpoint.model.keys import component, derived, key, quantities
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,6 +35,8 @@ class Coupling(Component):
         Stiffness6, "stiffness against relative displacement and rotation", Stiffness6()
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a damping ratio")
+    stage: str | None = derived()
+    """Scissor gear that contains the coupling, if any."""
 
     @property
     def carries_torque(self) -> bool:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.component import Component
+from pitchpoint.model.components.flexible_rim import FlexibleRim
 from pitchpoint.model.components.gear_faults import SEAT_FAULTS, SeatFault
 from pitchpoint.model.components.modifications import Deviations, Modifications
 from pitchpoint.model.components.solid import SolidReference
@@ -115,6 +116,12 @@ class Gear(Component):
     )
     rim_thickness: float | None = positive("length", "rim thickness below the teeth", None, display="solid")
     web_thickness: float | None = positive("length", "web thickness", None, display="face width")
+    flexible_rim: FlexibleRim | None = component(
+        FlexibleRim,
+        "bending modes of the rim of an internal gear; default: the rim is rigid, apart from the compliance "
+        "of the teeth",
+        later=True,
+    )
     bore_diameter: float = quantity(
         "length",
         "bore of an external gear, outside diameter of an internal gear; 0: not given. Of a gear on a shaft "
@@ -123,7 +130,9 @@ class Gear(Component):
         minimum=0.0,
         display="none; elastic wheel bodies are clamped at half the root diameter, rings behind the rim",
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
     polar_inertia: float | None = quantity(
         "inertia", "moment of inertia about the axis", None, minimum=0.0, display="from geometry"
@@ -158,7 +167,10 @@ class Gear(Component):
         "tooth_profile", "measured or calculated points of the tooth, from a file", None, of=ToothProfile
     )
     stage: str | None = derived()
-    """Planetary stage that contains the gear, if any."""
+    """Planetary stage, or path of the scissor gear, that contains the gear, if any."""
+    aligned: tuple[str, float] | None = derived()
+    """Gear on the same body that determines its orientation, and the angle from a tooth of it to one of this
+    gear, at their mid-faces [rad]; None if its meshes do."""
     x: float | None = derived()
     """Effective profile shift coefficient: as given, or from the centre distance."""
 

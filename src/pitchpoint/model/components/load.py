@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import choice, key, quantities, text
+from pitchpoint.model.keys import choice, derived, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,7 +19,8 @@ class Load(Component):
     torque: Law | None = key(
         "law",
         "torque about the spin axis, counter-clockwise positive: a quantity, a formula of t, angle, speed, "
-        "{table: [[t, T], ...], over: time|angle}, {python: 'file.py:function', parameters: [...]}, balance",
+        "{table: [[t, T], ...] or FILE.csv, over: time|angle, shift: ...}, "
+        "{python: 'file.py:function', parameters: [...]}, balance",
         None,
         dimension="torque",
     )
@@ -49,3 +51,5 @@ class Load(Component):
         None,
         display="ground",
     )
+    given: Any = derived()
+    """The load as given, if it has the values of a load case."""

@@ -8,30 +8,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.components.flank_contact import FlankContact
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.gear_faults import SeatFault
-from pitchpoint.model.components.mesh import (
-    Backlash,
-    ContactDamping,
-    Damper,
-    Friction,
-    Mesh,
-    Misalignment,
-    TransientDamping,
-    TransmissionError,
-)
 from pitchpoint.model.components.modifications import Deviations, Modifications
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.components.stiffness import StiffnessLaw
+from pitchpoint.model.components.stage_mesh import SingleMesh, StageMesh
 from pitchpoint.model.components.tooth_faults import ToothFault
 from pitchpoint.model.keys import (
     REQUIRED,
+    boolean,
     choice,
     component,
+    derived,
     integer,
     key,
-    keys_of,
     positive,
     quantities,
     quantity,
@@ -41,46 +31,8 @@ from pitchpoint.model.keys import (
 
 JOINTS = {"torsion": "revolute", "planar": "planar", "free": "shaft"}
 """Joint between carrier and planet for each motion of the planets."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class StageMesh(Component):
-    """Settings of all meshes of the planets with the sun, or with the ring."""
-
-    backlash: Backlash | None = same_key(Mesh, "backlash")
-    stiffness: StiffnessLaw = same_key(Mesh, "stiffness")
-    contact: FlankContact | None = same_key(Mesh, "contact")
-    width: str = same_key(Mesh, "width")
-    slices: int = same_key(Mesh, "slices")
-    damping: ContactDamping | None = same_key(Mesh, "damping")
-    damper: Damper | None = same_key(Mesh, "damper")
-    transient_damping: TransientDamping | None = same_key(Mesh, "transient_damping")
-    friction: Friction | None = same_key(Mesh, "friction")
-    transmission_error: TransmissionError | None = same_key(Mesh, "transmission_error")
-    misalignment: Misalignment | None = same_key(Mesh, "misalignment")
-
-    def between(self, gears: tuple[str, str], own: SingleMesh, **more: object) -> Mesh:
-        """Mesh of two gears with these settings, and those of a single planet."""
-        values = {name: getattr(self, name) for name in keys_of(StageMesh)} | own.given
-        return Mesh(gears=gears, **values, **more)  # type: ignore[arg-type]
-
-
-@dataclass(frozen=True, kw_only=True)
-class SingleMesh(Component):
-    """Settings of the mesh of one planet with the sun, or with the ring, that replace the common ones."""
-
-    backlash: Backlash | None = same_key(Mesh, "backlash")
-    damping: ContactDamping | None = same_key(Mesh, "damping")
-    damper: Damper | None = same_key(Mesh, "damper")
-    friction: Friction | None = same_key(Mesh, "friction")
-    transmission_error: TransmissionError | None = same_key(Mesh, "transmission_error")
-    misalignment: Misalignment | None = same_key(Mesh, "misalignment")
-
-    @property
-    def given(self) -> dict[str, object]:
-        """Settings that are not those of the stage."""
-        values = {name: getattr(self, name) for name in keys_of(SingleMesh)}
-        return {name: value for name, value in values.items() if value is not None}
+SIDES = ("sun", "ring", "planet")
+"""Mates of planets; planet: inner planets."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,6 +41,9 @@ class PlanetBearing(Component):
 
     stiffness: Stiffness6 = component(Stiffness6, "stiffness in six directions", Stiffness6())
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a damping ratio")
+    position: float = quantity(
+        "length", "axial position of the bearing from the mid-face of planet", 0.0, later=True
+    )
     pin_stiffness: float | None = positive(
         "stiffness",
         "bending stiffness of the pin at the planet, in series with the bearing along x and y",
@@ -117,8 +72,8 @@ class PinError(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
-class SinglePlanet(Component):
-    """Data of one planet that replace the common ones."""
+class SingleStep(Component):
+    """Data of one step of a single planet that replace the common ones."""
 
     faults: Mapping[str, ToothFault | SeatFault] = same_key(Gear, "faults")
     modifications: Modifications | None = same_key(Gear, "modifications")
@@ -128,21 +83,135 @@ class SinglePlanet(Component):
     )
     sun_mesh: SingleMesh = component(SingleMesh, "mesh with the sun", SingleMesh(), later=True)
     ring_mesh: SingleMesh = component(SingleMesh, "mesh with the ring", SingleMesh(), later=True)
+    planet_mesh: SingleMesh = component(SingleMesh, "mesh with the inner planet", SingleMesh(), later=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SinglePlanet(SingleStep):
+    """Data of one planet that replace the common ones."""
+
+    steps: Mapping[str, SingleStep] = key(
+        "components", "data of its steps, by name", {}, of=SingleStep, later=True
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetStep(Component):
+    """A further gear of every planet, and its mates."""
+
+    gear: Gear = component(Gear, "gear data of the step on every planet", REQUIRED)
+    position: float = quantity(
+        "length", "axial position of its mid-face from that of the gear given as planet", REQUIRED
+    )
+    sun: str | None = text("name of a sun gear in mesh with the step", None, display="no sun")
+    ring: str | None = text("name of an internal gear in mesh with the step", None, display="no ring")
+    inner_planets: str | None = text(
+        "planet_name of another stage, whose planets are in mesh with the step", None, display="none"
+    )
+    orientation: float | None = quantity(
+        "angle",
+        "angle from the centre of a tooth of planet to that of a tooth of the step, at their mid-faces",
+        None,
+        display="that of the teeth in mesh, as rings and suns are assembled",
+    )
+    fitted: bool = boolean(
+        "the teeth of each planet are oriented at its assembly, so that planets need not be equal", False
+    )
+    sun_mesh: StageMesh | None = component(
+        StageMesh, "meshes with the sun", None, display="sun_mesh of the stage"
+    )
+    ring_mesh: StageMesh | None = component(
+        StageMesh, "meshes with the ring", None, display="ring_mesh of the stage"
+    )
+    planet_mesh: StageMesh | None = component(
+        StageMesh, "meshes with the inner planets", None, display="planet_mesh of the stage"
+    )
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """One gear of every planet, and its mates.
+
+    Parameters
+    ----------
+    step
+        Name of the step; "" for the gear given as `planet`.
+    gear, position
+        Its data and the axial position of its mid-face on the planet [m].
+    mates
+        Names of sun and ring, and the planet_name of inner planets, by side: sun, ring, planet.
+    settings
+        Settings of the meshes by side.
+    key
+        Keys of the stage that lead to it.
+    """
+
+    step: str
+    gear: Gear
+    position: float
+    mates: Mapping[str, str]
+    settings: Mapping[str, StageMesh]
+    key: tuple[str, ...]
+
+    def of(self, planet: str) -> str:
+        """Name of the gear on a planet."""
+        return f"{planet}-{self.step}" if self.step else planet
+
+
+@dataclass(frozen=True)
+class MeshGroup:
+    """Parallel meshes of all planets of a stage with one mate.
+
+    Parameters
+    ----------
+    side, mate
+        sun, ring or planet, and the name of the gear or of the inner planets.
+    wheel
+        Gear of the planets.
+    gears
+        Gear 1 and gear 2 of every mesh, in the order of the planets.
+    """
+
+    side: str
+    mate: str
+    wheel: Wheel
+    gears: tuple[tuple[str, str], ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the meshes."""
+        return tuple(f"{one}-{two}" for one, two in self.gears)
+
+    @property
+    def key(self) -> tuple[str, ...]:
+        """Keys of the stage with the settings of the meshes."""
+        return (*self.wheel.key, f"{self.side}_mesh")
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlanetaryStage(Component):
-    """Equal planets on the pins of a carrier, in mesh with a sun, a ring, or both.
+    """Equal planets on the pins of a carrier, in mesh with suns, rings, or the planets of another stage.
 
     The stage represents the gears, bodies, pins, bearings and meshes of its planets.
     """
 
     sun: str | None = text("name of the sun gear", None, display="no sun")
     ring: str | None = text("name of the internal gear", None, display="no ring")
+    inner_planets: str | None = text(
+        "planet_name of another stage on the same carrier; each planet is in mesh with the inner planet of "
+        "the same number",
+        None,
+        display="none",
+        later=True,
+    )
     carrier: str = text("body that carries the pins; without position it is on the axis of sun and ring")
     planet: Gear = component(Gear, "gear data of every planet", REQUIRED)
     planets: int | None = integer(
-        "number of planets, at equal angles", None, minimum=1, maximum=50, one_of="places"
+        "number of planets, at equal angles; with inner_planets each at the same angle from its inner planet",
+        None,
+        minimum=1,
+        maximum=50,
+        one_of="places",
     )
     angles: tuple[float, ...] | None = quantities(
         "angle",
@@ -159,6 +228,29 @@ class PlanetaryStage(Component):
         None,
         maximum=50.0,
         display="zero backlash from the profile shifts",
+    )
+    position: float = quantity(
+        "length",
+        "axial position of the mid-face of planet from that of sun or ring in mesh with it",
+        0.0,
+        later=True,
+    )
+    planet_center_distance: float | None = positive(
+        "length",
+        "centre distance of planets and inner planets, which determines the angle between them",
+        None,
+        maximum=50.0,
+        display="zero backlash from the profile shifts",
+        later=True,
+    )
+    planet_side: str = choice(
+        ("counter_clockwise", "clockwise"),
+        "side of each inner planet on which the planet in mesh with it is",
+        "counter_clockwise",
+        later=True,
+    )
+    steps: Mapping[str, PlanetStep] = key(
+        "components", "further gears of stepped planets, by name", {}, of=PlanetStep, later=True
     )
     motion: str = choice(
         tuple(JOINTS),
@@ -187,6 +279,12 @@ class PlanetaryStage(Component):
     )
     sun_mesh: StageMesh = component(StageMesh, "meshes with the sun", StageMesh())
     ring_mesh: StageMesh = component(StageMesh, "meshes with the ring", StageMesh())
+    planet_mesh: StageMesh = component(StageMesh, "meshes with the inner planets", StageMesh(), later=True)
+
+    inner_angles: tuple[float, ...] = derived(())
+    """Angles of the inner planets [rad]; empty until they are known."""
+    lead: float = derived(0.0)
+    """Angle from each inner planet to its planet [rad]."""
 
     @property
     def places(self) -> tuple[float, ...]:
@@ -194,17 +292,55 @@ class PlanetaryStage(Component):
         if self.angles is not None:
             return self.angles
         count = self.planets or 0
+        if len(self.inner_angles) == count:
+            return tuple(angle + self.lead for angle in self.inner_angles)
         return tuple(math.tau * k / count for k in range(count))
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the planets: of their gears and of their bodies."""
-        return tuple(f"{self.planet_name}_{k}" for k in range(1, len(self.places) + 1))
+        return names_of(self.planet_name, len(self.angles or ()) or self.planets or 0)
 
-    def sun_meshes(self) -> tuple[str, ...]:
-        """Names of the meshes with the sun, in the order of the planets."""
-        return () if self.sun is None else tuple(f"{self.sun}-{name}" for name in self.names)
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """Gears of every planet: that given as `planet`, then the steps."""
+        own: dict[str, StageMesh] = {}
+        found = []
+        parts: dict[str, PlanetaryStage | PlanetStep] = {"": self, **self.steps}
+        for step, part in parts.items():
+            settings = {side: getattr(part, f"{side}_mesh") or own[side] for side in SIDES}
+            own = own or settings
+            named = {"sun": part.sun, "ring": part.ring, "planet": part.inner_planets}
+            mates = {side: mate for side, mate in named.items() if mate is not None}
+            gear = part.gear if isinstance(part, PlanetStep) else part.planet
+            position = part.position if isinstance(part, PlanetStep) else 0.0
+            found.append(Wheel(step, gear, position, mates, settings, ("steps", step) if step else ()))
+        return tuple(found)
 
-    def ring_meshes(self) -> tuple[str, ...]:
-        """Names of the meshes with the ring, in the order of the planets."""
-        return () if self.ring is None else tuple(f"{name}-{self.ring}" for name in self.names)
+    @property
+    def groups(self) -> tuple[MeshGroup, ...]:
+        """Groups of parallel meshes: of every gear of the planets with sun, ring and inner planets."""
+        found = []
+        for wheel in self.wheels:
+            own = tuple(map(wheel.of, self.names))
+            for side, mate in wheel.mates.items():
+                others = names_of(mate, len(own)) if side == "planet" else (mate,) * len(own)
+                pairs = zip(own, others, strict=True) if side == "ring" else zip(others, own, strict=True)
+                found.append(MeshGroup(side, mate, wheel, tuple(pairs)))
+        return tuple(found)
+
+    @property
+    def meshes(self) -> tuple[str, ...]:
+        """Names of all meshes."""
+        return tuple(name for group in self.groups for name in group.names)
+
+
+def names_of(planet_name: str, count: int) -> tuple[str, ...]:
+    """Names of planets.
+
+    Examples
+    --------
+    >>> names_of("planet", 2)
+    ('planet_1', 'planet_2')
+    """
+    return tuple(f"{planet_name}_{k}" for k in range(1, count + 1))

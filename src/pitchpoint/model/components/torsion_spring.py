@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import key, positive, quantity
+from pitchpoint.model.keys import derived, key, positive, quantity
 
 TURNING = (
     "names of the two bodies, BODY or BODY.MARKER (a place on a shaft; without it the start of the shaft); "
@@ -35,6 +35,8 @@ class TorsionSpring(Component):
         None,
         dimension="torque",
     )
+    stage: str | None = derived()
+    """Scissor gear that contains the spring, if any."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,6 +14,7 @@ from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points, ToothProfile
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading.bare_numbers import Bare, is_doubtful
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -54,30 +55,60 @@ def _cells(text: str) -> list[str]:
     return [cell.strip() for cell in _SEPARATOR.split(text)]
 
 
-def _quantities(reader: Reader, name: str, found: list[Line], dimension: str, path: Place) -> Any:
-    """Quantities of all lines; a first line such as 'f_p [um]' gives the unit of bare numbers."""
-    unit = ""
-    if found and len(found[0][1]) == 1:
-        match = _HEADING.fullmatch(found[0][1][0])
-        if match:
-            unit, found = f" {match[2]}", found[1:]
+def _quantities(
+    reader: Reader, name: str, found: list[Line], dimensions: tuple[str, ...], path: Place
+) -> Any:
+    """Quantities of all lines; a first line such as 'f_p [um]' gives the units of bare numbers.
+
+    `dimensions` is that of all cells, or of each column.
+    """
+    units = [""]
+    headings = [_HEADING.fullmatch(cell) for cell in found[0][1]] if found else []
+    if headings and all(headings) and len(headings) == len(dimensions):
+        units, found = [f" {match[2]}" for match in headings if match], found[1:]
     rows: list[list[float]] = []
     faults = 0
     for number, cells in found:
         try:
+            if len(dimensions) > 1 and len(cells) != len(dimensions):
+                raise UnitError(f"there are {len(cells)} values instead of {len(dimensions)}")
             row = []
-            for cell in cells:
+            for k, cell in enumerate(cells):
                 bare = _NUMBER.fullmatch(cell)
+                unit, dimension = units[k % len(units)], dimensions[k % len(dimensions)]
                 row.append(parse_quantity(f"{cell}{unit}" if bare else cell, dimension))
             rows.append(row)
         except UnitError as error:
             faults += 1
             if faults <= _SHOWN:
                 remedy = "write numbers separated by commas or blanks; a first line [um] gives the unit"
+                if len(dimensions) > 1:
+                    remedy = (
+                        "write two values in each line; a first line angle [deg], torque [N m] gives units"
+                    )
                 reader.problem(path, f"{error} (file '{name}', line {number})", remedy=remedy)
     if faults > _SHOWN:
         reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
     return BAD if faults else rows
+
+
+def pairs(reader: Reader, name: str, dimensions: tuple[str, str], path: Place) -> Any:
+    """Read a text file with two quantities per line: abscissa in increasing order, and value."""
+    found = lines(reader, name, path, "a list of rows")
+    rows = BAD if found is BAD else _quantities(reader, name, found, dimensions, path)
+    if rows is BAD:
+        return BAD
+    if len(rows) < 2:
+        return reader.problem(path, f"the file '{name}' has fewer than two rows", remedy="give at least two")
+    for (number, _), before, after in zip(found[-len(rows) + 1 :], rows, rows[1:], strict=False):
+        if not after[0] > before[0]:
+            problem = f"line {number} of '{name}' is not larger than the line before in its first value"
+            return reader.problem(path, problem, remedy="sort the table")
+    largest = rows[-1][0]
+    without = len(found) == len(rows) and _NUMBER.fullmatch(found[-1][1][0]) is not None
+    if without and is_doubtful(largest, dimensions[0]):
+        reader.bare.append(Bare(path, largest, dimensions[0]))
+    return rows
 
 
 def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
@@ -85,7 +116,7 @@ def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
     found = lines(reader, name, path, "a list of quantities")
     if found is BAD:
         return BAD
-    rows = _quantities(reader, name, found, key.dimension, path)
+    rows = _quantities(reader, name, found, (key.dimension,), path)
     return BAD if rows is BAD else [cell for row in rows for cell in row]
 
 
@@ -94,7 +125,7 @@ def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     in_file = isinstance(data, str)
     if in_file:
         found = lines(reader, data, path, "a list of rows")
-        data = BAD if found is BAD else _quantities(reader, data, found, key.dimension, path)
+        data = BAD if found is BAD else _quantities(reader, data, found, (key.dimension,), path)
         if data is BAD:
             return BAD
     row = Key("quantities", "", dimension=key.dimension, length=(1, 10**6))

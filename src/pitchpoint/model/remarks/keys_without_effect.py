@@ -28,6 +28,7 @@ from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_MET
 from pitchpoint.model.signals import signals_without_effect
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.mesh import ContactDamping, Mesh
     from pitchpoint.model.components.stiffness import StiffnessLaw
     from pitchpoint.model.model import Model
@@ -172,7 +173,7 @@ def _blanks(model: Model) -> Iterator[Message]:
             yield remark(
                 where, "has no effect without web_thickness: a web of the face width makes a solid gear"
             )
-        elif any(map(_elastic_blank, laws.values())):
+        elif any(map(_elastic_blank, laws.values())) or _bends(gear):
             continue
         elif energy:
             yield remark(
@@ -201,6 +202,11 @@ def _elastic_blank(law: StiffnessLaw) -> bool:
     if isinstance(law, FlexibleContact):
         return law.body != "rigid" or law.teeth == "finite_elements"
     return isinstance(law, PrecomputedContact)
+
+
+def _bends(gear: Gear) -> bool:
+    """Whether the rim thickness determines the modes of a flexible rim."""
+    return gear.flexible_rim is not None and gear.bore_diameter == 0.0
 
 
 def _blank_weighs(model: Model, gear: str) -> bool:

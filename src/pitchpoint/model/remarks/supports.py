@@ -10,6 +10,7 @@ from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.axial_supports import without_axial_support
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import ring_bodies
+from pitchpoint.model.stand_ins import path_of
 from pitchpoint.model.tilt_supports import without_tilt_support
 
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ def tilting(model: Model) -> Iterator[Message]:
     for body, bearings in without_tilt_support(model):
         stage = model.bodies[body].stage
         own = f"{'shafts' if body in model.shafts else 'bodies'}.{body}"
-        found.setdefault(f"planetary_stages.{stage}" if stage else own, {})[body] = bearings
+        found.setdefault(path_of(stage) if stage else own, {})[body] = bearings
     for where, parts in found.items():
         all_bearings = [name for names in parts.values() for name in names]
         support = "supports" if len(all_bearings) == 1 else "support"

@@ -251,7 +251,8 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
     if not scenario:
         return {}, []
     speeds, remarks = scenario_speeds(model, scenario)
-    return turning_speeds(model, speeds, driven=model.scenarios[scenario].drive), remarks
+    chosen = model.scenarios[scenario]
+    return turning_speeds(model, speeds, driven=chosen.drive, held=chosen.hold), remarks
 
 
 def _chosen(request: Request, record: Record) -> dict[str, Array]:

@@ -16,6 +16,7 @@ from pitchpoint.core.provenance import content_hash
 from pitchpoint.report.scene.bearings import cage_bodies
 from pitchpoint.report.scene.contact_lines import ContactLines
 from pitchpoint.report.scene.elastic import elastic_parts
+from pitchpoint.report.scene.flexible_rims import with_rims
 from pitchpoint.report.scene.forces import force_arrows
 from pitchpoint.report.scene.marks import scene_marks
 from pitchpoint.report.scene.modes import modes_of_result, scene_modes, with_parts
@@ -96,7 +97,7 @@ def scene_of(
             bodies.append(cage)
     solids, notes = scene_solids(model, places)
     bending, remarks = elastic_parts(model, places, record.at_frames)
-    solids, notes = solids + bending, notes + remarks
+    solids, notes = [*with_rims(model, solids, record.at_frames), *bending], notes + remarks
     if result is not None and whole is not None and result.sizes["time"] < whole.sizes["time"]:
         notes.append(
             f"shown up to {float(result['time'][-1]):.6g} s: later values of the result are not finite"

@@ -58,7 +58,8 @@ def joining_parts(model: Model, at: Places) -> list[SceneSolid]:
     found: list[SceneSolid] = []
     for section, schematic in drawn_sections(model):
         for name, part in getattr(model, section).items():
-            found += SCHEMATICS[schematic](at, name, part)
+            if getattr(part, "stage", None) is None:  # hub and spring of a scissor gear are inside the gear
+                found += SCHEMATICS[schematic](at, name, part)
     return found
 
 

@@ -145,6 +145,7 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
             np.moveaxis(shape, 2, 0),
             np.array(node, np.int64),
             np.column_stack(known) if len(known) == len(values) else None,
+            tuple(coordinates_of(name, shape.shape[2])),
         ),
         schematic=True,
     )

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.scene.elastic import coordinates_of
 from pitchpoint.viz.scene.content import SceneBody, SceneMode, SceneSolid
 
 if TYPE_CHECKING:
@@ -135,7 +134,7 @@ def _mode(
     for solid in solids:
         if solid.modal is None:
             continue
-        own = coordinates_of(solid.name, len(solid.modal.shapes))
+        own = solid.modal.names
         if all(c in place for c in own):
             modal[solid.name] = coordinates[1][[place[c] for c in own]]
     shown = damping if math.isfinite(damping) and frequency > 0.0 else None

@@ -42,7 +42,8 @@ def planet_members(model: Model) -> dict[str, Member]:
     sets = {b: p for b, p in sets.items() if len(p) > 1 or _carrier(model, b)}
     found: dict[str, Member] = {}
     for k, (bodies, partners) in enumerate(sets.items(), start=1):
-        word = "planets" if len(sets) == 1 else f"planets of set {k}"
+        stage = model.bodies[bodies[0]].stage
+        word = "planets" if len(sets) == 1 else f"planets of {stage or f'set {k}'}"
         for partner, names in partners:
             for number, name in enumerate(names, start=1):
                 found.setdefault(name, Member(f"{word} with {partner}", number))
@@ -50,6 +51,11 @@ def planet_members(model: Model) -> dict[str, Member]:
             found.setdefault(body, Member(word, number))
             for role, name in _carrying(model, body):
                 found.setdefault(name, Member(f"{role} of {word}", number))
+    for name, part in model.planetary_stages.items():  # in series: each planet meets one inner planet
+        for group in part.groups:
+            if group.side == "planet" and len(group.names) >= FEWEST:
+                for number, mesh in enumerate(group.names, start=1):
+                    found[mesh] = Member(f"planets of {name} with {group.mate}", number)
     return found
 
 

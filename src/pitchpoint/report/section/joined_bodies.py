@@ -99,11 +99,12 @@ def _beyond(ends: Ends, wanted: float, place: float, radius: float) -> tuple[flo
 
 def _couplings(model: Model, line: Line) -> list[tuple[str, str, str, float | None]]:
     """Couplings between bodies of an axis, with the positions on the first body that the model gives."""
+    # hub and spring of a scissor gear are inside the gear
     parts: list[tuple[str, tuple[str, ...], float | None]] = [
-        (name, c.bodies, c.position[2]) for name, c in model.couplings.items()
+        (name, c.bodies, c.position[2]) for name, c in model.couplings.items() if c.stage is None
     ]
     for group in (model.clutches, model.torsion_springs):
-        parts += [(name, c.bodies, None) for name, c in group.items() if len(c.bodies) == 2]
+        parts += [(n, c.bodies, None) for n, c in group.items() if len(c.bodies) == 2 and c.stage is None]
     found = []
     for name, ends, place in parts:
         one, two = (split(end)[0] for end in ends)

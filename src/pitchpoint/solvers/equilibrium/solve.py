@@ -54,7 +54,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     rest_matrix,
     unsettled_states,
 )
-from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
+from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, held_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
@@ -138,7 +138,7 @@ def find_equilibrium(
     start
         Initial state; its velocities are retained and define the friction. Default: the initial state.
     held
-        Coordinates to hold. Default: `free_spins`.
+        Coordinates to hold. Default: `held_spins`.
     tolerance
         Largest residual, relative to the loads.
 
@@ -151,7 +151,7 @@ def find_equilibrium(
     SolverError
         If no equilibrium is found: a loaded direction is unconstrained, or a force law has no equilibrium.
     """
-    kept = free_spins(system) if held is None else tuple(held)
+    kept = held_spins(system) if held is None else tuple(held)
     state = (centred(system, system.initial_state(), kept) if start is None else start).copy()
     state.a[:] = 0.0
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
@@ -367,7 +367,7 @@ def solve_equilibrium(
         The compiled model.
     angles
         Spin angle at which bodies are held, by name [rad]; every group of bodies that can rotate freely needs
-        one held body, by default its first.
+        one held body: by default those that the scenario drives or holds, else the first.
     speeds
         Speeds by body [rad/s] for friction and dampers; default zero.
 
@@ -386,7 +386,7 @@ def solve_equilibrium(
 
     forget_contacts(system)
     start = system.initial_state()
-    held = free_spins(system)
+    held = held_spins(system)
     for name, angle in (angles or {}).items():
         spin = system.spin(name)
         start.q[spin] = angle

@@ -93,7 +93,7 @@ def _relieved(model: Model, empty: Sequence[str]) -> tuple[dict[str, list[str]],
     """Unloaded meshes by planet, where other planets of the stage carry load, and all other meshes."""
     planets: dict[str, list[str]] = {}
     for stage in model.planetary_stages.values():
-        sides = [meshes for meshes in (stage.sun_meshes(), stage.ring_meshes()) if meshes]
+        sides = [group.names for group in stage.groups]
         for planet, *own in zip(stage.names, *sides, strict=True):
             if set(own) <= set(empty) and not set(sides[0]) <= set(empty):
                 planets[planet] = own

@@ -32,6 +32,7 @@ from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.unbalance import with_point_mass
 from pitchpoint.system.rules.elastic_body import elastic_count, elastic_of, node_at
+from pitchpoint.system.rules.flexible_rim import rim_count, rim_parts
 from pitchpoint.system.rules.shaft import shaft_of
 
 if TYPE_CHECKING:
@@ -73,6 +74,8 @@ def bodies(model: Model) -> dict[int, Body]:
             found |= dict(enumerate(shaft_of(model, n, number[n]).bodies, start=number[n]))
         else:
             found[number[n]] = _body(model, seat, _parent(model, seat))
+            rims = [b for rim in rim_parts(model, n, number[n]) for b in rim.bodies]
+            found |= dict(enumerate(rims, start=number[n] + 1))
     for part in model.unbalances.values():
         if part.body in model.shafts:
             k, z = seat_at(model, part.body, part.position[2])
@@ -121,10 +124,10 @@ _LAST: dict[str, tuple[weakref.ref[Model], tuple[dict[str, int], dict[str, int]]
 
 
 def count_of(model: Model, body: str) -> int:
-    """Number of records of a body: stations of a shaft; frame, modes and nodes of an elastic body."""
+    """Number of records of a body: stations of a shaft; frame, modes and nodes of an elastic body; rims."""
     if body in model.elastic_bodies:
         return elastic_count(model, body)
-    return len(model.stations.get(body, (0.0,)))
+    return len(model.stations.get(body, (0.0,))) + rim_count(model, body)
 
 
 def _parent(model: Model, seat: Seat) -> int:

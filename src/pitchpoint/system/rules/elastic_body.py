@@ -27,21 +27,18 @@ from pitchpoint.model.checks.elastic_bodies import ALL_FILES
 from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping
-from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
 from pitchpoint.multibody.joints import FLOATING, FREE
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.multibody.matrix_market import read_parts
-from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
+from pitchpoint.multibody.structure import Structure, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.flexible_rim import rims
 from pitchpoint.system.rules.places import Places
+from pitchpoint.system.rules.structure_files import node_near, read_structure
 from pitchpoint.system.source import with_lines
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.model import Model
-
-NEAR = 1e-3
-"""Maximum distance of a node from the given position, relative to the size of the body."""
 
 
 @dataclass(frozen=True)
@@ -192,10 +189,11 @@ def _spinning_frame(model: Model, name: str) -> Body:
 
 
 def elastic_bank(places: Places) -> Bank:
-    """All elastic bodies."""
+    """All elastic bodies and flexible rims of gears."""
     model, numbers = places.model, places.numbers
-    parts = [elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies]
-    return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts]), tuple(model.elastic_bodies))
+    parts = {name: elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies}
+    parts |= {rim.name: rim.flexible for rim in rims(model, numbers)}
+    return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts.values()]), tuple(parts))
 
 
 def elastic_count(model: Model, name: str) -> int:
@@ -294,14 +292,8 @@ def _read(
     static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
     """Read and reduce the files; `stamps` are their modification times and part of the cache key."""
-    if len(files) >= 3:
-        structure = read_parts(*files)
-    elif Path(files[0]).suffix == ".npz":
-        structure = read_npz(files[0])
-    else:
-        structure, _ = structure_from_dmig(read_dmig(files[0]))
-    check_mass(structure)
-    nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
+    structure = read_structure(files)
+    nodes = tuple(node_near(structure, f"nodes.{word}", np.array(place)) for word, place in wanted)
     if static_shapes:
         modes = _static(structure, nodes, count or MAX_MODES)
     elif below is not None:
@@ -326,16 +318,3 @@ def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
             f"(limit {MAX_MODES}); use fewer nodes, or omit static_shapes"
         )
     return craig_bampton(structure, nodes, count - needed)
-
-
-def _node(structure: Structure, word: str, place: NDArray[np.float64]) -> int:
-    """Node of the file at a position."""
-    apart = np.linalg.norm(structure.places - place, axis=1)
-    size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
-    k = int(np.argmin(apart))
-    if apart[k] > NEAR * size:
-        near = ", ".join(f"{1e3 * x:.6g}" for x in structure.places[k])
-        raise CompileError(
-            f"nodes.{word}: the file has no node at this position; the nearest is at [{near}] mm"
-        )
-    return k

@@ -26,11 +26,11 @@ def is_displaced(gear: Gear) -> bool:
 def set_displacements(
     row: Any, gears: Sequence[Gear], tooth_0: Sequence[float], keep: Callable[[NDArray[np.float64]], int]
 ) -> None:
-    """Set the fields of displaced gears of a mesh record; unchanged for ideally mounted gears.
+    """Set the fields of displaced gears of a mesh record; unchanged for ideally mounted rigid gears.
 
     `tooth_0`: angles of the centres of teeth 0 at spin 0, from the x axes of the bodies [rad].
     """
-    if any(is_displaced(gear) for gear in gears):
+    if any(is_displaced(gear) or gear.flexible_rim is not None for gear in gears):
         places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
         row["displaced"], row["seats"] = 1, keep(displaced(places))
 

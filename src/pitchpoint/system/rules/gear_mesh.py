@@ -29,6 +29,7 @@ from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.flank_contact import pairs_in_reach, set_surfaces
+from pitchpoint.system.rules.flexible_rim import set_rim
 from pitchpoint.system.rules.gear_displacement import is_displaced, set_displacements
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, put_losses, usual_slope
 from pitchpoint.system.rules.places import Places
@@ -217,13 +218,14 @@ def mesh_bank(places: Places) -> Bank:
             turn1=_turn(axes.T @ seats[0][3]),
             turn2=_turn(axes.T @ seats[1][3]),
             fixed=all(_only_spins(model, b) for b in (one, two))
-            and not any(is_displaced(g) for g in gears)
+            and not any(is_displaced(g) or g.flexible_rim is not None for g in gears)
             and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
         )
         row = _tooth_row(model, name, place, pool.add)
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
         set_displacements(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
+        set_rim(row, model, name, pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"
         laws.append(user_law(law.python, where).function if isinstance(law, UserStiffness) else None)

@@ -18,6 +18,7 @@ from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.drive import value_of_law
 from pitchpoint.system.rules.elastic_body import elastic_of
+from pitchpoint.system.rules.flexible_rim import rims
 from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.stiffness import user_law
 
@@ -43,10 +44,10 @@ def guide_bank(places: Places) -> Bank:
                 rows.append(row)
                 names.append(f"{seat.joint}.{word}")
     own = pack("guide", element.RECORD, rows, names, pool=pool.array())
-    banks = [own.records, *(elastic_of(model, n, number[n]).guides for n in model.elastic_bodies)]
-    for name, records in zip(model.elastic_bodies, banks[1:], strict=True):
-        names += [f"{name}.{k}" for k in range(len(records))]
-    return replace(own, records=np.concatenate(banks), names=tuple(names))
+    parts = {name: elastic_of(model, name, number[name]).guides for name in model.elastic_bodies}
+    parts |= {rim.name: rim.guides for rim in rims(model, number)}
+    names += [f"{name}.{k}" for name, records in parts.items() for k in range(len(records))]
+    return replace(own, records=np.concatenate([own.records, *parts.values()]), names=tuple(names))
 
 
 def _follow(row: Any, pool: Pool, joint: Joint, law: Law, duration: float, where: str) -> None:

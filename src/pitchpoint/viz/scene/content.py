@@ -131,11 +131,14 @@ class ModalShape:
         Node of each point of the solid, shape (n,).
     coordinates
         Coordinates over the frames, shape (n, k); None at rest.
+    names
+        Names of the coordinates, as in modes.
     """
 
     shapes: Array
     node: Indices
     coordinates: Array | None = None
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,0 +1,363 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings: concept bearings by stiffness, rolling bearings by designation, catalogue data or elements."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.io.rexs.conversion.state import Conversion, q
+from pitchpoint.io.rexs.document import RexsComponent
+
+ROLLING = ("rolling_bearing_with_catalog_geometry", "rolling_bearing_with_detailed_geometry")
+TYPES = {
+    "radial_grooved_ball_bearing": "deep_groove_ball",
+    "angular_contact_ball_bearing": "angular_contact_ball",
+    "radial_self_aligning_ball_bearing": "self_aligning_ball",
+    "axial_grooved_ball_bearing": "thrust_ball",
+    "radial_roller_bearing": "cylindrical_roller",
+    "radial_needle_roller_bearing": "needle_roller",
+    "radial_tapered_roller_bearing": "tapered_roller",
+    "radial_self_aligning_roller_bearing": "spherical_roller",
+}
+"""Type of the model file for each `bearing_type`; the others have no rolling elements in a model."""
+RIGID, RIGID_TILT = 1e11, 1e7
+"""Stiffness [N/m], [N m/rad] of rigid supports, for which REXS files have 1e15 to 1e23."""
+LINEAR_DAMPING, CONTACT_DAMPING = 0.03, 2.0
+"""Defaults: damping ratio of linear bearings, damping over elastic force [s/m] of rolling bearings."""
+SIDES = ("inner_part", "outer_part")
+CASING = ("gear_casing",)
+COUPLINGS = ("coupling", "switchable_coupling")
+
+
+def sides_of(conversion: Conversion, part: RexsComponent) -> dict[str, RexsComponent]:
+    """Inner and outer part that a bearing or coupling connects."""
+    for relation in conversion.source.related("side", assembly=part.id):
+        return {
+            role: conversion.source.components[relation.roles[role]]
+            for role in SIDES
+            if role in relation.roles
+        }
+    return {}
+
+
+def convert_bearing(conversion: Conversion, bearing: RexsComponent) -> None:
+    """Add a bearing between a shaft and the casing or another shaft."""
+    found = place_of(conversion, bearing)
+    if found is None:
+        return
+    if bearing.type == "concept_bearing":
+        _linear(conversion, bearing, found)
+        return
+    name = conversion.name(bearing)
+    values = rolling_data(conversion, bearing, f"rolling_bearings.{name}", _sign(conversion, bearing))
+    if values is not None:
+        conversion.put("rolling_bearings", bearing, {**found, **values}, name)
+        _say_contact_damping(conversion, bearing, name)
+    elif bearing.get("radial_stiffness") is not None:
+        _linear(conversion, bearing, found)
+        conversion.changed(
+            bearing,
+            "bearing",
+            "linear",
+            f"bearings.{name}",
+            "no data of a rolling bearing, but its stiffness",
+        )
+    else:
+        _without_data(conversion, bearing)
+
+
+def _say_contact_damping(conversion: Conversion, bearing: RexsComponent, name: str) -> None:
+    target = f"rolling_bearings.{name}.damping"
+    conversion.default(bearing, "damping", f"{CONTACT_DAMPING:g} s/m", target, "REXS has no damping")
+
+
+def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | None:
+    """`body`, `position` and `housing` of a bearing; None with a problem without a shaft."""
+    sides = sides_of(conversion, part)
+    inner, outer = sides.get("inner_part"), sides.get("outer_part")
+    if inner is None or outer is None:
+        conversion.problem(part, "connects no two parts", remedy="give a relation 'side' with both parts")
+        return None
+    keys = ("u_coordinate_on_shaft_inner_side", "u_coordinate_on_shaft_outer_side")
+    if inner.id not in conversion.seats and outer.id in conversion.seats:
+        inner, outer, keys = outer, inner, (keys[1], keys[0])
+    seat = conversion.seats.get(inner.id)
+    if seat is None:
+        if inner.type == "shaft" and inner.id in conversion.done:
+            return None  # the shaft has a problem of its own
+        conversion.problem(part, f"is on {inner}, not on a shaft of the model")
+        return None
+    u = conversion.need(part, keys[0], "mm")
+    if u is None:
+        return None
+    values: dict[str, Any] = {"body": seat.body, "position": [0, 0, q(seat.place(u), "length")]}
+    if outer.type in CASING:
+        return values
+    other = conversion.seats.get(outer.id)
+    if other is None:
+        if outer.id not in conversion.done:
+            conversion.problem(part, f"is on {outer}, not on a shaft of the model")
+        return None
+    u_other = conversion.number(part, keys[1])
+    if u_other is None:
+        u_other = other.coordinate(seat.point(u))
+    if other.body == seat.body:
+        conversion.ignored(part, "all", f"connects parts of the rigid body {seat.body}")
+        return None
+    section = "shafts" if other.body in conversion.data.get("shafts", {}) else "bodies"
+    markers = conversion.data[section][other.body].setdefault("markers", {})
+    marker = conversion.name(part)
+    markers[marker] = {"position": [0, 0, q(other.place(u_other), "length")]}
+    values["housing"] = f"{other.body}.{marker}"
+    return values
+
+
+# --- linear bearings ----------------------------------------------------------------------------------------
+def stiffness_of(conversion: Conversion, part: RexsComponent, target: str) -> dict[str, float]:
+    """Stiffness by direction of a concept bearing or coupling, at most that of a rigid one [SI units]."""
+    found = {}
+    radial = conversion.flag(part, "radial_force_absorption") is not False
+    direction = conversion.word(part, "axial_force_absorption")
+    if direction is None and part.type not in COUPLINGS:
+        conversion.default(part, "axial_force_absorption", "both_directions", f"{target}.axial")
+    axial = direction != "no_direction"
+    for key, attribute, limit, carries in (
+        ("radial", "radial_stiffness", RIGID, radial),
+        ("axial", "axial_stiffness", RIGID, axial),
+        ("tilt", "bending_stiffness", RIGID_TILT, True),
+        ("torsion", "rotational_stiffness", RIGID_TILT, part.type in COUPLINGS),
+    ):
+        value = conversion.number(part, attribute, f"{target}.{key}") if carries else None
+        unit = "N/m" if limit == RIGID else "N m/rad"
+        if value is None and carries and (key in ("radial", "axial") or part.type in COUPLINGS):
+            value = limit
+            conversion.default(
+                part, attribute, f"{limit:g} {unit}", f"{target}.{key}", "rigid in this direction"
+            )
+        elif value is not None and value > limit:
+            reason = f"{value:.4g} {unit} is rigid"
+            conversion.changed(part, attribute, f"{limit:g} {unit}", f"{target}.{key}", reason)
+            value = limit
+        if value:
+            found[key] = value
+    return found
+
+
+def stiffness_entry(values: dict[str, float]) -> dict[str, Any]:
+    """Stiffness for the model file."""
+    return {
+        key: q(value, "stiffness" if key in ("radial", "axial") else "torsional_stiffness")
+        for key, value in values.items()
+    }
+
+
+def _linear(conversion: Conversion, part: RexsComponent, place: dict[str, Any]) -> None:
+    """Add a linear bearing."""
+    name = conversion.name(part)
+    stiffness = stiffness_of(conversion, part, f"bearings.{name}.stiffness")
+    if conversion.word(part, "axial_force_absorption") in ("positive", "negative"):
+        conversion.changed(
+            part,
+            "axial_force_absorption",
+            "both directions",
+            f"bearings.{name}.stiffness.axial",
+            "a linear bearing supports both directions",
+        )
+    values = {**place, "stiffness": stiffness_entry(stiffness), "damping": {"ratio": LINEAR_DAMPING}}
+    conversion.put("bearings", part, values, name)
+    conversion.default(
+        part, "damping", f"ratio {LINEAR_DAMPING}", f"bearings.{name}.damping", "REXS has no damping"
+    )
+
+
+# --- rolling bearings ---------------------------------------------------------------------------------------
+def _sign(conversion: Conversion, bearing: RexsComponent) -> float:
+    """-1 for a bearing on a shaft whose u is opposite to the z axis of its body, else +1."""
+    seats = [conversion.seats.get(part.id) for part in sides_of(conversion, bearing).values()]
+    return next((seat.sign for seat in seats if seat is not None), 1.0)
+
+
+def rolling_data(
+    conversion: Conversion, bearing: RexsComponent, path: str, sign: float = 1.0
+) -> dict[str, Any] | None:
+    """Data of a rolling bearing for the model file, without its place; None if they are not sufficient.
+
+    By designation if the catalogue has it, else by type, dimensions and load ratings, else by elements.
+    """
+    values = (
+        _by_designation(conversion, bearing, path)
+        or _by_ratings(conversion, bearing, path)
+        or _by_elements(conversion, bearing, path, sign)
+    )
+    if values is None:
+        return None
+    absorption = conversion.word(bearing, "axial_force_absorption", f"{path}.axial_force_absorption")
+    if sign < 0.0:
+        absorption = _OPPOSITE.get(absorption or "", absorption)
+    if absorption is not None and _takes_absorption(values, absorption):
+        values["axial_force_absorption"] = absorption
+    elif absorption is not None:
+        target, reason = (
+            f"{path}.axial_force_absorption",
+            f"a bearing of this type does not support {absorption}",
+        )
+        conversion.changed(bearing, "axial_force_absorption", "that of its type", target, reason)
+    clearance = conversion.number(bearing, "operating_radial_bearing_clearance", f"{path}.clearance")
+    if clearance is not None:
+        values["clearance"] = q(clearance, "length")
+    preload = conversion.number(bearing, "preload_force", f"{path}.preload")
+    if preload:
+        values["preload"] = q(preload, "force")
+    values["damping"] = CONTACT_DAMPING
+    return values
+
+
+_OPPOSITE = {"positive": "negative", "negative": "positive"}
+
+
+def _takes_absorption(values: dict[str, Any], absorption: str) -> bool:
+    """Whether a bearing of these data can support axial forces as given; else its type determines it."""
+    from pitchpoint.model.components.rolling_bearing import RollingBearing
+
+    try:
+        RollingBearing(body="shaft", **values, axial_force_absorption=absorption).geometry  # noqa: B018
+    except PitchpointError:
+        return False
+    return True
+
+
+def _by_designation(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
+    text = bearing.get("catalogue_designation")
+    if not isinstance(text, str):
+        return None
+    from pitchpoint.geometry.bearings.designation import by_designation
+
+    plain = re.sub(r"\s+", " ", text).strip()
+    try:
+        by_designation(plain)
+    except PitchpointError:
+        return None
+    conversion.value(bearing, "catalogue_designation", f"{path}.designation")
+    return {"designation": plain}
+
+
+def _by_ratings(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
+    kind = TYPES.get(str(bearing.get("bearing_type")))
+    load = "axial" if kind == "thrust_ball" else "radial"
+    keys = {
+        "inner_diameter": ("inner_diameter", "length"),
+        "outer_diameter": ("outer_diameter", "length"),
+        "width": ("width", "length"),
+        "radial_dynamic_load_rating": (f"{load}_dynamic_load_rating", "force"),
+        "radial_static_load_rating": (f"{load}_static_load_rating", "force"),
+    }
+    if kind is None or any(not bearing.get(attribute) for attribute, _ in keys.values()):
+        return None
+    values: dict[str, Any] = {"type": kind}
+    conversion.value(bearing, "bearing_type", f"{path}.type")
+    for key, (attribute, dimension) in keys.items():
+        values[key] = q(conversion.number(bearing, attribute, f"{path}.{key}") or 0.0, dimension)
+    if kind in ("tapered_roller", "spherical_roller", "self_aligning_ball", "angular_contact_ball"):
+        angle = _angle(conversion, bearing, path)
+        if angle:
+            values["contact_angle"] = q(angle, "angle")
+    return values
+
+
+def _angle(conversion: Conversion, bearing: RexsComponent, path: str) -> float | None:
+    """Contact angle of the rows, else by the factor e of the catalogue: tan(alpha) = e/1.5 [rad]."""
+    for row in conversion.parts(bearing, "rolling_bearing_row"):
+        angle = conversion.number(row, "pressure_angle", f"{path}.contact_angle")
+        if angle is not None:
+            return abs(angle)
+    e = conversion.number(bearing, "catalogue_value_e", f"{path}.contact_angle")
+    return None if e is None else math.atan(e / 1.5)
+
+
+def _by_elements(
+    conversion: Conversion, bearing: RexsComponent, path: str, sign: float
+) -> dict[str, Any] | None:
+    rows = conversion.parts(bearing, "rolling_bearing_row")
+    if len(rows) != 1:
+        return None
+    row = rows[0]
+    elements = conversion.parts(row, "rolling_element")
+    number = row.get("number_of_rolling_elements") or len(elements)
+    diameter = next((e.get("diameter_of_rolling_element") for e in elements), None)
+    length = next((e.get("length_of_rolling_element") for e in elements), None)
+    bounds = [bearing.get(key) for key in ("inner_diameter", "outer_diameter")]
+    pitch = row.get("reference_diameter_rolling_bearing")
+    if pitch is None and None not in bounds:
+        pitch = 0.5 * (float(bounds[0]) + float(bounds[1]))  # type: ignore[arg-type]
+        conversion.default(
+            row,
+            "reference_diameter_rolling_bearing",
+            str(q(pitch, "length")),
+            f"{path}.pitch_diameter",
+            "(d + D)/2",
+        )
+    if not isinstance(number, int) or number < 2 or not diameter or not pitch:
+        return None
+    values: dict[str, Any] = {
+        "type": "roller" if length else "ball",
+        "elements": number,
+        "element_diameter": q(float(diameter), "length"),  # type: ignore[arg-type]
+        "pitch_diameter": q(float(pitch), "length"),  # type: ignore[arg-type]
+    }
+    if length:
+        values["effective_length"] = q(float(length), "length")  # type: ignore[arg-type]
+    else:
+        grooves = [row.get(f"raceway_radius_of_{ring}_ring") for ring in ("inner", "outer")]
+        values["grooves"] = [
+            float(g) / float(diameter) if g else default  # type: ignore[arg-type]
+            for g, default in zip(grooves, (0.52, 0.53), strict=True)
+        ]
+    angle = conversion.number(row, "pressure_angle", f"{path}.contact_angle")
+    if angle:
+        supports = -1.0 if bearing.get("axial_force_absorption") == "negative" else 1.0
+        values["contact_angle"] = q(sign * supports * abs(angle), "angle")
+    return values
+
+
+def _without_data(conversion: Conversion, bearing: RexsComponent) -> None:
+    """Problem of a rolling bearing without sufficient data."""
+    text, kind = bearing.get("catalogue_designation"), str(bearing.get("bearing_type"))
+    if kind in TYPES or "bearing_type" not in bearing.attributes:
+        what = "has no data of a rolling bearing"
+    else:
+        what = f"is a {kind}, which a model does not have"
+    conversion.problem(
+        bearing,
+        what,
+        value=None if text is None else f"{text!r}, which is not in the catalogue,",
+        remedy="give a designation of the catalogue, or bearing_type with inner_diameter, outer_diameter, "
+        "width, radial_dynamic_load_rating and radial_static_load_rating, or radial_stiffness",
+    )
+
+
+def sum_of_stiffness(parts: list[tuple[dict[str, float], float]]) -> np.ndarray:
+    """Stiffness matrix of several bearings at distances along the axis, about their common origin.
+
+    Parameters
+    ----------
+    parts
+        Stiffness by direction, and distance from the origin [m].
+    """
+    total = np.zeros((6, 6))
+    for values, z in parts:
+        k, tilt = values.get("radial", 0.0), values.get("tilt", 0.0)
+        total[0, 0] += k
+        total[1, 1] += k
+        total[2, 2] += values.get("axial", 0.0)
+        # a rotation about y moves the bearing along x by z, one about x along y by -z
+        total[3, 3] += tilt + k * z * z
+        total[4, 4] += tilt + k * z * z
+        total[0, 4] += k * z
+        total[1, 3] -= k * z
+        total[5, 5] += values.get("torsion", 0.0)
+    return total + np.triu(total, 1).T
