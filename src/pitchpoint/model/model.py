@@ -19,12 +19,7 @@ from pitchpoint.model.checks.validate import check
 from pitchpoint.model.component import without_arrays
 from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
-from pitchpoint.model.keys import (
-    Place,
-    defaults_of,
-    derived,
-    keys_of,
-)
+from pitchpoint.model.keys import Place, defaults_of, derived, keys_of
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parameters import resolve
