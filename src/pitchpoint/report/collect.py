@@ -230,12 +230,9 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         found.runs[take(found.runs)] = time_run(model, data, header, note)
     else:
         kind = str(header["kind"]).replace("_", "-")
-        if kind == "study":
-            found.remarks.append(f"{own}: its pictures are in the page of the study, study.html.")
-            return
-        found.remarks.append(
-            f"{own}: a report recomputes {kind} results from the model; those of the file are not shown."
-        )
+        words = f"a report recomputes {kind} results from the model; those of the file are not shown."
+        words = "its pictures are in the page of the study, study.html." if kind == "study" else words
+        found.remarks.append(f"{own}: {words}")
 
 
 def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]]:

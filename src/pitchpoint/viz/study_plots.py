@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.analysis.study.sensitivity import Indices, sobol_indices
 from pitchpoint.analysis.study.summary import FactorSample, ResultSummary, StudySummary
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, Scale, channel_scale, scale
+from pitchpoint.viz.quantities import Array, Scale, channel_scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -39,7 +39,7 @@ def result_scale(one: ResultSummary) -> Scale:
 
 def factor_scale(factor: FactorSample) -> Scale:
     """Display unit of a factor."""
-    return scale(factor.unit, factor.values) if not factor.labels else Scale("", 1.0)
+    return channel_scale("displacement", factor.unit, factor.values) if not factor.labels else Scale("", 1.0)
 
 
 def _known(summary: StudySummary, one: ResultSummary) -> Array:
