@@ -21,7 +21,9 @@ from benchmarks import (
     rexs,
     scene,
     shovel,
+    study,
     two_inertia,
+    wind,
 )
 from benchmarks.rows import Row
 
@@ -51,8 +53,10 @@ def main() -> None:
         ("contact of tooth surfaces", lambda: flank_contact.rows(bare[0])),
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
+        ("wind-turbine drive train, planetary set in all directions", wind.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("gearbox from REXS", rexs.rows),
+        ("tolerance study of a two-stage gearbox", study.rows),
         ("command line", command_line.rows),
         ("scene in a browser", scene.rows),
     ):

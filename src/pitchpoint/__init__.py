@@ -41,9 +41,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.damping import Damping
     from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.housing import HousingBody, HousingMatrix, RigidHousing
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.components.load import Load
+    from pitchpoint.model.components.load_case import LoadCase
+    from pitchpoint.model.components.lubricant import Lubricant
     from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.own_material import OwnMaterial
     from pitchpoint.model.components.parameter import Parameter
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
     from pitchpoint.model.components.ratio import Ratio
@@ -73,6 +77,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
+    from pitchpoint.sweep.study.run_study import run_study
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import planet_loads
 
@@ -95,18 +100,24 @@ __all__ = [
     "Gear",
     "GearPair",
     "GeometryError",
+    "HousingBody",
+    "HousingMatrix",
     "Joint",
     "Load",
+    "LoadCase",
+    "Lubricant",
     "Maxwell",
     "Mesh",
     "Model",
     "ModelError",
+    "OwnMaterial",
     "Parameter",
     "PitchpointError",
     "PlainBearing",
     "PlanetaryStage",
     "Ratio",
     "ReliefPlan",
+    "RigidHousing",
     "Rod",
     "RollingBearing",
     "Scenario",
@@ -135,6 +146,7 @@ __all__ = [
     "read_rexs",
     "reduce_system",
     "run_cases",
+    "run_study",
     "solve_campbell",
     "solve_contact",
     "solve_contacts_on_shafts",
@@ -186,9 +198,13 @@ _HOMES = {
     "model.components.damping": ("Damping",),
     "model.components.elastic_body": ("ElasticBody",),
     "model.components.gear": ("Gear",),
+    "model.components.housing": ("HousingBody", "HousingMatrix", "RigidHousing"),
     "model.components.joint": ("Joint",),
     "model.components.load": ("Load",),
+    "model.components.load_case": ("LoadCase",),
+    "model.components.lubricant": ("Lubricant",),
     "model.components.mesh": ("Mesh",),
+    "model.components.own_material": ("OwnMaterial",),
     "model.components.parameter": ("Parameter",),
     "model.components.planetary_stage": ("PlanetaryStage",),
     "model.components.scissor_gear": ("ScissorGear",),
@@ -227,6 +243,7 @@ _HOMES = {
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
+    "sweep.study.run_study": ("run_study",),
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
 }

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib.util
 import math
 import sys
@@ -15,12 +16,18 @@ import pytest
 from pitchpoint import plot
 from pitchpoint.analysis.amplification import amplification_factor
 from pitchpoint.analysis.statistics import contact_statistics
+from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.io.yaml_plan import load_study
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.sweep.cases import cases_dataset, run_cases
 from pitchpoint.sweep.speed import run_sweep
+from pitchpoint.sweep.study.check import check_study
+from pitchpoint.sweep.study.design import cases_of
+from pitchpoint.sweep.study.remarks import remarks
+from pitchpoint.sweep.study.run import evaluated, model_path, values_of
 from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
@@ -351,3 +358,38 @@ def test_hammering_settles_in_the_mean():
     model = load_model(FOLDER / "train.yaml")
     needed = max(map(abs, model.loads["cam"].torque.values)) / (0.5 * model.gears["cam"].geometry.d_b)
     assert 1e-3 * needed == pytest.approx(12.0, rel=5e-3)
+
+
+# ------------------------------------------------------------------------------------------------ tolerances
+
+
+@outside_polynomial
+def test_backlash_of_the_tolerance_study_follows_its_factors():
+    """The plan has no remarks; 2 sin(alpha_wt) da is the change of the backlash along the base tangent."""
+    study = study_of("tolerance-study.yaml")
+    model = study.model
+    assert remarks(study) == []
+    alpha = [model.pairs[name].alpha_wt for name in ("stage_1", "stage_2")]
+    along = [model.backlash(name) / math.cos(a) for name, a in zip(model.meshes, alpha, strict=True)]
+    assert along == pytest.approx([0.152e-3, 0.157e-3], abs=1e-6)
+    changed = model.replace_all({"parameters.a_1": 0.49703, "parameters.a_2": 0.41703})
+    for name, angle in zip(model.meshes, alpha, strict=True):
+        wider = changed.backlash(name) - model.backlash(name)
+        assert wider == pytest.approx(2.0 * math.sin(angle) * 30e-6, rel=1e-3)
+
+
+@outside_polynomial
+def test_a_case_of_the_tolerance_study_hammers():
+    study = study_of("tolerance-study.yaml")
+    window = {"scenarios.engine.duration": 0.06, "scenarios.engine.settle_time": 0.03}
+    short = study.model.replace_all(window)
+    record = evaluated(dataclasses.replace(study, model=short), cases_of(study)[0])
+    assert record["status"] == OK
+    values = values_of(study, record)
+    assert abs(values["peak force 2"]) > 12e3  # that of the largest cam torque
+    assert 0.4 < values["contact loss 2"] < 0.9
+
+
+def study_of(name):
+    plan = load_study(FOLDER / name)
+    return check_study(plan, load_model(model_path(plan)))

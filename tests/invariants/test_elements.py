@@ -43,6 +43,7 @@ ELSEWHERE = {
     "bevel_mesh": "tests/invariants/test_bevel_mesh.py",
     "closure": "tests/unit/elements/test_closure.py",
     "flexible_body": "tests/unit/elements/test_flexible_body.py",
+    "housing_matrix": "tests/unit/system/test_housing_matrix.py",
     "joint_friction": "tests/unit/elements/test_joint_friction.py",
     "guide": "tests/unit/elements/test_guide.py",
     "linear_hold": "tests/unit/elements/test_linear_part.py",

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Scenario
     from pitchpoint.sweep.cases import CaseResult
 
 MAX_ROWS = 60
@@ -114,6 +113,7 @@ def compute(
     from pitchpoint.core.status import INTERRUPTED, OK, sentence
     from pitchpoint.io.case_store import CaseWriter
     from pitchpoint.model.numbers import number_at
+    from pitchpoint.sweep.case_channels import case_channels
     from pitchpoint.sweep.cases import run_cases
 
     chosen = model.scenarios[name]
@@ -122,7 +122,7 @@ def compute(
     units = {path: number[1] for path, number in known.items() if number is not None}
     header = replace(header, options={**header.options, "vary_units": units})
     texts = {path: [str(case[path]) for case in cases] for path in cases[0]}
-    channels, plan = kept(model, chosen)
+    channels, plan = case_channels(model, chosen)
     with CaseWriter(target, header, texts, channels, **plan) as writer:
         with ProgressDisplay(f"run {name}", "cases", quiet=quiet) as progress:
             results = run_cases(model, cases, name, jobs=jobs, progress=progress, sink=writer.put)
@@ -137,33 +137,6 @@ def compute(
         status = how_a_status_ends(code)
         writer.finish(status, words, code=code, steps=sum(r.steps for r in results), notes=notes_of(results))
     return results, status, SolverError(words, code, str(target)) if bad else None
-
-
-def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
-    """Channels with statistics in the table, meshes with contact numbers, and the size of the sweeps."""
-    from pitchpoint.sweep.speed import plan_sweep
-    from pitchpoint.system.compile import compile_model
-    from pitchpoint.system.meshes import mesh_names
-    from pitchpoint.system.planet_loads import factor_quantities
-
-    if scenario.sweep is not None:
-        both = scenario.sweep.direction == "both"
-        directions = ["up", "down"] if both else [scenario.sweep.direction]
-        system = compile_model(model, scenario)
-        swept = plan_sweep(system, scenario).mesh
-        meshes = [swept, *(name for name in mesh_names(system) if name != swept)]
-        sizes = {"directions": directions, "n_points": scenario.sweep.points}
-        return factor_quantities(model), {**sizes, "meshes": meshes}
-    channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
-    channels += factor_quantities(model)
-    if scenario.kind == "quasi_static":
-        for mesh in model.every_mesh:
-            words = "transmission error without load"
-            channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
-            channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
-        return channels, {}
-    state = "contact_state["
-    return channels, {"meshes": [n[len(state) : -1] for n, _, _ in channels if n.startswith(state)]}
 
 
 def notes_of(results: Sequence[CaseResult]) -> list[str]:

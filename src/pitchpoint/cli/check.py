@@ -55,6 +55,7 @@ def check(
     """
     from pitchpoint.cli.balance import show_balance, solved
     from pitchpoint.cli.failure import FAILED, OK, say
+    from pitchpoint.cli.gearbox import without_nodes
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.settings import changes_of, settings_of_command
     from pitchpoint.model.changes import named
@@ -77,7 +78,7 @@ def check(
     if as_json:
         emit_json({**found, "messages": [message.parts for message in messages]})
     elif not quiet:
-        show_check(model, file, found, len(messages), drawing)
+        show_check(model, file, without_nodes(found), len(messages), drawing)
     elif torques:
         show_balance(found["balance"])
     return FAILED if any("failure" in each for each in torques.values()) else OK
@@ -123,6 +124,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.balance import balanced_loads
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.housing import gearbox_facts
     from pitchpoint.report.masses import masses, masses_of_shafts, several_sources
     from pitchpoint.report.planets import stages_of_model
     from pitchpoint.report.scissor_gears import scissors_of_model
@@ -185,6 +187,7 @@ def summary(model: Model) -> dict[str, Any]:
         "scissor_gears": scissors_of_model(model),
         "shafts": shaft_stations(model),
         "beam_stations": beam_stations(model),
+        **gearbox_facts(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "flexible_rims": rims_of_model(model),

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "planetary_stages", "scissor_gears", "bearings", "couplings", "loads", "scenarios"),
-    *SIGNALS,
+    *("bevel_meshes", "planetary_stages", "scissor_gears", "bearings", "couplings", "loads", "load_cases"),
+    *("scenarios", *SIGNALS),
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -85,6 +85,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
         File of the drawing, if there is one.
     """
     from pitchpoint.cli.balance import show_balance
+    from pitchpoint.cli.gearbox import show_gearbox
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
     from pitchpoint.cli.power_flow import show_power_flows
     from pitchpoint.report.parameters import HEAD, parameter_lines
@@ -137,6 +138,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
         from pitchpoint.cli.scissor_gears import show_scissors
 
         show_scissors(found["scissor_gears"])
+    show_gearbox(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")

@@ -207,12 +207,33 @@ def misalignment_of(text: str, model: Model, mesh: str) -> float:
 
 
 def operation_of(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, Any]:
-    """Operating conditions; friction from the mesh if it is not given."""
+    """Operating conditions: of the options, otherwise those of mesh, lubricant and load case."""
+    from pitchpoint.model.load_cases import oil_of
+
+    own = model.meshes[mesh].friction
+    found = {n: options[n] for n in ("friction", "speed", "viscosity", "pressure_viscosity")}
+    if found["friction"] is None and own is not None:
+        found["friction"] = own.mu
+    if found["speed"] is None:
+        found["speed"] = speed_of_load_case(model, mesh)
+    oil = oil_of(model)
+    if oil is not None and found["speed"] is not None and found["viscosity"] is None:
+        found["viscosity"] = oil.dynamic_viscosity
+        found["pressure_viscosity"] = options["pressure_viscosity"] or oil.pressure_coefficient
     for name in ("viscosity", "pressure_viscosity"):
         needed = "speed" if name == "viscosity" else "viscosity"
-        if options[name] is not None and options[needed] is None:
+        if options[name] is not None and found[needed] is None:
             raise click.UsageError(f"--{name.replace('_', '-')} requires --{needed}")
-    own = model.meshes[mesh].friction
-    friction = options["friction"] if options["friction"] is not None or own is None else own.mu
-    found = {"friction": friction, **{n: options[n] for n in ("speed", "viscosity", "pressure_viscosity")}}
     return {name: value for name, value in found.items() if value is not None}
+
+
+def speed_of_load_case(model: Model, mesh: str) -> float | None:
+    """Speed of gear 1 in the load case in effect [rad/s]; None without one, or at rest."""
+    from pitchpoint.model.load_cases import speeds_in_effect
+    from pitchpoint.model.scenario import Scenario
+
+    speeds = speeds_in_effect(model)
+    body = model.body_of(model.meshes[mesh].gears[0])
+    if not speeds or body is None:
+        return None
+    return model.start_speeds(Scenario(speed=speeds))[body] or None

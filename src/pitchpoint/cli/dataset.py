@@ -28,7 +28,7 @@ PROBE = 0.05
 """Simulated time of the shorter of the two runs from which `--dry-run` extrapolates [s]."""
 
 
-def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
+def read_shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
     """Read I/N."""
     if text is None:
         return 1, 1
@@ -50,7 +50,7 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
 @click.option("-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one per core.")
 @click.option(
     "--shard",
-    callback=_shard,
+    callback=read_shard,
     metavar="I/N",
     help="Compute every N-th case, starting with the I-th: to share a folder between N machines.",
 )

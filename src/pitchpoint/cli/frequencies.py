@@ -58,9 +58,10 @@ def frequencies(
 ) -> None:
     """Show the frequencies of shafts, meshes, planetary gear sets and rolling bearings of FILE.
 
-    Specify speeds by a scenario or --speed; the other speeds follow from the gear ratios.
+    Specify speeds by a scenario, --load-case or --speed; the other speeds follow from the gear ratios.
     """
     from pitchpoint.cli.reading import read_model
+    from pitchpoint.model.load_cases import speeds_in_effect
     from pitchpoint.report.frequencies import (
         frequencies_of,
         scenario_speeds,
@@ -70,12 +71,12 @@ def frequencies(
 
     model = read_model(file, allow_code, quiet)
     remarks: list[str] = []
-    speeds = dict(given)
+    speeds = dict(given) or ({} if scenario is not None else speeds_in_effect(model))
     if given and scenario is not None:
         raise click.UsageError("--speed replaces a scenario; omit one of the two")
     driven: Collection[str] = ()
     held: Sequence[str] = ()
-    if not given:
+    if not speeds:
         scenario = _scenario(model, scenario)
         speeds, remarks = scenario_speeds(model, scenario)
         driven, held = model.scenarios[scenario].drive, model.scenarios[scenario].hold

@@ -41,6 +41,7 @@ COMMANDS = {
     "reduce": "Condense linear parts and report the error.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down; jumps of the response.",
+    "study": "Spread, yield and sensitivities of results over tolerances.",
     "dataset": "Labelled data set of many cases from a plan.",
     "compare-solvers": "Accuracy and speed of all integrators on one model.",
     "analyse": "Spectra, orders and indicators of a record.",

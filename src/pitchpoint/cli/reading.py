@@ -26,12 +26,14 @@ def read_model(
 
     `remarks` prints those on numbers of `--set` without unit. `case` has the values of a case of `--vary`.
     """
-    from pitchpoint.cli.settings import changes_of, say_bare, settings_of_command
+    from pitchpoint.cli.settings import changes_of, load_case_of_command, say_bare, settings_of_command
 
     settings = changes_of(settings_of_command(), file)
     case = case or {}
-    options = dict.fromkeys(settings, "--set") | dict.fromkeys(case, "--vary")
-    model = _read(file, allow_code, quiet, {**settings, **case}, options)
+    chosen = load_case_of_command()
+    options = dict.fromkeys(settings, "--set") | dict.fromkeys(chosen, "--load-case")
+    options |= dict.fromkeys(case, "--vary")
+    model = _read(file, allow_code, quiet, {**settings, **chosen, **case}, options)
     if remarks and settings:
         say_bare((bare for bare in model.origin.bare if not bare.in_file), options)
     return model

@@ -12,16 +12,28 @@ if TYPE_CHECKING:
     from pitchpoint.model.reading.bare_numbers import Bare
 
 META = "pitchpoint.cli.settings"
+CASE = "pitchpoint.cli.load_case"
 
 
 def set_option(function: Any) -> Any:
-    """Add `--set` to a command; `reading.read_model` applies the values."""
+    """Add `--set` and `--load-case` to a command; `reading.read_model` applies the values."""
 
     def keep(context: click.Context, _: click.Parameter, given: tuple[str, ...]) -> None:
         """Store the values for `read_model`."""
         context.meta[META] = given
 
-    return click.option(
+    def choose(context: click.Context, _: click.Parameter, given: str | None) -> None:
+        """Store the load case for `read_model`."""
+        context.meta[CASE] = given
+
+    case = click.option(
+        "--load-case",
+        metavar="NAME",
+        callback=choose,
+        expose_value=False,
+        help="Load case in effect: its speeds and loads replace those of loads and scenarios.",
+    )
+    settings = click.option(
         "--set",
         multiple=True,
         metavar="PATH=VALUE",
@@ -29,13 +41,21 @@ def set_option(function: Any) -> Any:
         expose_value=False,
         help="Change the value of a key or parameter, such as gears.pinion.faults.chip.severity=0.5 or "
         "parameters.load='200 N m'; may be repeated.",
-    )(function)
+    )
+    return settings(case(function))
 
 
 def settings_of_command() -> tuple[str, ...]:
     """Values of `--set` of the running command; none outside a command."""
     context = click.get_current_context(silent=True)
     return context.meta.get(META, ()) if context is not None else ()
+
+
+def load_case_of_command() -> dict[str, Any]:
+    """Load case of `--load-case` of the running command, by its key."""
+    context = click.get_current_context(silent=True)
+    chosen = context.meta.get(CASE) if context is not None else None
+    return {} if chosen is None else {"load_case": chosen}
 
 
 def changes_of(settings: Sequence[str], file: str) -> dict[str, Any]:

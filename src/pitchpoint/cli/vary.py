@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -22,9 +23,21 @@ _RANGE = re.compile(
 
 
 def vary_option(function: Any) -> Any:
-    """Add `--vary` and `--jobs` to a command."""
+    """Add `--vary`, `--load-cases` and `--jobs` to a command; `vary` includes all load cases on request."""
     from pitchpoint.cli.options import jobs
 
+    @functools.wraps(function)
+    def with_cases(*, file: str, vary: tuple[str, ...], load_cases: bool, **rest: Any) -> Any:
+        """Vary the load case, too, if all of them are requested."""
+        if load_cases:
+            vary = (*vary, f"load_case={','.join(load_cases_in(file))}")
+        return function(file=file, vary=vary, **rest)
+
+    cases = click.option(
+        "--load-cases",
+        is_flag=True,
+        help="Run all load cases of the file into one table; short for --vary load_case=NAME1,NAME2,...",
+    )
     vary = click.option(
         "--vary",
         multiple=True,
@@ -32,7 +45,25 @@ def vary_option(function: Any) -> Any:
         help="Run every value of a key, listed with commas, such as 'loads.input.torque=50 N m,150 N m'; "
         "several --vary options run all combinations, on all cores, into one table.",
     )
-    return vary(jobs(function))
+    return vary(jobs(cases(with_cases)))
+
+
+def load_cases_in(file: str) -> list[str]:
+    """Names of the load cases of a model file, which need not be valid.
+
+    Raises
+    ------
+    click.UsageError
+        If there are none.
+    """
+    from pitchpoint.io.yaml_model import data_of
+    from pitchpoint.model.load_cases import SECTION
+
+    data = data_of(file)
+    found = data.get(SECTION) if isinstance(data, dict) else None
+    if not isinstance(found, dict) or not found:
+        raise click.UsageError(f"--load-cases: {file} has no {SECTION}")
+    return [str(name) for name in found]
 
 
 def values_of(text: str, known: Callable[[str], bool] | None = None) -> tuple[str, list[Any]]:

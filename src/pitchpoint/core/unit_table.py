@@ -165,9 +165,11 @@ for _name, _factors in JOINED.items():
 
 ONLY_IN_SPEEDS = ("r", "U")
 """Symbols of a revolution (r/min; German U/min) that are ambiguous except over a time."""
+ZEROS = dict.fromkeys(("C", "degC", "°C"), 273.15)
+"""Zero of the scales of temperature with one of their own [K]."""
 _ZERO_POINT = "a temperature is given as a difference in K"
 REFUSED: dict[str, str] = {
-    **dict.fromkeys(("C", "degC", "°C", "F", "degF", "°F"), _ZERO_POINT),
+    **dict.fromkeys((*ZEROS, "F", "degF", "°F"), _ZERO_POINT),
     **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
     **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
 }
@@ -239,5 +241,27 @@ DIMENSIONS: dict[str, Dimension] = {
         "a pressure-viscosity coefficient", (1, -1, 2, 0), "1/Pa", "20 1/GPa", display=((0.0, "1/GPa"),)
     ),
     "curvature": Dimension("a curvature", (-1, 0, 0, 0), "1/m", "20 1/m"),
+    "kinematic_viscosity": Dimension(
+        "a kinematic viscosity", (2, 0, -1, 0), "m^2/s", "320 mm^2/s", display=((0.0, "mm^2/s"),)
+    ),
+    "temperature": Dimension("a temperature", (0, 0, 0, 1), "K", "70 degC", display=((0.0, "degC"),)),
     "temperature_difference": Dimension("a temperature difference", (0, 0, 0, 1), "K", "40 K"),
 }
+
+
+def zero_of(unit: str, dimension: str) -> float:
+    """Zero of a scale of temperature in SI units; 0 for other units.
+
+    Parameters
+    ----------
+    unit
+        Symbol of a unit.
+    dimension
+        Name of a row of `DIMENSIONS`.
+
+    Examples
+    --------
+    >>> zero_of("degC", "temperature"), zero_of("K", "temperature")
+    (273.15, 0.0)
+    """
+    return ZEROS.get(unit, 0.0) if dimension == "temperature" else 0.0

@@ -28,6 +28,7 @@ from pitchpoint.core.unit_table import (
     WORDS,
     Dimension,
     Unit,
+    zero_of,
 )
 
 TWO_PI = 2.0 * math.pi
@@ -89,7 +90,7 @@ def parse_quantity(
             factor = ONE if unit == "" else _factor(unit, dimension)
         except UnitError as error:
             raise UnitError(f"'{shown}': {error}") from None
-        result = _product_of(number, factor)
+        result = _product_of(number, factor) + zero_of(unit, dimension)
     elif isinstance(value, Real) and not isinstance(value, bool):
         result, shown = float(value), f"{value}"
     elif hasattr(value, "magnitude") and hasattr(value, "units"):
@@ -169,7 +170,7 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
     >>> round(in_unit(0.3490658503988659, "angle", "deg"), 12)
     20.0
     """
-    return value / (1.0 if unit == "" else float(_factor(unit, dimension)))
+    return (value - zero_of(unit, dimension)) / (1.0 if unit == "" else float(_factor(unit, dimension)))
 
 
 def natural_quantity(text: str) -> tuple[float, str]:
@@ -256,7 +257,7 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
     kind = _dimension(dimension)
     expected = f"expected {kind.words} such as {kind.example}"
     try:
-        u = parse_unit(unit)
+        u = UNITS["K"] if zero_of(unit, dimension) else parse_unit(unit)
     except UnitError as error:
         raise UnitError(f"{error}; {expected}") from None
     if (u.m, u.kg, u.s, u.K) != kind.base:

@@ -12,7 +12,7 @@ polyamides with humidity: use measured values where it matters.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean
@@ -26,7 +26,8 @@ class Material:
     Parameters
     ----------
     name
-        Name in the library, or any other name for a user-defined material.
+        Name in the library, or any other name for a user-defined material; materials of equal properties are
+        equal.
     youngs_modulus
         E [Pa], > 0.
     poisson_ratio
@@ -47,7 +48,7 @@ class Material:
     78125000000.0
     """
 
-    name: str = "custom"
+    name: str = field(default="custom", compare=False)
     youngs_modulus: float
     poisson_ratio: float
     density: float

@@ -17,6 +17,7 @@ import numpy as np
 from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
+from pitchpoint.model.housing import place_nodes
 from pitchpoint.model.lines_of_centres import by_couplings, line_up
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
@@ -95,6 +96,7 @@ def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
             before = len(placed)
             place_planets(parts)
             place_free_halves(parts)
+            place_nodes(parts)
             place_joined(parts)
             _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None], given)
 

@@ -23,7 +23,7 @@ NOT_HOLDING = (
     *("bearings", "rolling_bearings", "plain_bearings", "couplings", "meshes", "bevel_meshes"),
     *("gears", "bevel_gears", "bodies", "shafts", "planetary_stages", "loads", "unbalances", "sensors"),
     *("blocks", "controllers", "scenarios", "parameters", "torsion_springs", "torsion_maxwells", "clutches"),
-    "joints",
+    *("joints", "materials", "load_cases"),
 )
 """Sections that hold no body along its axis, or are considered by themselves."""
 

@@ -14,6 +14,7 @@ from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import Model
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parts import Parts
+from pitchpoint.model.reading.laws import MATERIALS, note_materials
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.sections import GROUPS
 
@@ -50,10 +51,12 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
             value = reader.keyed(key, without_arrays(data[name]), (name,))
             if value is not BAD:
                 values[name] = value
+            if name == MATERIALS and isinstance(data[name], Mapping):
+                note_materials(reader, values.get(name, {}), data[name])
     moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")
     if not any(values.get(g) or (g,) in reader.tainted for g in moving):
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
-    parts = Parts.of(values, values.get("damping"))
+    parts = Parts.of(values)
     parts.names = {
         g: {str(n) for n in data[g]} for g in (*GROUPS, *parts.others) if isinstance(data.get(g), Mapping)
     }

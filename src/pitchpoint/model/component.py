@@ -142,7 +142,7 @@ def as_in_file(key: Key, value: Any) -> bool:
     if isinstance(value, int | Real):
         return kind in NUMBERS
     if isinstance(value, str):
-        return kind not in WORDS
+        return kind not in WORDS or (kind == "material" and not in_library(value))
     if isinstance(value, list):
         return kind not in WORDS
     if isinstance(value, tuple):
@@ -157,6 +157,19 @@ def as_in_file(key: Key, value: Any) -> bool:
             return any(_motion(laws) for laws in value.values())
         return kind not in WORDS and any(isinstance(v, str | int) for v in value.values())
     return False
+
+
+def in_library(material: str) -> bool:
+    """Whether a material is one of the library; the others are those of a model.
+
+    Examples
+    --------
+    >>> in_library("steel"), in_library("own")
+    (True, False)
+    """
+    from pitchpoint.geometry.materials import LIBRARY
+
+    return material in LIBRARY
 
 
 def without_arrays(value: Any) -> Any:

@@ -11,6 +11,7 @@ from pitchpoint.model import sections
 from pitchpoint.model.component import HOOKS, needs_reading, without_arrays
 from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of
 from pitchpoint.model.parameters import SECTION
+from pitchpoint.model.reading.laws import MATERIALS, note_materials
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.stand_ins import own_parts
 
@@ -46,6 +47,8 @@ def finish(model: Model, report: Reader) -> tuple[dict[str, Any], dict[str, set[
         if name == SECTION or needs_reading(key, value) or _is_no_section(key, value):
             value = report.keyed(key, value, (name,))
         values[name] = defaults_of(type(model))[name] if value is BAD else value
+        if name == MATERIALS:
+            note_materials(report, values[name], names.get(name, ()))
     return values, names
 
 

@@ -19,12 +19,7 @@ from pitchpoint.model.checks.validate import check
 from pitchpoint.model.component import without_arrays
 from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
-from pitchpoint.model.keys import (
-    Place,
-    defaults_of,
-    derived,
-    keys_of,
-)
+from pitchpoint.model.keys import Place, defaults_of, derived, keys_of
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parameters import resolve
@@ -176,7 +171,8 @@ class Model(Contents):
             object.__setattr__(self, name, part)
 
     def _parts(self) -> Parts:
-        parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)
+        keys = (*sections.groups_of(self), "damping", "housing", "lubricant", "load_case")
+        parts = Parts.of({name: getattr(self, name) for name in keys})
         parts.mechanism = self.mechanism or parts.mechanism
         return parts
 
@@ -222,6 +218,7 @@ class Model(Contents):
             allow_code=code,
             directory=self.directory,
             parameters=self.amounts,
+            materials=self.materials,
             sources=dict(self.origin.sources),
             bare=list(self.origin.bare),
         )

@@ -7,11 +7,13 @@ from collections.abc import Mapping
 from dataclasses import is_dataclass
 from typing import Any
 
-from pitchpoint.core.formula.dimension import readable
+from pitchpoint.core.errors import UnitError
+from pitchpoint.core.formula.dimension import of_number, readable, si_unit
 from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.core.units import natural_quantity, parse_quantity
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.parameter import Parameter
-from pitchpoint.model.keys import keys_of
+from pitchpoint.model.keys import Key, keys_of
 from pitchpoint.model.model import Model
 
 
@@ -20,7 +22,8 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
     found = _walk(model, path)
     if found is None:
         return None
-    part, unit = found
+    part, key = found
+    unit = DIMENSIONS[key.dimension].si if key is not None and key.dimension else ""
     if isinstance(part, Parameter):
         part, unit = model.amounts[path.split(".")[1]]
         unit = readable(unit)
@@ -28,6 +31,45 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
         part = part.value
     known = isinstance(part, int | float) and not isinstance(part, bool)
     return (float(part), unit or "1") if known else None
+
+
+def key_at(model: Model, path: str) -> Key | None:
+    """Key of the number at a path, with its permitted range; None for a parameter or an unknown path."""
+    found = _walk(model, path)
+    return None if found is None or isinstance(found[0], Parameter) else found[1]
+
+
+def amount_at(model: Model, path: str, written: str) -> float:
+    """SI value of a quantity with the dimension of the number at a path; a bare number is in SI units.
+
+    The permitted range of the number is not checked: the quantity may be a deviation from it.
+
+    Parameters
+    ----------
+    model, path
+        Model, and path of one of its numbers.
+    written
+        Quantity as in a model file.
+
+    Raises
+    ------
+    UnitError
+        For a text that is not a quantity of this dimension.
+    """
+    found = _walk(model, path)
+    if found is None:
+        raise UnitError(f"{path} does not exist")
+    part, key = found
+    if not isinstance(part, Parameter):
+        return parse_quantity(
+            written, key.dimension if key is not None and key.dimension else "dimensionless"
+        )
+    wanted = model.amounts[path.split(".")[1]].unit
+    value, unit = natural_quantity(written)
+    if unit and si_unit(of_number(1.0, unit)) != wanted:
+        expected = f"a quantity in {readable(wanted)}" if wanted else "a plain number"
+        raise UnitError(f"'{written}' has another unit than {path}; expected {expected}")
+    return value
 
 
 def has_path(model: Model, path: str) -> bool:
@@ -42,10 +84,10 @@ def is_name(model: Model, path: str) -> bool:
     return above is not None and isinstance(above[0], Mapping)
 
 
-def _walk(model: Model, path: str) -> tuple[Any, str] | None:
-    """Value at a path of a model and the SI unit of its key; None if the path does not exist."""
+def _walk(model: Model, path: str) -> tuple[Any, Key | None] | None:
+    """Value at a path of a model and its key; None if the path does not exist."""
     part: Any = model
-    unit = ""
+    own: Key | None = None
     for name in path.split("."):
         if isinstance(part, Mapping):
             if name not in part:
@@ -55,6 +97,6 @@ def _walk(model: Model, path: str) -> tuple[Any, str] | None:
         key = keys_of(type(part)).get(name) if is_dataclass(part) else None
         if key is None:
             return None
-        unit = DIMENSIONS[key.dimension].si if key.dimension else ""
+        own = key
         part = getattr(part, name)
-    return part, unit
+    return part, own

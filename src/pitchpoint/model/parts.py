@@ -12,7 +12,9 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.housing import Housing
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.lubricant import Lubricant
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.scenario import Scenario
@@ -34,6 +36,9 @@ class Parts:
     loads: dict[str, Load]
     damping: Damping | None
     scenarios: dict[str, Scenario]
+    housing: Housing | None = None
+    lubricant: Lubricant | None = None
+    load_case: str | None = None
     sections: dict[str, dict[str, Any]] = field(
         default_factory=dict
     )  # all other sections, available as attributes
@@ -48,8 +53,11 @@ class Parts:
     seen: int = 0
 
     @classmethod
-    def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
-        """Create parts from mappings of names to components, by section; missing sections are empty."""
+    def of(cls, groups: Mapping[str, Any]) -> Parts:
+        """Create parts from the values of the keys of a model: sections, `damping`, `housing`, `lubricant`.
+
+        Missing sections are empty.
+        """
 
         def group(name: str) -> dict[str, Any]:
             """Contents of one section; empty if missing."""
@@ -63,7 +71,10 @@ class Parts:
             couplings=group("couplings"),
             loads=group("loads"),
             scenarios=group("scenarios"),
-            damping=damping,
+            damping=groups.get("damping"),
+            housing=groups.get("housing"),
+            lubricant=groups.get("lubricant"),
+            load_case=groups.get("load_case"),
             sections={
                 name: group(name)
                 for name, found in groups.items()

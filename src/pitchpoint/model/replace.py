@@ -13,6 +13,7 @@ from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Pytho
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import drop
 from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
+from pitchpoint.model.reading.laws import MATERIALS, material_source
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import dotted, shown
 from pitchpoint.model.stand_ins import own_parts, path_of
@@ -51,19 +52,33 @@ def changed_parts(model: Model, changes: Mapping[str, Any], report: Reader) -> d
         check_units(before, report.parameters, report)
         if report.problems:
             raise ModelError(report.problems)
-    for path, value in changes.items():
-        if paths[path][0] != SECTION:
-            problems += _change(model, paths[path], value, tops, report)
-    if not problems:  # all values with changed parameters, unless they were replaced
-        new = {n for n, amount in report.parameters.items() if before.get(n) != amount} | {
-            n for n in before if n not in report.parameters
-        }
-        for place, source in list(report.sources.items()):
-            if source.names & new:
-                problems += _change(model, place, source.data, tops, report)
+    for first in (True, False):  # materials first: the others may name them
+        for path, value in changes.items():
+            if paths[path][0] != SECTION and (paths[path][0] == MATERIALS) == first:
+                problems += _change(model, paths[path], value, tops, report)
+        report.materials = tops.get(MATERIALS, model.materials)
+    if not problems:  # all values with changed parameters, then materials, unless they were replaced
+        problems += _read_again(model, _changed(before, report.parameters), tops, report)
+        report.materials = tops.get(MATERIALS, model.materials)
+        new = _changed(model.materials, report.materials)
+        problems += _read_again(model, {material_source(n) for n in new}, tops, report)
     if problems:
         raise ModelError(problems)
     return tops
+
+
+def _read_again(model: Model, names: set[str], tops: dict[str, Any], report: Reader) -> list[Message]:
+    """Read all values again that use some of the given parameters or materials; the problems."""
+    problems: list[Message] = []
+    for place, source in list(report.sources.items()):
+        if source.names & names:
+            problems += _change(model, place, source.data, tops, report)
+    return problems
+
+
+def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> set[str]:
+    """Names whose values differ, or that do not exist any more."""
+    return {n for n, value in now.items() if before.get(n) != value} | {n for n in before if n not in now}
 
 
 def bare_in(model: Model, path: str, value: Any) -> list[Bare]:
@@ -80,6 +95,7 @@ def bare_in(model: Model, path: str, value: Any) -> list[Bare]:
         allow_code=model.allow_code,
         directory=model.directory,
         parameters=model.amounts,
+        materials=model.materials,
         sources=dict(model.origin.sources),
     )
     try:
@@ -144,7 +160,7 @@ def replace_at(
         return part
     keys = keys_of(type(part))
     report.within = vars(part)
-    if name == TYPE and name not in keys and hasattr(part, "form"):
+    if name == TYPE and name not in keys and (hasattr(part, "form") or hasattr(part, TYPE)):
         remedy = f"replace the whole mapping {'.'.join(at)}"
         report.problem(here, "determines the other keys and cannot change alone", remedy=remedy)
         return part

@@ -4,10 +4,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity, text
+from pitchpoint.model.keys import (
+    choice,
+    component,
+    derived,
+    integer,
+    key,
+    positive,
+    quantities,
+    quantity,
+    text,
+)
 
 STIFF_METHODS = ("gstiff", "wstiff", "dassl", "constant_bdf")
 """Backward differentiation formulas: fixed coefficients, variable coefficients, fixed leading coefficient,
@@ -234,6 +245,9 @@ class Scenario(Component):
     )
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
     quasi_static: QuasiStatic | None = component(QuasiStatic, "quasi-static roll instead of a time response")
+
+    given: Any = derived()
+    """The scenario as given, if it has the speeds of a load case."""
 
     @property
     def kind(self) -> str:

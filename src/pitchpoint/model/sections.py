@@ -31,10 +31,14 @@ from pitchpoint.model.components.coupling import Coupling
 from pitchpoint.model.components.damping import Damping
 from pitchpoint.model.components.elastic_body import ElasticBody
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.housing import HOUSINGS, Housing
 from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.load_case import LoadCase
+from pitchpoint.model.components.lubricant import Lubricant
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.own_material import OwnMaterial
 from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.components.planetary_stage import PlanetaryStage
 from pitchpoint.model.components.ratio import Ratio
@@ -85,6 +89,9 @@ class Contents(Checked):
     title: str = text("title of the model", "")
     parameters: Mapping[str, Parameter] = key(
         "parameters", "named values for all keys and formulas", {}, of=Parameter, later=True
+    )
+    materials: Mapping[str, OwnMaterial] = section(
+        "materials by name, in addition to those of the library", OwnMaterial, later=True
     )
     gravity: Triple | None = quantities(
         "acceleration",
@@ -177,7 +184,26 @@ class Contents(Checked):
     blocks: Mapping[str, Block] = section("signals computed from other signals", BLOCKS)
     controllers: Mapping[str, Controller] = section("discrete controllers", CONTROLLERS)
     actuators: Mapping[str, Actuator] = section("torques and forces driven by signals", ACTUATORS)
+    housing: Housing | None = key(
+        "variant",
+        "housing of all bearings with body and without a housing of their own; default: ground",
+        None,
+        of=HOUSINGS,
+        tag="type",
+        later=True,
+    )
+    lubricant: Lubricant | None = component(
+        Lubricant, "oil of all meshes, for contact analyses and oil films", later=True
+    )
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
+    load_cases: Mapping[str, LoadCase] = section(
+        "load cases: speeds, loads, temperature and share of the time", LoadCase, later=True
+    )
+    load_case: str | None = text(
+        "name of the load case in effect: its speeds and loads replace those of loads and scenarios",
+        None,
+        later=True,
+    )
     scenarios: Mapping[str, Scenario] = section("simulation scenarios", Scenario)
 
 

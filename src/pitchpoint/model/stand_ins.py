@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components that represent others of the model file, such as the body of a shaft or a planet of a stage."""
+"""Components that represent others of the model file, such as the body of a shaft, a planet of a stage or a
+seat of the housing."""
 
 from __future__ import annotations
 
@@ -11,7 +12,8 @@ T = TypeVar("T")
 
 def stands_in(part: Any) -> bool:
     """Whether a component represents one of another section and is not written to a file."""
-    return bool(getattr(part, "stands_in", False)) or getattr(part, "stage", None) is not None
+    of_housing = getattr(part, "of_housing", False)
+    return bool(getattr(part, "stands_in", of_housing)) or getattr(part, "stage", None) is not None
 
 
 def path_of(stage: str) -> str:
@@ -26,5 +28,10 @@ def path_of(stage: str) -> str:
 
 
 def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
-    """Components of a section without those that represent others."""
-    return {name: part for name, part in parts.items() if not stands_in(part)}
+    """Components of a section as given: without those that represent others, bearings without the seat in
+    the housing, loads and scenarios without the values of the load case."""
+    return {
+        name: part if (given := getattr(part, "given", None)) is None else given
+        for name, part in parts.items()
+        if not stands_in(part)
+    }

@@ -81,6 +81,19 @@ def project_tangent(proj, J, kk, X, A, T):
                     A[m, 3 + r, c] += (
                         J[pi, 3, 3 + r] * T[3, c] + J[pi, 4, 3 + r] * T[4, c] + J[pi, 5, 3 + r] * T[5, c]
                     )
+        elif w["ni"] == 6 and w["nj"] == 6:  # constant bounds, which the compiler unrolls
+            for r in range(6):
+                for c in range(6):
+                    T[r, c] = 0.0
+                for h in range(6):
+                    x = kk[k, r, h]
+                    for c in range(6):
+                        T[r, c] += x * X[pj, h, c]
+            for r in range(6):
+                for h in range(6):
+                    x = J[pi, h, r]
+                    for c in range(6):
+                        A[m, r, c] += x * T[h, c]
         else:
             for r in range(6):
                 for c in range(w["nj"]):

@@ -187,6 +187,7 @@ def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
                 "frequency": abs(speeds[body]) / math.tau,
             }
             for body, part in model.bodies.items()
+            if not part.of_housing
         },
         "meshes": meshes,
         "gears": _gears(model, meshes),

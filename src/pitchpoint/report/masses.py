@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.housing import node_bodies
 from pitchpoint.model.inertia import (
     bevel_gear_inertia,
     body_inertia,
@@ -63,8 +64,9 @@ def masses(model: Model) -> list[dict[str, Any]]:
         _entry("shaft", name, _of_shaft(shaft), shaft.solid, shaft.material)
         for name, shaft in model.shafts.items()
     ]
+    hidden = node_bodies(model)
     for name, body in model.bodies.items():
-        if body.shaft is None and body.elastic is None:
+        if body.shaft is None and body.elastic is None and name not in hidden:
             found.append(_entry("body", name, _of_body(model, body), body.solid, "steel"))
     return found
 

@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.units import format_quantity
+from pitchpoint.report.housing import housing_facts
+from pitchpoint.report.load_cases import lubricant_facts
 from pitchpoint.viz.report.build import SceneData, TimeRun
 from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES
 
@@ -32,10 +35,17 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
     found = []
     for field in fields(model):
         section, parts = field.name, getattr(model, field.name)
-        if isinstance(parts, Mapping) and parts and section not in NO_PARTS:
-            names = [_named(model, section, name) for name in list(parts)[:MAX_NAMES]]
+        if isinstance(parts, Mapping) and section not in NO_PARTS:
+            parts = [name for name, part in parts.items() if not getattr(part, "of_housing", False)]
+            if not parts:
+                continue
+            names = [_named(model, section, name) for name in parts[:MAX_NAMES]]
             more = f" and {len(parts) - MAX_NAMES} more" if len(parts) > MAX_NAMES else ""
             found.append((f"{section.replace('_', ' ')}: {len(parts)}", f"{', '.join(names)}{more}"))
+    if model.housing is not None:
+        found.append(("housing", housing_facts(model)["words"]))
+    if oil := lubricant_facts(model):
+        found.append(("lubricant", f"{oil['name']}, {format_quantity(oil['temperature'], 'temperature', 4)}"))
     return found
 
 

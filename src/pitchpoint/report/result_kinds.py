@@ -18,6 +18,7 @@ KINDS = {
     "relief": {"design", "map_torque"},
     "contact": {"tooth_pair"},
     "quasi_static": {POSITION},
+    "study": {"case", "factor", "result"},
     "cases": {"case"},
     "sweep": {"direction", "mesh_frequency"},
     "modes": {"mode"},

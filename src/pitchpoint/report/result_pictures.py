@@ -52,6 +52,17 @@ def campbell_figures(data: xr.Dataset) -> Figures:
     return campbell_section({"": data.assign_attrs(missing)}).figures
 
 
+def study_figures(data: xr.Dataset) -> Figures:
+    """Distribution, sensitivities, result over the factors and convergence of every result of a study."""
+    from pitchpoint.report.study_result import study_summary
+    from pitchpoint.viz.study_page import result_sections
+
+    found: dict[str, go.Figure] = {}
+    for section in result_sections(study_summary(data)):
+        found |= section.figures
+    return found
+
+
 def relief_figures(data: xr.Dataset) -> Figures:
     """Transmission error without and with the designed modifications."""
     from pitchpoint.viz.report.relief import relief_section

@@ -76,7 +76,8 @@ def write_report(
     """
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.io.yaml_model import load_model
-    from pitchpoint.report.collect import collect, describe
+    from pitchpoint.report.collect import collect
+    from pitchpoint.report.describe import describe
     from pitchpoint.report.notes import remarks_of
     from pitchpoint.viz.report.build import report_html
 

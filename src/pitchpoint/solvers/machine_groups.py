@@ -165,7 +165,8 @@ def _components(
     for label, kind, pair in zip(parts.elements, parts.kinds, parts.bodies, strict=True):
         own = tuple(dict.fromkeys(part[b] for b in pair if b))
         word = label.partition(" ")[0]
-        if pair.all() and len(own) == 1 and hidden.isdisjoint(pair.tolist()):
+        within = pair.all() and pair[0] != pair[1] and len(own) == 1
+        if within and hidden.isdisjoint(pair.tolist()):
             label, word = f"{SHAFT} {names[own[0]]}", SHAFT
         elif kind != ROTATION and registry.find(kind).role == MESH:
             word = MESH

@@ -25,6 +25,7 @@ from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED,
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS, SWEPT
 from pitchpoint.model.numbers import number_at
+from pitchpoint.model.study_plan import MODES, RUN
 from pitchpoint.sweep.threads import on_all_cores
 
 if TYPE_CHECKING:
@@ -150,20 +151,24 @@ def run_cases(
 def run_case(
     model: Model,
     values: Mapping[str, Any],
-    scenario: str,
+    scenario: str | None,
     index: int = 0,
     stop: threading.Event | None = None,
+    evaluate: str = RUN,
 ) -> CaseResult:
     """Run one case; errors are returned as its status and message.
 
     Parameters
     ----------
     model, values, scenario
-        As in `run_cases`, for one case.
+        As in `run_cases`, for one case; no scenario: at rest, for equilibrium and modes.
     index
         Index in the list of cases.
     stop
         Event that another thread sets to stop the case.
+    evaluate
+        What is computed, as in the plan of a study; the channels of an equilibrium and the numbers of modes
+        have no variation.
     """
     begun = time.perf_counter()
     numbers: dict[str, tuple[float, str]] = {}
@@ -181,7 +186,11 @@ def run_case(
     try:
         changed = model.replace_all(values) if values else model
         numbers |= {path: n for path in values if (n := number_at(changed, path)) is not None}
-        result = _run(changed, changed.scenarios[scenario], values, index, listen)
+        chosen = changed.scenarios[scenario] if scenario is not None else None
+        if evaluate == RUN and chosen is not None:
+            result = _run(changed, chosen, values, index, listen)
+        else:
+            result = _at_rest(changed, chosen, values, index, evaluate, listen)
         return replace(result, numbers=numbers)
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - one bad case must not take the others with it
         return failed(*how_it_failed(error))
@@ -200,6 +209,30 @@ def how_it_failed(error: BaseException) -> tuple[int, str]:
     if isinstance(error, KeyboardInterrupt):
         return INTERRUPTED, sentence(INTERRUPTED)
     return DIED, f"{type(error).__name__}: {error}"
+
+
+def _at_rest(
+    model: Model,
+    scenario: Scenario | None,
+    values: Mapping[str, Any],
+    index: int,
+    evaluate: str,
+    listen: Progress,
+) -> CaseResult:
+    """Compile one case and find its equilibrium or modes."""
+    from pitchpoint.sweep.states import at_equilibrium, mode_numbers
+    from pitchpoint.system.compile import compile_model
+
+    begun = time.perf_counter()
+    system = compile_model(model, scenario)
+    if evaluate == MODES:
+        channels, notes = mode_numbers(system, scenario, listen)
+    else:
+        channels, notes = at_equilibrium(system, scenario)
+    wall_s = time.perf_counter() - begun
+    return CaseResult(
+        index, dict(values), OK, sentence(OK), wall_s=wall_s, channels=channels, notes=tuple(notes)
+    )
 
 
 def _run(

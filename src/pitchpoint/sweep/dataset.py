@@ -8,12 +8,10 @@ a model and its system takes some hundredths of a second.
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 import math
 import threading
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -32,6 +30,7 @@ from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
 from pitchpoint.model.numbers import number_at
+from pitchpoint.sweep.case_files import file_hashes
 from pitchpoint.sweep.cases import how_it_failed
 from pitchpoint.sweep.threads import on_all_cores
 
@@ -109,25 +108,10 @@ def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
     def key_of(case: PlannedCase) -> str:
         """Hash the inputs of one case."""
         changes = dict(case.changes)
-        inputs = {"base": base, "changes": changes, "seed": case.seed, "files": _files(changes, folder)}
+        inputs = {"base": base, "changes": changes, "seed": case.seed, "files": file_hashes(changes, folder)}
         return content_hash(inputs)
 
     return key_of
-
-
-def _files(data: Any, folder: Path) -> list[str]:
-    """Hashes of the files referenced by values as `FILE` or `FILE.py:function`."""
-    if isinstance(data, Mapping):
-        return [digest for value in data.values() for digest in _files(value, folder)]
-    if isinstance(data, list | tuple):
-        return [digest for value in data for digest in _files(value, folder)]
-    if not isinstance(data, str):
-        return []
-    file = folder / data.partition(":")[0]
-    with suppress(OSError, ValueError):  # too long or with a null character: not a file name
-        if file.is_file():
-            return [hashlib.sha256(file.read_bytes()).hexdigest()]
-    return []
 
 
 def lead(plan: DatasetPlan) -> int:

@@ -86,6 +86,10 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     banks = [damping_bank(model), gravity_bank(model)]
     if chosen is not None:
         banks.append(drive_bank(model, chosen))
+    if model.housing is not None:
+        from pitchpoint.system.rules.housing import housing_bank
+
+        banks.append(housing_bank(places))
     banks += _banks([section for section in used if not section.needs], places)
     late = [section for section in used if section.needs]
     kinds = {b.kind for b in banks if b.records.size} | {kind for section in late for kind in section.needs}

@@ -91,6 +91,6 @@ def _lateral(model: Model, carrier: str) -> str:
 
 
 def _acts(load: Any) -> bool:
-    """Whether a load is a force other than zero."""
-    force = load.force or ()
-    return any(not isinstance(part, Constant) or part.value != 0.0 for part in force)
+    """Whether a load is a force or moment other than zero."""
+    parts = (*(load.force or ()), *(load.moment or ()))
+    return any(not isinstance(part, Constant) or part.value != 0.0 for part in parts)

@@ -151,7 +151,7 @@ def test_three_gears_in_a_loop_lock_each_other() -> None:
         )
     still = text + "scenarios:\n  s: {duration: 1 s}\n"
     assert loads_model(still).meshes["ca"].theta == pytest.approx(4.18879, abs=1e-5)
-    with pytest.raises(ModelError, match=r"cannot rotate A: meshes\.bc locks B and C"):
+    with pytest.raises(ModelError, match=r"cannot rotate A: meshes\.ca locks C and A: A/C = -1, but 1"):
         loads_model(text + "scenarios:\n  s: {speed: {A: 10 rpm}, duration: 1 s}\n")
 
 

@@ -153,7 +153,7 @@ def mass_matrix(links):
 
 def links_of_model(model):
     """Bodies and joints of a model as the check of its inertia sees them."""
-    parts = Parts.of({name: getattr(model, name) for name in ("bodies", "joints", "gears")}, None)
+    parts = Parts.of({name: getattr(model, name) for name in ("bodies", "joints", "gears")})
     parts.mechanism = model.mechanism
     return tree_of(parts)
 

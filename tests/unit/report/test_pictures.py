@@ -76,8 +76,8 @@ def results() -> dict[str, xr.Dataset]:
 
 
 def test_every_result_has_a_picture(results: dict[str, xr.Dataset]) -> None:
-    # relief designs take longer: tests/unit/viz/test_relief_plot.py
-    assert set(results) | {"relief"} == {*KINDS, "analysis"}
+    # relief designs take longer: tests/unit/viz/test_relief_plot.py; studies: tests/unit/cli/test_study.py
+    assert set(results) | {"relief", "study"} == {*KINDS, "analysis"}
     for kind, data in results.items():
         assert kind_of(data) == kind
         figure = pp.plot(data)

@@ -36,7 +36,7 @@ joints:
   rocker_pin: {{type: revolute, bodies: [ground, rocker], position: [0.4, -0.15, 0]}}
   end_pin: {{type: revolute, bodies: [rod.pin, rocker.pin]}}
 """
-NO_COMPONENT = {"damping", "drive", "gravity", "linear_hold", "linear_modes", "linear_part"}
+NO_COMPONENT = {"damping", "drive", "gravity", "housing_matrix", "linear_hold", "linear_modes", "linear_part"}
 """Kinds that are keys of the whole file, of a scenario or of no file at all."""
 
 

@@ -17,6 +17,7 @@ def check_given(parts: Parts, report: Reader) -> None:
     """Check `one_of` and `needs` of the keys of all components, at any depth."""
     for group in groups_of(parts):
         check_keys(getattr(parts, group), (group,), report)
+    check_keys(parts.housing, ("housing",), report)
 
 
 def check_keys(value: Any, at: Place, report: Reader) -> None:

@@ -123,13 +123,15 @@ def check_loads(parts: Parts, report: Reader) -> None:
     balanced = [n for n, load in parts.loads.items() if isinstance(load.torque, Balance)]
     for name, load in parts.loads.items():
         at: Place = ("loads", name)
-        if load.torque is None and load.force is None and at not in report.tainted:
-            report.problem(at, "has neither torque nor force", remedy="give torque or force")
+        given = [key for key in ("torque", "force", "moment") if getattr(load, key) is not None]
+        if not given and at not in report.tainted:
+            report.problem(at, "has no torque, force or moment", remedy="give one of them")
+        for key in ("force", "moment"):
+            if any(isinstance(part, Balance) for part in getattr(load, key) or ()):
+                report.problem((*at, key), "cannot be balanced", remedy="balance a torque")
         body = parts.bodies.get(load.body)
         if load.force is None or body is None:
             continue
-        if any(isinstance(f, Balance) for f in load.force):
-            report.problem((*at, "force"), "cannot be balanced", remedy="balance a torque")
         sideways = any(not (isinstance(f, Constant) and f.value == 0.0) for f in load.force)
         if body.moves == "torsion" and sideways and _on_axis(load, body):
             report.problem(
@@ -166,7 +168,7 @@ def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
             report.problem(
                 (*at, "torque"),
                 f"acts on the beam {load.body}, which has no spin axis",
-                remedy="give a force, or an actuator of type: force with quantity: moment",
+                remedy="give a force or a moment",
             )
     else:
         known(parts, "bodies", load.body, (*at, "body"), report, "beams")
@@ -177,8 +179,10 @@ def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
         return
     if any(load.position):
         report.problem((*at, "position"), "cannot be combined with marker", remedy="give one of the two")
-    if load.force is None:
-        report.problem((*at, "marker"), "has no effect on a torque", remedy="remove it, or give a force")
+    if load.force is None and load.moment is None:
+        report.problem(
+            (*at, "marker"), "has no effect on a torque", remedy="remove it, or give a force or a moment"
+        )
     if body is not None and load.marker not in body.markers:
         have = f"there are {', '.join(body.markers)}" if body.markers else f"{load.body} has no markers"
         report.problem(

@@ -16,6 +16,7 @@ from pitchpoint.model.checks.forces import check_forces, check_loads, check_unba
 from pitchpoint.model.checks.functions import check_functions
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
+from pitchpoint.model.checks.lubricant import check_lubricant, settle_oil_films
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
 from pitchpoint.model.checks.phasing import check_phasing
@@ -36,6 +37,8 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.housing import add_housing, connect_housing
+from pitchpoint.model.load_cases import apply_load_case
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
@@ -44,12 +47,14 @@ from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
 CHECKS = (
     check_given,
+    check_lubricant,
     check_pin_errors,
     add_planetary_stages,
     check_solids,
     add_shafts,
     add_elastic_bodies,
     add_scissor_gears,
+    add_housing,
     check_references,
     check_bevel_gears,
     check_bevel_names,
@@ -67,11 +72,13 @@ CHECKS = (
     check_positions,
     check_spacing,
     resolve,
+    connect_housing,
     check_stations,
     check_planets,
     check_fault_laws,
     check_flank_contacts,
     check_flexible_rims,
+    settle_oil_films,
     check_shaft_places,
     check_mechanism,
     check_seats,
@@ -83,6 +90,7 @@ CHECKS = (
     check_rings,
     check_turning,
     check_motions,
+    apply_load_case,
     check_unbalances,
     check_loads,
     check_scenarios,

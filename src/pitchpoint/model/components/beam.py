@@ -70,7 +70,9 @@ class Beam(Component):
         length=(3, 3),
         display="x of the world, or y for a beam along x",
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     pieces: int = integer(
         "number of beam elements of equal length; between them are the stations BEAM.2, BEAM.3, ..., which "
         "can be named where BODY.MARKER can",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import SEAT_FAULTS, LooseBearing
@@ -35,3 +36,5 @@ class Bearing(Component):
     )
     stage: str | None = derived()
     """Planetary stage that contains the bearing, if any."""
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""

@@ -118,7 +118,9 @@ class BevelGear(Component):
         0.0,
         minimum=0.0,
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
     polar_inertia: float | None = quantity(
         "inertia", "moment of inertia about the axis", None, minimum=0.0, display="from geometry"

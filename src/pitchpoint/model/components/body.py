@@ -115,6 +115,8 @@ class Body(Component):
 
     stage: str | None = derived()
     """Planetary stage, or path of the scissor gear, that contains the body, if any."""
+    of_housing: bool = derived(False)
+    """Whether the body is a part of the housing of the model."""
 
     @property
     def moves(self) -> str:
@@ -123,8 +125,9 @@ class Body(Component):
 
     @property
     def stands_in(self) -> bool:
-        """Whether the body represents an elastic shaft, an elastic body or a planet of the model."""
-        return self.shaft is not None or self.elastic is not None or self.stage is not None
+        """Whether the body represents an elastic shaft, elastic body, planet or part of the housing."""
+        other = self.shaft or self.elastic or self.stage
+        return self.of_housing or other is not None
 
     @property
     def center(self) -> Triple | None:

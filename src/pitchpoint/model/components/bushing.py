@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.keys import component, key
+from pitchpoint.model.keys import component, derived, key
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,3 +24,5 @@ class Bushing(Component):
         Stiffness6, "stiffness along and about the axes of the second end", Stiffness6()
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions; not a ratio")
+    of_housing: bool = derived(False)
+    """Whether the bushing is a mount of the housing of the model."""

@@ -19,8 +19,11 @@ from pitchpoint.model.keys import choice, component, derived, integer, key, posi
 class OilFilm(Component):
     """Squeeze film: damps flanks that approach or separate, up to a gap of twice its thickness."""
 
-    rate: float = positive(
-        "damping", "damping of one contact plane normal to the flanks, for flanks in contact"
+    rate: float | None = positive(
+        "damping",
+        "damping of one contact plane normal to the flanks, for flanks in contact",
+        None,
+        display="of the film at the pitch point, with the viscosity of lubricant",
     )
     thickness: float = positive("length", "film thickness h; the film acts at gaps below 2 h")
     exponent: float = quantity(

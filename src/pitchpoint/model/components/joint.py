@@ -141,6 +141,8 @@ class Joint(Component):
 
     stage: str | None = derived()
     """Planetary stage that contains the joint, if any."""
+    of_housing: bool = derived(False)
+    """Whether the joint fixes a body in the housing of the model."""
 
     @property
     def names(self) -> tuple[str, ...]:

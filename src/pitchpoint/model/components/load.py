@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
-from pitchpoint.model.keys import choice, key, quantities, text
+from pitchpoint.model.keys import choice, derived, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
 class Load(Component):
-    """A torque about the spin axis of a body and/or a force on it."""
+    """A torque about the spin axis of a body, a force and a moment on it; one of them or several."""
 
     body: str = text("name of the body; or of a beam, with the number of a station as marker")
     torque: Law | None = key(
@@ -30,6 +31,13 @@ class Load(Component):
         dimension="force",
         length=(3, 3),
     )
+    moment: tuple[Law, ...] | None = key(
+        "laws",
+        "moment [x, y, z], such as the bending moment of a rotor hub, each entry as for torque (no balance)",
+        None,
+        dimension="torque",
+        length=(3, 3),
+    )
     position: tuple[float, float, float] = quantities(
         "length",
         "point of action relative to the origin of the body; x and y are directions fixed in space that do "
@@ -38,11 +46,11 @@ class Load(Component):
         length=(3, 3),
     )
     marker: str | None = text(
-        "marker of the body at which the force acts, instead of position; it moves with the body", None
+        "marker of the body at which force and moment act, instead of position; it moves with the body", None
     )
     along: str = choice(
         ("world", "marker"),
-        "axes of a force at a marker: of the world or of the marker",
+        "axes of force and moment at a marker: of the world or of the marker",
         "world",
     )
     reaction: str | None = text(
@@ -50,3 +58,5 @@ class Load(Component):
         None,
         display="ground",
     )
+    given: Any = derived()
+    """The load as given, if it has the values of a load case."""

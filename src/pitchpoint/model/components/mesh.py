@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.flank_contact import LEVELS, FlankContact
@@ -247,6 +248,8 @@ class Mesh(Component):
 
     stage: str | None = derived()
     """Planetary stage, or path of the scissor gear, that contains the mesh, if any."""
+    given: Any = derived()
+    """The mesh as given, if the damping of its oil film follows from the lubricant."""
     a_w: float | None = derived()
     """Effective centre distance [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from pitchpoint.geometry.bearings.clearance import ALL_CLASSES
 from pitchpoint.geometry.bearings.inner import TYPES
@@ -13,7 +14,7 @@ from pitchpoint.geometry.materials import Material
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
 from pitchpoint.model.components.bearing_geometry import ABSORPTION, GIVEN, BearingGeometry, bearing_geometry
-from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
+from pitchpoint.model.keys import choice, derived, end, integer, key, positive, quantities, quantity, text
 
 RINGS = (
     "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second. A ring "
@@ -145,7 +146,9 @@ class RollingBearing(Component):
         maximum=1000,
         later=True,
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     stiffness: float | None = positive(
         "dimensionless",
         "contact constant of one element in SI [N/m^1.5, N/m^(10/9)], instead of grooves or effective_length",
@@ -158,6 +161,8 @@ class RollingBearing(Component):
     faults: Mapping[str, BearingFault] = key(
         "components", "faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""
 
     @property
     def former_values(self) -> dict[str, str | float]:
@@ -197,3 +202,5 @@ class PlainBearing(Component):
     damping: float = quantity(
         "dimensionless", "damping force over elastic force, per approach velocity [s/m]", 0.0, minimum=0.0
     )
+    given: Any = derived()
+    """The bearing as given, if its housing is that of the model."""

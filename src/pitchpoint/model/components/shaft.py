@@ -47,7 +47,9 @@ class Shaft(Component):
         length=(1, 1000),
         sample="[{length: 100 mm, diameter: 40 mm}]",
     )
-    material: Material | str = key("material", "name in the material library, or the properties", "steel")
+    material: Material | str = key(
+        "material", "name in materials or in the library, or the properties", "steel"
+    )
     solid: SolidReference | None = component(
         SolidReference,
         "solid without gears; its mass is distributed over the sections in proportion to theirs",

@@ -26,7 +26,7 @@ class SolidReference(Component):
     part: str | None = text("STEP: name of the solid in a file with several solids", None)
     material: Material | str | None = key(
         "material",
-        "name in the material library, or the properties",
+        "name in materials or in the library, or the properties",
         None,
         display="that of the gear or shaft, or steel",
     )

@@ -8,11 +8,10 @@ function is only named here, and only if the caller allows code.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
@@ -21,8 +20,11 @@ from pitchpoint.model.reading.bare_numbers import note_formula
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.own_material import OwnMaterial
     from pitchpoint.model.reading.reader import Reader
 
+MATERIALS = "materials"
+"""Section of the materials of a model."""
 BALANCE = "balance"
 """Word for the torque that balances the others."""
 VARIABLES = ("t", "angle", "speed")
@@ -156,47 +158,52 @@ def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read the name of a material of the library, or its properties."""
+    """Read the name of a material of the library or of the model, or the properties of a material."""
     from pitchpoint.geometry import materials
+    from pitchpoint.model.components.own_material import OwnMaterial
 
     if isinstance(data, Mapping):
-        return _own_material(reader, data, path)
+        found = reader.component(OwnMaterial, data, path)
+        return BAD if found is BAD else found.named()
     if isinstance(data, materials.Material) or (isinstance(data, str) and data in materials.LIBRARY):
         return data
-    known = sorted(materials.LIBRARY)
+    if isinstance(data, str) and data in reader.materials:
+        reader.used.add(material_source(data))
+        own = reader.materials[data]
+        return reader.taint(path) if own is None else own.named(data)
+    known = [*reader.materials, *sorted(materials.LIBRARY)]
     return reader.problem(
         path,
-        f"{str(data)[:40]!r} is not a material of the library",
+        f"{str(data)[:40]!r} is neither a material of the model nor of the library",
         remedy=f"{did_you_mean(data, known)}available are {', '.join(known)}",
     )
 
 
-def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
-    from pitchpoint.geometry.materials import Material
+def material_source(name: str) -> str:
+    """Word for a material of the model among the names of the parameters of a value.
 
-    properties = {
-        "youngs_modulus": Key("quantity", "modulus E", dimension="pressure", minimum=0.0, above=True),
-        "poisson_ratio": Key(
-            "quantity",
-            "ratio of transverse to axial strain",
-            dimension="dimensionless",
-            minimum=0.0,
-            maximum=0.5,
-            below=True,
-            sample="0.3",
-        ),
-        "density": Key("quantity", "mass per volume", dimension="density", minimum=0.0, above=True),
-    }
-    reader.unknown(data, properties, path)
-    found = {}
-    for name, description in properties.items():
-        if name in data:
-            found[name] = reader.number(description, data[name], (*path, name))
-        else:
-            reader.missing(path, name, description)
-    if BAD in found.values() or len(found) != len(properties):
-        return BAD
-    try:
-        return Material(name="custom", **found)
-    except GeometryError as error:
-        return reader.problem(path, error.problem.text, value=error.problem.value, limit=error.problem.limit)
+    Examples
+    --------
+    >>> material_source("cast")
+    'materials.cast'
+    """
+    return f"{MATERIALS}.{name}"
+
+
+def note_materials(reader: Reader, found: Mapping[str, OwnMaterial], names: Iterable[object]) -> None:
+    """Make the materials of the model known for the values that follow.
+
+    Parameters
+    ----------
+    reader
+        Reader of the model.
+    found
+        Materials that could be read.
+    names
+        All names of the section.
+    """
+    from pitchpoint.geometry.materials import LIBRARY
+
+    for name in [name for name in found if name in LIBRARY]:
+        reader.problem((MATERIALS, name), "is a material of the library", remedy="choose another name")
+    reader.materials = {**{str(name): None for name in names}, **found}

@@ -58,10 +58,10 @@ class Reader:
         Data of the component that is being read, for values that depend on other keys.
     aliases
         Paths in the file of components that represent others: SECTION, NAME or that with one or two keys.
-    parameters, unreadable
-        Values of the parameters by name, and the names of those without value.
+    parameters, unreadable, materials
+        Parameters by name, names of those without value; materials by name, None if unreadable.
     used
-        Parameters in the value that is being read.
+        Parameters and materials in the value that is being read.
     sources
         Values with parameters, as written.
     bare
@@ -78,6 +78,7 @@ class Reader:
     parameters: Mapping[str, Amount] = field(default_factory=dict)
     unreadable: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
+    materials: Mapping[str, Any] = field(default_factory=dict)
     sources: dict[Place, Source] = field(default_factory=dict)
     bare: list[Bare] = field(default_factory=list)
 
@@ -189,7 +190,7 @@ class Reader:
         """Read the value of a key, and note it as written if it is a text or contains parameters."""
         outer, self.used, known = self.used, set(), len(self.sources)
         result = self.value(description, data, path)
-        if self.parameters and description.kind in WHOLE:
+        if (self.parameters or self.materials) and description.kind in WHOLE:
             for place in list(self.sources)[known:]:
                 self.used |= self.sources.pop(place).names
         if self.used:

@@ -264,17 +264,18 @@ def _joints(model: Model) -> Iterator[Message]:
 
 
 def _loads(model: Model) -> Iterator[Message]:
-    """Positions of torques, and forces in directions without motion."""
+    """Positions of torques, and forces and moments in directions without motion."""
     for name, load in model.loads.items():
         if load.body not in model.bodies:
             continue  # a station of a beam moves in all directions
         motion = model.bodies[load.body].moves
+        yield from _tilting(model, name)
         if load.force is None:
             idle = load.position if load.body not in model.shafts else load.position[:2]
             if any(v != 0.0 for v in idle):
                 yield remark(
                     f"loads.{name}.position",
-                    "has no effect on a torque; it is the point of action of a force",
+                    "has no effect on a torque or moment; it is the point of action of a force",
                 )
             continue
         axis = abs(body_frame(model, load.body)[1][:, 2])
@@ -290,6 +291,21 @@ def _loads(model: Model) -> Iterator[Message]:
                 f"loads.{name}.force",
                 f"its component {'xyz'[k]} has no effect: {load.body} has motion: "
                 f"{motion} and neither moves along its axis nor tilts",
+            )
+
+
+def _tilting(model: Model, name: str) -> Iterator[Message]:
+    """Components of a moment across the axis of a body that does not tilt."""
+    load = model.loads[name]
+    motion = model.bodies[load.body].moves
+    if motion not in ("torsion", "planar") or load.along == "marker":
+        return
+    axis = abs(body_frame(model, load.body)[1][:, 2])
+    for k, part in enumerate(load.moment or ()):
+        if axis[k] < 1.0 - ALONG and not (isinstance(part, Constant) and part.value == 0.0):
+            yield remark(
+                f"loads.{name}.moment",
+                f"its component {'xyz'[k]} has no effect: {load.body} has motion: {motion} and does not tilt",
             )
 
 

@@ -107,6 +107,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     if plates:
         notes.append("plates of carriers show positions, not sizes")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
+    shapes |= {n for n, p in model.bodies.items() if p.of_housing}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
     wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}

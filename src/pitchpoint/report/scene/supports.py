@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND, joint_axes, joint_place, split
+from pitchpoint.model.housing import node_bodies
 from pitchpoint.model.rings import ring_bodies, rings_of
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
@@ -159,13 +160,13 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
     for part in model.bearings.values():
         if part.body in model.bodies:
             place = at.world(part.body, part.position)[0]
-            held.setdefault(split(part.housing or GROUND)[0], []).append((part.body, place))
+            held.setdefault(_frame_of(model, part.housing or GROUND), []).append((part.body, place))
     for group in (model.rolling_bearings, model.plain_bearings):
         for pair in group.values():
             inner, outer = ring_bodies(pair)
             where = rings_of(model, pair)[1].place
             if inner in model.bodies and where is not None:
-                held.setdefault(outer, []).append((inner, where))
+                held.setdefault(_frame_of(model, outer), []).append((inner, where))
     found = {}
     for name, parts in held.items():
         body = model.bodies.get(name)
@@ -177,6 +178,12 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
             continue
         found[name] = [_frame(model, at, name, parts)]
     return found
+
+
+def _frame_of(model: Model, end: str) -> str:
+    """Body with whose frame a bearing is drawn; the nodes of a housing matrix have one frame on ground."""
+    body = split(end)[0]
+    return GROUND if body in node_bodies(model) else body
 
 
 def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) -> SceneSolid:

@@ -391,7 +391,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     for side, table in enumerate(contact.tables):
         row["gcp"][side], row["gcp_size"][side] = keep(table), table.size
     if contact.oil is not None:
-        row["oil_rate"] = contact.oil.rate * cos_b**2
+        row["oil_rate"] = (contact.oil.rate or 0.0) * cos_b**2
         row["oil_film"] = contact.oil.thickness / cos_b
         row["oil_power"] = contact.oil.exponent
         row["sep_min"] -= 2.0 * row["oil_film"]

@@ -79,15 +79,16 @@ def _forces(model: Model) -> Bank:
     pool = sig.Pool()
     rows, names, laws = [], [], []
     for name, load in model.loads.items():
-        for axis, law in enumerate(load.force or ()):
-            if isinstance(law, Constant) and law.value == 0.0:
-                continue
-            row = np.zeros(1, force_element.RECORD)[0]
-            row["i"], row["j"] = _ends(model, load)
-            _put_application(row, model, load, axis)
-            laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
-            rows.append(row)
-            names.append(f"{name}.{'xyz'[axis]}")
+        for part, letter in (("force", ""), ("moment", "m")):
+            for axis, law in enumerate(getattr(load, part) or ()):
+                if isinstance(law, Constant) and law.value == 0.0:
+                    continue
+                row = np.zeros(1, force_element.RECORD)[0]
+                row["i"], row["j"] = _ends(model, load)
+                _put_application(row, model, load, axis, part == "moment")
+                laws.append(set_signal(row, pool, law, f"loads.{name}.{part}[{axis}]"))
+                rows.append(row)
+                names.append(f"{name}.{letter}{'xyz'[axis]}")
     return pack("force", force_element.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
 
 
@@ -97,16 +98,18 @@ def _ends(model: Model, load: Load) -> tuple[int, int]:
     return tuple(frame_at(model, body, there)[0] for body in (load.body, load.reaction or GROUND))  # type: ignore[return-value]
 
 
-def _put_application(row: Any, model: Model, load: Load, axis: int) -> None:
-    """Set point of application and direction of a force."""
+def _put_application(row: Any, model: Model, load: Load, axis: int, turns: bool) -> None:
+    """Set point of application and direction of a force, or of a moment (turns)."""
+    direction = np.eye(3)[axis]
     if load.marker is not None:
         _, row["p"], axes = end_of(model, f"{load.body}.{load.marker}")
-        along = load.along == "marker"
-        row["axes"] = force_element.BODY if along else force_element.WORLD
-        row["F"][:3] = axes[:, axis] if along else np.eye(3)[axis]
+        if load.along == "marker":
+            row["axes"] = force_element.BODY
+            direction = axes[:, axis]
+    row["F"][3 * turns : 3 * turns + 3] = direction
+    if turns or load.marker is not None:
         return
-    row["F"][axis] = 1.0
     # lever arm off the spin axis: the point of application does not rotate with the spin
     arm = body_frame(model, load.body)[1] @ np.array((*load.position[:2], 0.0))
-    row["F"][3:] = np.cross(arm, np.eye(3)[axis])
+    row["F"][3:] = np.cross(arm, direction)
     row["z"] = seat_at(model, load.body, load.position[2])[1]

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The load case in effect: its speeds and loads in place of those of the file.
+
+Loads and scenarios with the values of a load case keep the component as given, which is written and replaced.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.components.law import Constant
+from pitchpoint.model.frames import split
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.speed_ratios import start_speeds
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.load_case import CaseLoad, LoadCase
+    from pitchpoint.model.components.lubricant import Lubricant
+    from pitchpoint.model.parts import Parts
+    from pitchpoint.model.scenario import Scenario
+
+SECTION = "load_cases"
+KEY = "load_case"
+"""Key of the load case in effect."""
+ROUNDING = 1e-6
+"""Excess of the sum of the shares of the time over 1 that is due to rounded numbers."""
+
+
+def apply_load_case(parts: Parts, report: Reader) -> None:
+    """Check all load cases, and put the values of the one in effect into loads and scenarios."""
+    for name, case in parts.load_cases.items():
+        _check(parts, name, case, report)
+    shares = {n: c.load_duration_fraction for n, c in parts.load_cases.items()}
+    total = sum(share for share in shares.values() if share is not None)
+    if total > 1.0 + ROUNDING:
+        report.problem(
+            (SECTION,),
+            "have shares of the time of more than 100 % together",
+            value=f"{100.0 * total:.6g} %",
+            limit="100 %",
+            remedy="correct load_duration_fraction",
+        )
+    chosen = parts.load_case
+    if chosen is None or (KEY,) in report.tainted:
+        return
+    if chosen not in parts.load_cases:
+        if not parts.has(SECTION, chosen):
+            names = parts.known(SECTION)
+            report.problem(
+                (KEY,),
+                f"names the load case {chosen[:40]!r}, which does not exist",
+                remedy=did_you_mean(chosen, names) + f"there are {', '.join(sorted(names)) or 'none'}",
+            )
+        return
+    case = parts.load_cases[chosen]
+    if (SECTION, chosen) in report.tainted:
+        return
+    speeds = start_speeds(parts, case.speed)[0] if case.speed else {}
+    for name, change in case.loads.items():
+        load = parts.loads[name]
+        parts.loads[name] = replace(load, **_values(load, change, speeds), given=load)
+    if case.speed:
+        for name, scenario in parts.scenarios.items():
+            parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
+
+
+def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:
+    """Check the names and values of one load case."""
+    at: Place = (SECTION, name)
+    if at in report.tainted:
+        return
+    if not (case.speed or case.loads or case.temperature is not None):
+        report.problem(
+            at, "has neither speed nor loads nor temperature", remedy="give what differs, or remove it"
+        )
+    for body in case.speed:
+        if not parts.has("bodies", body):
+            names = parts.known("bodies")
+            report.problem(
+                (*at, "speed", body),
+                "names a body that does not exist",
+                value=body[:40],
+                remedy=did_you_mean(body, names) + f"there are {', '.join(sorted(names))}",
+            )
+    for load in case.loads:
+        if not parts.has("loads", load):
+            names = parts.known("loads")
+            report.problem(
+                (*at, "loads", load),
+                "names a load that does not exist",
+                value=load[:40],
+                remedy=did_you_mean(load, names) + f"there are {', '.join(sorted(names)) or 'none'}",
+            )
+    if at in report.tainted:
+        return
+    speeds, wrong = start_speeds(parts, case.speed) if case.speed else ({}, [])
+    for body, right in wrong:
+        report.problem(
+            (*at, "speed", body),
+            "contradicts the other speeds and the gear ratios",
+            value=f"{case.speed[body]:.6g} rad/s",
+            limit=f"{right:.6g} rad/s",
+            remedy="give one speed of each gear train",
+        )
+    for load, change in case.loads.items():
+        _check_load(parts, (*at, "loads", load), change, speeds, report)
+
+
+def _check_load(parts: Parts, at: Place, change: CaseLoad, speeds: dict[str, float], report: Reader) -> None:
+    """Check the values of one load of a load case."""
+    if change.torque is not None and change.power is not None:
+        report.problem(at, "gives torque and power together", remedy="give one of them")
+    elif change.torque is None and change.power is None and change.force is None:
+        report.problem(at, "gives neither torque nor power nor force", remedy="give one, or remove it")
+    part = parts.loads.get(str(at[-1]))
+    if change.power is None or part is None:
+        return
+    if not speeds.get(split(part.body)[0]):
+        report.problem(
+            (*at, "power"),
+            f"requires a speed of {part.body}, which is at rest in this load case",
+            remedy="add speed: {BODY: 1500 rpm} of a body in its gear train, or give torque",
+        )
+
+
+def _values(load: Any, change: CaseLoad, speeds: dict[str, float]) -> dict[str, Any]:
+    """Keys of a load with the values of a load case."""
+    found: dict[str, Any] = {}
+    torque = change.torque
+    if change.power is not None:
+        torque = change.power / speeds[split(load.body)[0]]
+    if torque is not None:
+        found["torque"] = Constant(torque)
+    if change.force is not None:
+        found["force"] = tuple(Constant(component) for component in change.force)
+    return found
+
+
+def _at_speed(scenario: Scenario, case: LoadCase) -> Scenario:
+    """Scenario with the speeds of a load case; a prescribed speed of one of its bodies follows, too."""
+    if scenario.sweep is not None:
+        return scenario
+    drive = {
+        body: replace(law, speed=Constant(case.speed[body]))
+        if body in case.speed and law.speed is not None
+        else law
+        for body, law in scenario.drive.items()
+    }
+    speed = {body: rate for body, rate in case.speed.items() if body not in drive}
+    return replace(scenario, speed=speed, drive=drive)
+
+
+def oil_of(machine: Any) -> Lubricant | None:
+    """Lubricant of a model or its parts, at its temperature in the load case in effect; None without one."""
+    oil: Lubricant | None = machine.lubricant
+    case = machine.load_cases.get(machine.load_case or "")
+    return oil if oil is None or case is None else oil.at(case.temperature)
+
+
+def speeds_in_effect(machine: Any) -> dict[str, float]:
+    """Speeds by body of the load case in effect [rad/s]; empty without one."""
+    case = machine.load_cases.get(machine.load_case or "")
+    return {} if case is None else dict(case.speed)

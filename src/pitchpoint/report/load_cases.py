@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lubricant and load cases of a model as data."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.load_cases import oil_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def lubricant_facts(model: Model) -> dict[str, Any]:
+    """Temperature, viscosities and pressure-viscosity coefficient of the lubricant, SI; empty without one."""
+    oil = oil_of(model)
+    if oil is None:
+        return {}
+    at_40, at_100 = oil.viscosities
+    return {
+        "name": oil.name or oil.grade or "oil",
+        "viscosity_at_40_degree_celsius": at_40,
+        "viscosity_at_100_degree_celsius": at_100,
+        "temperature": oil.temperature,
+        "dynamic_viscosity": oil.dynamic_viscosity,
+        "pressure_viscosity": oil.pressure_coefficient,
+    }
+
+
+def load_case_facts(model: Model) -> dict[str, dict[str, Any]]:
+    """Speeds, loads, temperature, share of the time of every load case, and whether it is in effect; SI."""
+    return {
+        name: {
+            "speed": dict(case.speed),
+            "loads": {
+                load: {key: value for key, value in vars(change).items() if value is not None}
+                for load, change in case.loads.items()
+            },
+            "temperature": case.temperature,
+            "load_duration_fraction": case.load_duration_fraction,
+            "in_effect": name == model.load_case,
+        }
+        for name, case in model.load_cases.items()
+    }
