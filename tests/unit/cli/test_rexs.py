@@ -71,7 +71,7 @@ def test_a_model_is_written_with_its_mesh_stiffness(model, tmp_path, capsys):
     assert run_command(["rexs", "write", model, "-o", str(target)]) == 0
     out = capsys.readouterr().out
     assert "REXS has no damping" in out
-    assert out.rstrip().endswith(f"written to {target}: REXS 2.0.0, 22 components, 1 load case")
+    assert out.rstrip().endswith(f"written to {target}: REXS 2.0.0, 24 components, 1 load case")
     (stage,) = read_rexs(target).of_type("cylindrical_stage")
     curve = stage.get("meshing_stiffness_characteristic")
     found = json_of(["mesh", model], capsys)["meshes"]["cylindrical_stage_13"]

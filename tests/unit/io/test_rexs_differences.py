@@ -116,6 +116,8 @@ def test_other_formats_units_and_versions_are_no_differences(gearbox, tmp_path):
     assert metres != GEARBOX
     assert differences(gearbox, _read(tmp_path, metres)) == []
     assert len(differences(gearbox, _read(tmp_path, metres), tolerance=0.0)) == 1
+    bare = GEARBOX.replace('id="u_axis_vector" unit="mm"', 'id="u_axis_vector" unit="none"')
+    assert differences(gearbox, _read(tmp_path, bare)) == []  # a direction of 1 instead of 1 mm
 
 
 def test_every_changed_value_is_the_only_difference(gearbox):

@@ -35,9 +35,9 @@ def _written(folder: Path, rexs: RexsModel, format: str = "xml") -> Path:
     return path
 
 
-def _again(folder: Path, model):
+def _again(folder: Path, model, version: str = tables.NEWEST):
     """The model of the file that is written from a model."""
-    return import_rexs(_written(folder, export_rexs(model).rexs)).model
+    return import_rexs(_written(folder, export_rexs(model, version).rexs)).model
 
 
 def assert_equal(one, two):
@@ -107,11 +107,12 @@ def test_samples_are_the_same_model_after_writing(name, tmp_path):
     assert_equal(once, _again(tmp_path, once))
 
 
-def test_a_gear_unit_is_the_same_model_after_writing(tmp_path):
+@pytest.mark.parametrize("version", ["1.4", "1.7", "2.0.0"])
+def test_a_gear_unit_is_the_same_model_after_writing(version, tmp_path):
     path = tmp_path / "unit.rexs"
     path.write_text(GEARBOX, encoding="utf-8")
     model = import_rexs(path).model
-    assert_equal(model, _again(tmp_path, model))
+    assert_equal(model, _again(tmp_path, model, version))
 
 
 MACHINE = """

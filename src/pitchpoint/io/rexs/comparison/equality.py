@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from pitchpoint.io.rexs.document import RexsAttribute, Value
@@ -13,6 +14,15 @@ ROUNDING = 1e-6
 """Default of the relative difference up to which numbers are equal."""
 SMALLEST = 1e-9
 """Difference in the unit of the file up to which numbers are equal, also near zero."""
+
+
+DIRECTIONS = ("u_axis_vector", "w_axis_vector")
+"""Vectors of any length: some files have them in mm, others without unit."""
+
+
+def _unit(vector: list[float]) -> list[float]:
+    length = math.hypot(*vector)
+    return [x / length for x in vector] if length else vector
 
 
 def is_reference(attribute: RexsAttribute) -> bool:
@@ -81,6 +91,8 @@ def equal(a: RexsAttribute, b: RexsAttribute, pairs: Mapping[int, int], toleranc
         return a.value == b.value
     if shape_of(a.value) != shape_of(b.value):
         return False
+    if a.id in DIRECTIONS:
+        one, two = _unit(one), _unit(two)
     size = max(map(abs, [*one, *two]), default=0.0)
     limit = max(tolerance * size, SMALLEST * factor_of(a))
     return all(abs(x - y) <= limit for x, y in zip(one, two, strict=True))

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+MILLI = 1e-3
+"""Length of the vectors of directions [m]: 1 mm, because REXS gives them in mm."""
 OWN = "custom_pitchpoint_"
 """Beginning of the ids of values that REXS does not define."""
 
@@ -49,8 +51,9 @@ class Draft:
     ----------
     model
         The model.
-    shafts, gears, meshes, supports, loads
-        Components by the names of the bodies, gears, meshes, bearings with couplings, and loads.
+    shafts, stages, gears, meshes, supports, loads
+        Components by the names of the bodies, planetary stages, gears, meshes, bearings with couplings, and
+        loads.
     """
 
     model: Model
@@ -60,6 +63,7 @@ class Draft:
     unit: int = 0
     casing: int = 0
     shafts: dict[str, int] = field(default_factory=dict)
+    stages: dict[str, int] = field(default_factory=dict)
     gears: dict[str, int] = field(default_factory=dict)
     meshes: dict[str, int] = field(default_factory=dict)
     supports: dict[str, int] = field(default_factory=dict)
@@ -144,8 +148,8 @@ def placed(origin: np.ndarray, axes: np.ndarray, reference: int) -> dict[str, Va
     return {
         "reference_component_for_position": reference,
         "support_vector": uvw(origin),
-        "u_axis_vector": uvw(axes[:, 2]),
-        "w_axis_vector": uvw(axes[:, 0]),
+        "u_axis_vector": uvw(MILLI * axes[:, 2]),
+        "w_axis_vector": uvw(MILLI * axes[:, 0]),
     }
 
 

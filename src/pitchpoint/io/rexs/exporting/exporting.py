@@ -12,7 +12,7 @@ import numpy as np
 
 from pitchpoint.io.rexs import tables
 from pitchpoint.io.rexs.document import RexsModel
-from pitchpoint.io.rexs.exporting.draft import Draft, Omission, uvw
+from pitchpoint.io.rexs.exporting.draft import MILLI, Draft, Omission, uvw
 from pitchpoint.io.rexs.exporting.gears import MeshStiffness, add_gears, add_meshes
 from pitchpoint.io.rexs.exporting.keys import WRITTEN, list_keys
 from pitchpoint.io.rexs.exporting.loads import Values, add_loads, load_spectra
@@ -70,8 +70,8 @@ def export_rexs(
     draft.casing = draft.part("gear_casing", "casing", draft.unit)
     add_shafts(draft)
     add_gears(draft)
-    add_meshes(draft, stiffness)
     add_planetary_stages(draft)
+    add_meshes(draft, stiffness)
     add_supports(draft)
     loads = add_loads(draft)
     spectra = load_spectra(draft, loads, results(draft) if results is not None else {})
@@ -100,8 +100,8 @@ def _unit(model: Model) -> dict[str, Any]:
     values: dict[str, Any] = {
         "reference_component_for_position": 1,
         "support_vector": (0.0, 0.0, 0.0),
-        "u_axis_vector": (1.0, 0.0, 0.0),
-        "w_axis_vector": (0.0, 0.0, 1.0),
+        "u_axis_vector": (MILLI, 0.0, 0.0),
+        "w_axis_vector": (0.0, 0.0, MILLI),
         "model_name": model.title or None,
         "account_for_gravity": model.gravity is not None,
     }

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.io.rexs.conversion.modifications import CROWNINGS
@@ -51,7 +51,6 @@ def _add_gear(draft: Draft, name: str, gear: Gear, body: str, z: float) -> None:
         draft.custom(id, "outer_diameter", 1e3 * gear.bore_diameter, "mm")
     draft.relate("reference", origin=id, referenced=draft.material(gear.material_data))
     _add_flanks(draft, id, gear, path)
-    _add_tool(draft, id, gear)
 
 
 def _add_flanks(draft: Draft, id: int, gear: Gear, path: str) -> None:
@@ -68,6 +67,7 @@ def _add_flanks(draft: Draft, id: int, gear: Gear, path: str) -> None:
         if found is not None:
             _add_modifications(draft, sides[side], found, geometry, f"{path}.modifications.{side}")
     draft.relate("flank", gear=id, **sides)
+    _add_tool(draft, sides.values(), gear)
 
 
 def _add_modifications(
@@ -108,30 +108,30 @@ def _start_of(relief: Relief, gear: CylindricalGear, kind: str) -> float | None:
     return 2.0 * math.hypot(roll, 0.5 * gear.d_b) if roll > 0.0 else None
 
 
-def _add_tool(draft: Draft, id: int, gear: Gear) -> None:
-    """Add the rack of a gear, or the cutter of an internal gear."""
+def _add_tool(draft: Draft, flanks: Iterable[int], gear: Gear) -> None:
+    """Add the rack of a gear, or the cutter of an internal gear, as the tool of both flanks."""
+    cutter = gear.cutter
     if gear.type != "internal":
-        draft.relate(
-            "reference",
-            origin=id,
-            referenced=draft.add(
-                "rack_shaped_tool",
-                "",
-                addendum_coefficient_reference_profile=gear.rack.dedendum,
-                tip_corner_radius_factor_reference_profile=gear.rack.root_radius,
-            ),
+        tool = draft.add(
+            "rack_shaped_tool",
+            addendum_coefficient_reference_profile=gear.rack.dedendum,
+            tip_corner_radius_factor_reference_profile=gear.rack.root_radius,
         )
-    elif gear.cutter is not None:
-        cutter = gear.cutter
+    elif cutter is not None:
         tool = draft.add(
             "cutter_wheel_tool",
-            "",
             number_of_teeth=cutter.number_of_teeth,
             addendum_modification_coefficient=cutter.profile_shift_coefficient,
             addendum_coefficient_reference_profile=cutter.addendum,
             tip_corner_radius_factor_reference_profile=cutter.tip_radius,
         )
-        draft.relate("reference", origin=id, referenced=tool)
+    else:
+        return
+    settings = draft.add("cylindrical_gear_manufacturing_settings")
+    for flank in flanks:
+        draft.relate(
+            "manufacturing_step", order=1, workpiece=flank, tool=tool, manufacturing_settings=settings
+        )
 
 
 def add_meshes(draft: Draft, stiffness: Mapping[str, MeshStiffness] | None = None) -> None:
@@ -153,7 +153,7 @@ def add_meshes(draft: Draft, stiffness: Mapping[str, MeshStiffness] | None = Non
         id = draft.part(
             "cylindrical_stage",
             name,
-            draft.unit,
+            draft.stages.get(mesh.stage or "", draft.unit),
             center_distance=abs(pair.a_w),
             minimum_transverse_backlash=gap,
             maximum_transverse_backlash=gap,

@@ -62,7 +62,7 @@ def _add_rigid(draft: Draft, name: str, body: Body) -> None:
     id = draft.part("shaft", name, draft.unit, **placed(origin, axes, draft.unit))
     draft.shafts[name] = id
     if body.motion == "fixed":
-        hold = draft.part("coupling", f"{name} fixed", draft.unit)
+        hold = draft.add("coupling", f"{name} fixed")
         draft.relate("side", assembly=hold, inner_part=id, outer_part=draft.casing)
         return
     if body.stage is not None:
@@ -143,6 +143,7 @@ def add_planetary_stages(draft: Draft) -> None:
     """Add planetary stages with their carriers; shafts, gears and meshes are there already."""
     for name, stage in draft.model.planetary_stages.items():
         id = draft.part("planetary_stage", name, draft.unit)
+        draft.stages[name] = id
         carrier = draft.part("planet_carrier", stage.carrier, id)
         draft.relate("assembly", assembly=carrier, part=draft.shafts[stage.carrier])
         draft.relate("planet_carrier_shaft", planetary_stage=id, shaft=draft.shafts[stage.carrier])

@@ -93,7 +93,7 @@ def _connect(
         values["u_coordinate_on_shaft_outer_side"] = (
             _along(draft, bodies, z) if marker is None else float(marker.position[2])
         )
-    id = draft.part(kind, name, draft.unit, **values)
+    id = draft.add(kind, name, **values)
     draft.supports[name] = id
     draft.relate("side", assembly=id, inner_part=inner, outer_part=outer)
     return id
@@ -129,27 +129,25 @@ def _add_rolling(draft: Draft, name: str, bearing: RollingBearing) -> None:
     id = _connect(draft, kind, name, ends, bearing.position, path, values)
     if id is None or not detailed:
         if id is not None and bearing.contact_angle:
-            draft.part("rolling_bearing_row", "", id, pressure_angle=abs(bearing.contact_angle))
+            row = draft.add("rolling_bearing_row", pressure_angle=abs(bearing.contact_angle))
+            draft.relate("ordered_assembly", order=1, assembly=id, part=row)
         return
     grooves = bearing.grooves or (None, None)
-    row = draft.part(
+    radii: dict[str, Any] = {
+        f"raceway_radius_of_{ring}_ring": None if g is None else g * float(bearing.element_diameter or 0.0)
+        for ring, g in zip(("inner", "outer"), grooves, strict=True)
+    }
+    row = draft.add(
         "rolling_bearing_row",
-        "",
-        id,
         number_of_rolling_elements=bearing.elements,
         reference_diameter_rolling_bearing=bearing.pitch_diameter,
         pressure_angle=bearing.contact_angle,
-        **{
-            f"raceway_radius_of_{ring}_ring": None
-            if g is None
-            else g * float(bearing.element_diameter or 0.0)
-            for ring, g in zip(("inner", "outer"), grooves, strict=True)
-        },
+        **radii,
     )
-    draft.part(
+    element = draft.add(
         "rolling_element",
-        "",
-        row,
         diameter_of_rolling_element=bearing.element_diameter,
         length_of_rolling_element=bearing.effective_length,
     )
+    draft.relate("ordered_assembly", order=1, assembly=id, part=row)
+    draft.relate("ordered_assembly", order=1, assembly=row, part=element)
