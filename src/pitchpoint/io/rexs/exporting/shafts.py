@@ -55,7 +55,7 @@ def _add_shaft(draft: Draft, name: str, body: Body) -> None:
 
 
 def _add_rigid(draft: Draft, name: str, body: Body) -> None:
-    """Add a rigid body: a shaft without sections, with an additional mass if it has one of its own."""
+    """Add a rigid body: a shaft without sections, with its mass as an additional one."""
     origin, axes = draft.frame(name)
     if body.stage is not None:
         origin = _on_pin(draft, name, body.stage, origin, axes)
@@ -67,15 +67,33 @@ def _add_rigid(draft: Draft, name: str, body: Body) -> None:
         return
     if body.stage is not None:
         return  # a planet: mass of its gear
-    if body.motion not in ("free", None):
-        draft.omit(f"bodies.{name}.motion", f"motion: {body.moves} becomes free")
     own = [body.mass, body.inertia, body.transverse_inertia, body.inertia_tensor, body.solid]
     if all(value is None for value in own):
         return
     if body.gears:
         draft.omit(f"bodies.{name}", "has the mass and the inertia of its gears in the file")
         return
-    _add_cylinder(draft, name, id)
+    _add_mass(draft, name, id)
+
+
+def _add_mass(draft: Draft, name: str, id: int) -> None:
+    """Add mass and moments of inertia of a rigid body about its centre of mass."""
+    found = draft.model.body_inertia(name)
+    tensor = found.about_center()
+    if max(map(abs, found.off_axis)) > 0.0:
+        draft.omit(f"bodies.{name}.center_of_mass", "the centre of mass is on the axis in the file")
+    if abs(tensor[0, 1]) + abs(tensor[0, 2]) + abs(tensor[1, 2]) > 0.0:
+        draft.omit(f"bodies.{name}.inertia_tensor", "products of inertia are not written")
+    draft.part(
+        "additional_mass",
+        f"{name} mass",
+        id,
+        u_coordinate_on_shaft=found.center,
+        mass_of_component=found.mass or None,
+        moment_of_inertia_u_axis=float(tensor[2, 2]),
+        moment_of_inertia_v_axis=float(tensor[1, 1]) or None,
+        moment_of_inertia_w_axis=float(tensor[0, 0]) or None,
+    )
 
 
 def _on_pin(draft: Draft, name: str, stage: str, origin: np.ndarray, axes: np.ndarray) -> np.ndarray:
@@ -116,11 +134,9 @@ def _add_cylinder(draft: Draft, name: str, id: int) -> None:
     if max(map(abs, found.off_axis)) > 0.0:
         draft.omit(f"bodies.{name}.center_of_mass", "the centre of mass is on the axis in the file")
     if not (found.mass > 0.0 and found.polar > 0.0 and across > 0.0):
-        values = {"mass_of_component": found.mass or None, "moment_of_inertia_u_axis": found.polar or None}
-        if any(values.values()):
-            draft.part("additional_mass", f"{name} mass", id, u_coordinate_on_shaft=found.center, **values)
-        reason = "an additional mass: no cylinder has its mass and moments of inertia"
-        draft.omit(f"bodies.{name}", reason)
+        draft.omit(
+            f"bodies.{name}", "has no mass in the file: no cylinder has its mass and moments of inertia"
+        )
         return
     length, diameter = math.sqrt(12.0 * across / found.mass), math.sqrt(8.0 * found.polar / found.mass)
     draft.part(

@@ -75,8 +75,15 @@ def _connect(
     bodies = [split(end)[0] for end in ends]
     sides = [draft.casing if body == GROUND else draft.shafts.get(body) for body in bodies]
     inner, outer = sides
+    own = marker_of(draft.model, ends[0])
+    x, y, z = (a + b for a, b in zip(position, (0.0,) * 3 if own is None else own.position, strict=True))
     marker = marker_of(draft.model, ends[1])
-    if marker is not None and max(map(abs, marker.position[:2])) > COAXIAL:
+    there = (0.0, 0.0, 0.0)
+    if marker is not None:
+        there = marker.position
+    elif GROUND not in bodies and None not in sides:
+        there = _seen(draft, bodies, z)
+    if max(map(abs, there[:2])) > COAXIAL:
         draft.omit(
             f"{path}.housing", f"{bodies[1]} is the casing in the file: the bearing is not on its axis"
         )
@@ -84,25 +91,22 @@ def _connect(
     if inner is None or outer is None:
         draft.omit(path, f"is between {ends[0]} and {ends[1]}, which are not both shafts of the file")
         return None
-    own = marker_of(draft.model, ends[0])
-    x, y, z = (a + b for a, b in zip(position, (0.0,) * 3 if own is None else own.position, strict=True))
     if max(abs(x), abs(y)) > 0.0:
         draft.omit(f"{path}.position", "only the position along the axis is written")
     values = {**values, "u_coordinate_on_shaft_inner_side": float(z)}
     if bodies[1] != GROUND:
-        values["u_coordinate_on_shaft_outer_side"] = (
-            _along(draft, bodies, z) if marker is None else float(marker.position[2])
-        )
+        values["u_coordinate_on_shaft_outer_side"] = float(there[2])
     id = draft.add(kind, name, **values)
     draft.supports[name] = id
     draft.relate("side", assembly=id, inner_part=inner, outer_part=outer)
     return id
 
 
-def _along(draft: Draft, bodies: list[str], z: float) -> float:
-    """Position on the axis of the second body of a position on that of the first one [m]."""
+def _seen(draft: Draft, bodies: list[str], z: float) -> tuple[float, float, float]:
+    """Point of the axis of the first body at z, in the axes of the second body [m]."""
     (origin, axes), (other, axes_other) = (draft.frame(body) for body in bodies)
-    return float((origin + z * axes[:, 2] - other) @ axes_other[:, 2])
+    x, y, along = (float(value) for value in axes_other.T @ (origin + z * axes[:, 2] - other))
+    return x, y, along
 
 
 def _add_rolling(draft: Draft, name: str, bearing: RollingBearing) -> None:
