@@ -143,6 +143,7 @@ couplings:
       stiffness: {radial: 1e7 N/m, axial: 1e6 N/m, torsion: 1e4 N m/rad}}
 loads:
   motor: {body: one, torque: 30 N m, force: [10 N, 20 N, 30 N], position: [0, 0, 2 mm]}
+  hub: {body: two, moment: [0 N m, 3 N m, -4 N m], position: [0, 0, 3 mm]}
   rest: {body: two, torque: balance}
 scenarios:
   steady: {speed: {one: 900 rpm}, duration: 10 ms}
@@ -169,6 +170,9 @@ def test_parts_of_all_kinds_are_written_with_schema_names(tmp_path):
     assert again.bodies["drum"].shaft is None  # still rigid
     force = [law.value for law in again.loads["motor"].force]
     assert force == pytest.approx([10.0, 20.0, 30.0])
+    hub = again.loads["hub"]
+    assert hub.torque.value == pytest.approx(-4.0)  # the axial moment is a torque
+    assert [law.value for law in hub.moment] == pytest.approx([0.0, 3.0, 0.0])
     ball = again.rolling_bearings["s"]
     assert (ball.elements, ball.pitch_diameter, ball.clearance) == (9, 0.032, 5e-6)
     assert again.couplings["c"].stiffness.torsion == 1e4
@@ -238,6 +242,17 @@ def test_a_shaft_of_any_direction_keeps_its_place(tmp_path):
         a, b = model.bodies[name], again.bodies[name]
         assert a.origin == pytest.approx(b.origin, abs=1e-12)
         np.testing.assert_allclose(frame(a.orientation)[:, 2], frame(b.orientation)[:, 2], atol=1e-12)
+
+
+def test_planets_are_on_their_carrier():
+    """Bearings of planets are between planet and carrier, although the planet is next to its axis."""
+    model = import_rexs(sample(PLANETARY)).model
+    rexs = export_rexs(model).rexs
+    ids = {c.name: c.id for c in rexs.components.values() if c.type in ("shaft", "concept_bearing")}
+    for k in (1, 2, 3):
+        (side,) = rexs.related("side", assembly=ids[f"planet_{k}-bearing"])
+        assert side.roles["inner_part"] == ids[f"planet_{k}"]
+        assert side.roles["outer_part"] == ids["zweiwangiger_planetentraeger_3 shaft"]
 
 
 def test_a_housing_next_to_the_axis_is_the_casing(tmp_path):

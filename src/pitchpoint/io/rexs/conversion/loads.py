@@ -93,19 +93,17 @@ def convert_loads(conversion: Conversion) -> None:
         torque = _torque(conversion, load, shaft)
         forces = [conversion.number(load, f"force_{a}_direction") or 0.0 for a in "uvw"]
         moments = [conversion.number(load, f"torque_around_{a}_axis") or 0.0 for a in "vw"]
-        if any(moments):
-            conversion.changed(
-                load, "torque_around_v_axis", "none", "", "loads of a model have no bending moment"
-            )
         if torque:
             values["torque"] = q(seat.sign * torque, "torque")
             driven = True
         if any(forces):
             values["force"] = vector(world(conversion.frames[shaft.id], forces), "force")
+        if any(moments):
+            values["moment"] = vector(world(conversion.frames[shaft.id], [0.0, *moments]), "torque")
         values["position"] = [0, 0, q(seat.place(u), "length")]
         if torque is None and conversion.flag(load, "transmits_torque"):
             free.append((load, values))
-        elif torque or any(forces):
+        elif torque or any(forces) or any(moments):
             conversion.put("loads", load, values)
         else:
             conversion.ignored(load, "all", "it has neither torque nor force in this load case")
@@ -120,7 +118,7 @@ def convert_loads(conversion: Conversion) -> None:
         conversion.default(load, "torque_around_u_axis", "balance", f"loads.{name}.torque", "equilibrium")
         return
     for load, values in free:
-        if "force" in values:
+        if "force" in values or "moment" in values:
             conversion.put("loads", load, values)
         else:
             conversion.ignored(load, "all", "its torque is not known" if driven else "no load has a torque")

@@ -56,7 +56,7 @@ WRITTEN: dict[str, tuple[str, ...]] = {
         *("grooves", "effective_length", "slices"),
     ),
     "couplings": ("bodies", *_STIFFNESS),
-    "loads": ("body", "torque", "force", "position", "marker", "reaction", "along"),
+    "loads": ("body", "torque", "force", "moment", "position", "marker", "reaction", "along"),
 }
 """Keys by section of the model file."""
 REASONS = {
@@ -64,6 +64,7 @@ REASONS = {
     "damper": "REXS has no damping",
     "transient_damping": "REXS has no damping",
     "internal_damping": "REXS has no damping",
+    "pin_stiffness": "part of the stiffness of the bearing in the file",
     "faults": "REXS has no damaged parts",
     "tooth_thickness_allowance": "not written; the backlash of the mesh contains it",
 }

@@ -36,13 +36,18 @@ def add_loads(draft: Draft) -> Values:
             values["torque_around_u_axis"] = load.torque.value
         elif load.torque is not None and not balance:
             draft.omit(f"{path}.torque", "only constant values are written")
-        if load.force is not None and all(isinstance(law, Constant) for law in load.force):
-            force = np.array([law.value for law in load.force if isinstance(law, Constant)])
-            _, axes = draft.frame(load.body)
-            along = TO_MODEL @ (axes.T @ force)
-            values |= {f"force_{a}_direction": float(f) for a, f in zip("uvw", along, strict=True)}
-        elif load.force is not None:
-            draft.omit(f"{path}.force", "only constant values are written")
+        for key, name_of in (("force", "force_{}_direction"), ("moment", "torque_around_{}_axis")):
+            laws = getattr(load, key)
+            if laws is None:
+                continue
+            if not all(isinstance(law, Constant) for law in laws):
+                draft.omit(f"{path}.{key}", "only constant values are written")
+                continue
+            along = TO_MODEL @ (draft.frame(load.body)[1].T @ np.array([law.value for law in laws]))
+            for axis, value in zip("uvw", along, strict=True):
+                given = name_of.format(axis)
+                if value or key == "force":
+                    values[given] = values.get(given, 0.0) + float(value)
         id = draft.part(
             "external_load",
             name,

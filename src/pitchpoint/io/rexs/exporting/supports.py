@@ -41,7 +41,8 @@ def add_supports(draft: Draft) -> None:
 def _stiffness(draft: Draft, found: Stiffness6, path: str, turning: bool) -> dict[str, Any]:
     """Stiffness of a concept bearing or coupling; REXS has one for all radial directions."""
     if found.matrix is not None:
-        draft.omit(f"{path}.stiffness.matrix", "only its diagonal is written")
+        if any(found.matrix[i][j] for i in range(6) for j in range(6) if i != j):
+            draft.omit(f"{path}.stiffness.matrix", "only its diagonal is written")
         k = [float(found.matrix[i][i]) for i in range(6)]
     else:
         radial, tilt = found.radial or 0.0, found.tilt or 0.0
@@ -83,7 +84,8 @@ def _connect(
         there = marker.position
     elif GROUND not in bodies and None not in sides:
         there = _seen(draft, bodies, z)
-    if max(map(abs, there[:2])) > COAXIAL:
+    planet = any(body in draft.model.bodies and draft.model.bodies[body].stage for body in bodies)
+    if max(map(abs, there[:2])) > COAXIAL and not planet:
         draft.omit(
             f"{path}.housing", f"{bodies[1]} is the casing in the file: the bearing is not on its axis"
         )
