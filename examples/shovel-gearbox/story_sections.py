@@ -34,7 +34,7 @@ from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.contact.damping import ramp
 from pitchpoint.geometry.modifications import roll_length
 from pitchpoint.geometry.tooth_faults import break_level, tooth_height
-from pitchpoint.report.collect import describe
+from pitchpoint.report.describe import describe
 from pitchpoint.viz import theme
 from pitchpoint.viz.compared_table import Compared, compared_table, sourced_table
 from pitchpoint.viz.flank_plot import plot_missing

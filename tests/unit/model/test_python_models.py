@@ -24,12 +24,23 @@ from pitchpoint.model.stand_ins import own_parts
 from pitchpoint.system.compile import compile_model
 
 ROOT = Path(__file__).parents[3]
-FILES = [
-    path
+TEXTS = {
+    path: path.read_text(encoding="utf-8")
     for folder in ("examples/*", "docs/reference/snippets", "src/pitchpoint/cli/starters")
     for path in sorted(ROOT.glob(f"{folder}/*.yaml"))
+}
+INCLUDED = {
+    path.parent / name.strip()
+    for path, text in TEXTS.items()
+    for names in re.findall(r"^include: \[(.*)\]", text, re.M)
+    for name in names.split(",")
+}
+FILES = [
+    path
+    for path, text in TEXTS.items()
     if path.name != "precomputed.yaml"  # its table is computed first
-    and ("gears:" in path.read_text() or "bodies:" in path.read_text())
+    and path not in INCLUDED
+    and re.search(r"^(gears|bodies|include):", text, re.M)
 ]
 
 TEXT = """

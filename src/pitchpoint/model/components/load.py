@@ -37,6 +37,7 @@ class Load(Component):
         None,
         dimension="torque",
         length=(3, 3),
+        later=True,
     )
     position: tuple[float, float, float] = quantities(
         "length",
