@@ -23,6 +23,8 @@ from pitchpoint.io.container import Container, Header
 from pitchpoint.io.dataset_store import DatasetFolder
 from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
+from pitchpoint.io.rexs.exporting.exporting import export_rexs
+from pitchpoint.io.rexs.writing.text import rexs_bytes
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
@@ -46,6 +48,9 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "model":
         text = "bodies: {a: {inertia: 1 kg m^2}}\n"
         path.write_text(changed_text(text, loads_model(text), {}, str(path)), encoding="utf-8")
+    elif kind == "rexs":
+        text = "bodies: {rotor: {mass: 1 kg, inertia: 1e-3 kg m^2, position: [0, 0, 0]}}\n"
+        path.write_bytes(rexs_bytes(export_rexs(loads_model(text)).rexs))
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":
