@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import common, writes
+from pitchpoint.cli.options import common
 from pitchpoint.cli.output import emit_json, show
+from pitchpoint.cli.plan_options import plan_options
 
 if TYPE_CHECKING:
     from pitchpoint.io.container import Header
@@ -28,33 +29,10 @@ PROBE = 0.05
 """Simulated time of the shorter of the two runs from which `--dry-run` extrapolates [s]."""
 
 
-def read_shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
-    """Read I/N."""
-    if text is None:
-        return 1, 1
-    part, slash, whole = text.partition("/")
-    if not (slash and part.strip().isdigit() and whole.strip().isdigit()) or not 1 <= int(part) <= int(whole):
-        raise click.BadParameter(f"{text!r} is not of the form I/N with 1 <= I <= N")
-    return int(part), int(whole)
-
-
 @click.command()
-@click.argument("file", metavar="PLAN", type=click.Path(exists=True, dir_okay=False))
-@writes(
-    "-o",
-    "--output",
-    metavar="FOLDER",
-    folder=True,
-    help="Folder of the data set; default: PLAN-data in the current folder.",
+@plan_options(
+    "Folder of the data set; default: PLAN-data in the current folder.", "number of cases, file size"
 )
-@click.option("-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one per core.")
-@click.option(
-    "--shard",
-    callback=read_shard,
-    metavar="I/N",
-    help="Compute every N-th case, starting with the I-th: to share a folder between N machines.",
-)
-@click.option("--dry-run", is_flag=True, help="Report number of cases, file size and computing time.")
 @common
 def dataset(
     file: str,

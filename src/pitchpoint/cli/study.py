@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.dataset import read_shard
-from pitchpoint.cli.options import common, writes
+from pitchpoint.cli.options import common
 from pitchpoint.cli.output import emit_json, show, show_notes
+from pitchpoint.cli.plan_options import plan_options
 
 if TYPE_CHECKING:
     from pitchpoint.io.study_store import StudyFolder
@@ -26,22 +26,7 @@ MAX_FAILURES = 5
 
 
 @click.command()
-@click.argument("file", metavar="PLAN", type=click.Path(exists=True, dir_okay=False))
-@writes(
-    "-o",
-    "--output",
-    metavar="FOLDER",
-    folder=True,
-    help="Folder of the study; default: PLAN-study in the current folder.",
-)
-@click.option("-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one per core.")
-@click.option(
-    "--shard",
-    callback=read_shard,
-    metavar="I/N",
-    help="Compute every N-th case, starting with the I-th: to share a folder between N machines.",
-)
-@click.option("--dry-run", is_flag=True, help="Report factors, number of cases and computing time.")
+@plan_options("Folder of the study; default: PLAN-study in the current folder.", "factors, number of cases")
 @common
 def study(
     file: str,

@@ -76,24 +76,16 @@ def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:
         report.problem(
             at, "has neither speed nor loads nor temperature", remedy="give what differs, or remove it"
         )
-    for body in case.speed:
-        if not parts.has("bodies", body):
-            names = parts.known("bodies")
-            report.problem(
-                (*at, "speed", body),
-                "names a body that does not exist",
-                value=body[:40],
-                remedy=did_you_mean(body, names) + f"there are {', '.join(sorted(names))}",
-            )
-    for load in case.loads:
-        if not parts.has("loads", load):
-            names = parts.known("loads")
-            report.problem(
-                (*at, "loads", load),
-                "names a load that does not exist",
-                value=load[:40],
-                remedy=did_you_mean(load, names) + f"there are {', '.join(sorted(names)) or 'none'}",
-            )
+    for key, group, word in (("speed", "bodies", "body"), ("loads", "loads", "load")):
+        for named in getattr(case, key):
+            if not parts.has(group, named):
+                names = parts.known(group)
+                report.problem(
+                    (*at, key, named),
+                    f"names a {word} that does not exist",
+                    value=named[:40],
+                    remedy=did_you_mean(named, names) + f"there are {', '.join(sorted(names)) or 'none'}",
+                )
     if at in report.tainted:
         return
     speeds, wrong = start_speeds(parts, case.speed) if case.speed else ({}, [])

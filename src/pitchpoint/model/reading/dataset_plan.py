@@ -14,9 +14,10 @@ from pitchpoint.core.nearest import hint
 from pitchpoint.core.nomenclature import can_be_filtered
 from pitchpoint.model.checks.choices import check_keys
 from pitchpoint.model.dataset_plan import DatasetPlan, Level, ObservedChannel, TachoChannel
-from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
+from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.model import Model
 from pitchpoint.model.numbers import number_at
+from pitchpoint.model.reading.plan import check_mapping, in_order, plan_values
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import shown
 
@@ -45,20 +46,8 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     ModelError
         With all problems of the plan itself, in the order of the file.
     """
-    if not isinstance(data, Mapping):
-        what = "is empty" if data is None else "is not a mapping of keys"
-        raise ModelError([*reader.problems, Message("plan", what, remedy="begin with model:", line=1)], file)
-    keys, defaults = keys_of(DatasetPlan), defaults_of(DatasetPlan)
-    reader.unknown(data, [*keys, *OWN], ())
-    values: dict[str, Any] = {}
-    for name, description in keys.items():
-        if data.get(name) is None:
-            if name not in defaults:
-                reader.missing((), name, description)
-            continue
-        value = reader.value(description, data[name], (name,))
-        if value is not BAD:
-            values[name] = value
+    check_mapping(data, reader, file)
+    values = plan_values(DatasetPlan, data, reader, OWN)
     values["factors"] = _factors(data.get("factors"), reader)
     values["jitter"] = _jitter(data.get("jitter"), reader)
     check_keys(values.get("channels", {}), ("channels",), reader)
@@ -82,11 +71,6 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
         limit = f"at most {MAX_CASES}"
         raise ModelError([Message("factors", f"give {len(plan)} cases", None, limit, "split the plan")], file)
     return plan
-
-
-def in_order(problems: list[Message]) -> list[Message]:
-    """Problems in the order of the file."""
-    return sorted(problems, key=lambda p: p.line if p.line is not None else 10**9)
 
 
 def _factors(data: Any, reader: Reader) -> dict[str, tuple[Level, ...]]:

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.nearest import hint
 from pitchpoint.model.checks.choices import check_keys
-from pitchpoint.model.keys import BAD, TYPE, Place, defaults_of, keys_of
-from pitchpoint.model.reading.dataset_plan import in_order
+from pitchpoint.model.keys import TYPE, Place
+from pitchpoint.model.reading.plan import check_mapping, in_order, plan_values
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import shown
 from pitchpoint.model.study_plan import (
@@ -46,22 +46,11 @@ def read_study(data: Any, reader: Reader, file: str | None = None) -> StudyPlan:
     ModelError
         With all problems of the plan itself, in the order of the file.
     """
-    if not isinstance(data, Mapping):
-        what = "is empty" if data is None else "is not a mapping of keys"
-        raise ModelError([*reader.problems, Message("plan", what, remedy="begin with model:", line=1)], file)
-    keys, defaults = keys_of(StudyPlan), defaults_of(StudyPlan)
-    reader.unknown(data, keys, ())
-    values: dict[str, Any] = {}
-    for name, description in keys.items():
-        if data.get(name) is None:
-            if name not in defaults:
-                reader.missing((), name, description)
-            continue
-        written, levels = _without_values(data[name]) if name == "factors" else (data[name], {})
-        value = reader.value(description, written, (name,))
-        if value is BAD:
-            continue
-        values[name] = _with_values(value, levels, reader) if name == "factors" else value
+    check_mapping(data, reader, file)
+    written, levels = _without_values(data.get("factors"))
+    values = plan_values(StudyPlan, {**data, "factors": written}, reader)
+    if "factors" in values:
+        values["factors"] = _with_values(values["factors"], levels, reader)
     for name in ("factors", "results"):
         check_keys(values.get(name, {}), (name,), reader)
         if values.get(name) == {} and not data[name]:

@@ -16,7 +16,7 @@ from pitchpoint.core.nearest import hint
 from pitchpoint.core.units import natural_quantity
 from pitchpoint.model.keys import BAD, Place
 from pitchpoint.model.model import Model
-from pitchpoint.model.reading.dataset_plan import in_order
+from pitchpoint.model.reading.plan import in_order
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.study_plan import (
     RUN,
