@@ -166,10 +166,13 @@ def axes_of(machine: Machine, end: str) -> Array:
 
 
 def joint_place(machine: Machine, joint: Joint) -> Array | None:
-    """Position of a joint in the world [m]: as given, or of its markers, or the origin of the moved body."""
+    """Position of a joint in the world [m]: as given, or of its markers, or the origin of the moved body.
+
+    The pin of a planet is at the origin of the planet, which pin errors move from the node of the carrier.
+    """
     if joint.position is not None:
         return np.array(joint.position, float)
-    marked = [e for e in joint.bodies if split(e)[1]]
+    marked = _marked(joint)
     for end in marked or [e for e in reversed(joint.bodies) if e != GROUND][:1]:
         place = place_of(machine, end)
         if place is not None:
@@ -181,8 +184,13 @@ def joint_axes(machine: Machine, joint: Joint) -> Array:
     """Axes of a joint in the world, columns: as given, or those of a marker, or those of the world."""
     if joint.axes is not None:
         return frame(joint.axes)
-    marked = [e for e in joint.bodies if split(e)[1]]
+    marked = _marked(joint)
     own = [e for e in marked if (m := marker_of(machine, e)) is not None and m.axes is not None]
     for end in own or marked:
         return axes_of(machine, end)
     return np.eye(3)
+
+
+def _marked(joint: Joint) -> list[str]:
+    """Ends at markers that define the joint; none for the pin of a planet."""
+    return [e for e in joint.bodies if split(e)[1]] if joint.stage is None else []

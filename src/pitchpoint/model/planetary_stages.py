@@ -334,18 +334,18 @@ def told_once(
 
 def members(name: str, stage: PlanetaryStage) -> Iterator[tuple[str, str, Any, tuple[str, ...]]]:
     """Components of the planets: section, name, component, and keys of the stage that describe it."""
-    for planet in stage.names:
+    for planet, seat in zip(stage.names, stage.seats, strict=True):
         for wheel in stage.wheels:
             key = (*wheel.key, "gear") if wheel.step else ("planet",)
             yield "gears", wheel.of(planet), _gear(name, stage, planet, wheel), key
         yield "bodies", planet, _body(name, stage, planet), ()
-        pin = Joint(type=JOINTS[stage.motion], bodies=(stage.carrier, planet), stage=name)
+        pin = Joint(type=JOINTS[stage.motion], bodies=(seat, planet), stage=name)
         yield "joints", f"{planet}-pin", pin, ()
         if stage.bearing is not None:
             bearing = Bearing(
                 body=planet,
                 position=(0.0, 0.0, stage.bearing.position),
-                housing=stage.carrier,
+                housing=seat,
                 stiffness=stage.bearing.on_pin(),
                 damping=stage.bearing.damping,
                 stage=name,

@@ -102,7 +102,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
         for b in range(1, len(names))
         if (body[b]["spin"] >= 0 and (body[b]["n"] == 1 or b not in still)) or body[b]["spinner"]
     }
-    hidden = frozenset(modal_bodies(system, frames=True))
+    hidden = frozenset(modal_bodies(system))
     labels, kinds, ends = _components(parts, part, listed, hidden)
     listed_components = tuple(dict.fromkeys(labels))
     place = {label: k for k, label in enumerate(listed_components)}

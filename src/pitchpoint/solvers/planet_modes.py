@@ -42,6 +42,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.words import listed
+from pitchpoint.system.elastic import frames_of
 from pitchpoint.system.meshes import mesh_records
 
 if TYPE_CHECKING:
@@ -173,7 +174,8 @@ def _joined(found: list[_Group]) -> list[list[_Group]]:
 
 def _carriers(system: System, planets: list[int], central: list[int]) -> list[int]:
     """Carrier of planets: the parent of all, or a body connected to each of them."""
-    near = [{int(system.program["body"][p]["parent"])} for p in planets]
+    frame = frames_of(system)  # planets may be on nodes of an elastic carrier
+    near = [{frame[int(system.program["body"][p]["parent"])]} for p in planets]
     for records in system.records.values():
         if {"i", "j"} <= set(records.dtype.names or ()):
             for i, j in zip(records["i"].tolist(), records["j"].tolist(), strict=True):
@@ -211,19 +213,21 @@ def _set(system: System, groups: Groups, joined: list[_Group]) -> PlanetSet:
         angles=tuple(tuple(float(g.angles[k]) for k in o) for g, o in zip(joined, orders, strict=True)),
         parts=parts,
         central=tuple(dict.fromkeys(groups.carried[b] for b in members)),
-        bodies=tuple(b for b, mover in enumerate(moved) if mover in around_planets),
+        bodies=tuple(
+            b for b, mover in enumerate(moved) if mover in around_planets and b not in groups.hidden
+        ),
         springs=tuple(springs),
         supports=tuple(e for e in held if e not in springs),
     )
 
 
 def _moved_by(system: System) -> list[int]:
-    """Body that moves each body: itself, or the one to which it is fixed; 0: none."""
+    """Body that moves each body: itself, the one to which it is fixed, or its elastic body; 0: none."""
     found = [0]
-    for row in system.program["body"][1:]:
+    for row, frame in zip(system.program["body"][1:], frames_of(system)[1:], strict=True):
         parent = int(row["spinner"]) or int(row["parent"])
         follows = row["n"] == 0 and not row["shares"]
-        found.append(found[parent] if follows else len(found))
+        found.append(found[parent] if follows else frame)
     return found
 
 
@@ -248,7 +252,8 @@ def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: A
     for own, angles in zip(planets.planets, planets.angles, strict=True):
         each += _shares(np.array(angles), *(v[list(own)] for v in (twist, wrench)))
     size = max(float(each.sum()), 1e-300)
-    moving = float(kinetic[list(planets.parts)].sum())
+    # an elastic body between the planets has the symmetry of their motion
+    moving = float(kinetic[list(planets.parts)].sum() + kinetic[list(planets.central), 3].sum())
     motion = (twist.conj() * wrench).real
     scale = float(kinetic[:, :3].sum()) / max(float(motion.sum()), 1e-300)
     motion = scale * motion[list(planets.bodies)].sum(axis=0)

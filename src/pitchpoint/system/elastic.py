@@ -34,3 +34,20 @@ def modal_bodies(system: System, frames: bool = False) -> list[int]:
         own = ("i",) if frames and record["mass"] > 0.0 else ()
         found |= {int(record[field]) for field in (*own, *fields)}
     return sorted(found - {0})
+
+
+def frames_of(system: System) -> list[int]:
+    """Number of the body whose motion each body describes, by body.
+
+    For the hidden bodies of modal coordinates and the nodes of an elastic body it is its floating frame, for
+    those of a flexible rim the body of the gear; for all others it is the body itself.
+    """
+    body = system.program["body"]
+    found = list(range(len(body)))
+    for _, record, fields in elastic_records(system):
+        for field in fields:
+            found[int(record[field])] = int(record["i"])
+    found[0] = 0
+    for b in np.flatnonzero(body["shares"]):
+        found[b] = found[int(body[b]["shares"])]
+    return found

@@ -172,6 +172,8 @@ def _meet(parts: Parts, report: Reader) -> None:
     """Check that the markers of a joint coincide with it and that their axes agree."""
     size = _size(parts)
     for name, joint in parts.joints.items():
+        if joint.stage is not None:
+            continue  # `check_pins` of the stage
         at: Place = ("joints", name)
         place = joint_place(parts, joint)
         for end in joint.bodies:

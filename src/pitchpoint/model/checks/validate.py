@@ -20,6 +20,7 @@ from pitchpoint.model.checks.lubricant import check_lubricant, settle_oil_films
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
 from pitchpoint.model.checks.phasing import check_phasing
+from pitchpoint.model.checks.planet_pins import check_pin_names, check_pins
 from pitchpoint.model.checks.planet_room import check_planets
 from pitchpoint.model.checks.planetary_stages import check_pin_errors, check_spacing
 from pitchpoint.model.checks.references import check_carriers, check_places, check_references
@@ -49,6 +50,7 @@ CHECKS = (
     check_given,
     check_lubricant,
     check_pin_errors,
+    check_pin_names,
     add_planetary_stages,
     check_solids,
     add_shafts,
@@ -75,6 +77,7 @@ CHECKS = (
     connect_housing,
     check_stations,
     check_planets,
+    check_pins,
     check_fault_laws,
     check_flank_contacts,
     check_flexible_rims,

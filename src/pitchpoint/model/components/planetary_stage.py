@@ -205,6 +205,13 @@ class PlanetaryStage(Component):
         later=True,
     )
     carrier: str = text("body that carries the pins; without position it is on the axis of sun and ring")
+    pins: tuple[str, ...] | None = key(
+        "names",
+        "nodes of an elastic carrier, or markers of another body, that carry the planets, in their order",
+        None,
+        display="the carrier itself",
+        later=True,
+    )
     planet: Gear = component(Gear, "gear data of every planet", REQUIRED)
     planets: int | None = integer(
         "number of planets, at equal angles; with inner_planets each at the same angle from its inner planet",
@@ -300,6 +307,13 @@ class PlanetaryStage(Component):
     def names(self) -> tuple[str, ...]:
         """Names of the planets: of their gears and of their bodies."""
         return names_of(self.planet_name, len(self.angles or ()) or self.planets or 0)
+
+    @property
+    def seats(self) -> tuple[str, ...]:
+        """What carries each planet: BODY.PIN, or the carrier itself without `pins`."""
+        named = [f"{self.carrier}.{pin}" for pin in self.pins or ()]
+        count = len(self.names)
+        return tuple((named + [self.carrier] * count)[:count])
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:

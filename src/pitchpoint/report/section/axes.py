@@ -64,13 +64,14 @@ class Joined:
 
 
 def drawn_bodies(model: Model) -> list[str]:
-    """Bodies of the power flow: with gears, shafts, and those that links connect."""
+    """Bodies of the power flow: with gears, shafts, carriers, and rigid ones that links connect."""
     from pitchpoint.model.mechanism import base_of
     from pitchpoint.model.speed_ratios import links_of
 
     machine: Any = model
     linked = {body for _, one, two, _ in links_of(machine) for body in (one, two)}
     linked |= {split(end)[0] for clutch in model.clutches.values() for end in clutch.bodies}
+    linked -= set(model.elastic_bodies)
     for name, body in model.bodies.items():
         seat = model.mechanism.seats.get(base_of(model, model.mechanism, name))
         if body.gears and seat is not None and "spin" in seat.coordinates:
@@ -78,7 +79,7 @@ def drawn_bodies(model: Model) -> list[str]:
     return [
         name
         for name, body in model.bodies.items()
-        if body.gears or body.bevel_gears or name in model.shafts or (name in linked and body.elastic is None)
+        if body.gears or body.bevel_gears or name in model.shafts or name in linked
     ]
 
 

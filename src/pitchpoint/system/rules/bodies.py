@@ -131,10 +131,12 @@ def count_of(model: Model, body: str) -> int:
 
 
 def _parent(model: Model, seat: Seat) -> int:
-    """Number of the parent body; for a shaft or a beam that of the station at the joint."""
+    """Number of the parent body: the node or station of the end that carries the body, or that at the joint."""
     if seat.joint is None:
         return body_numbers(model)[seat.parent]
-    return frame_at(model, seat.base, joint_place(model, model.joints[seat.joint]))[0]
+    marked = bool(split(seat.end)[1])
+    place = place_of(model, seat.end) if marked else joint_place(model, model.joints[seat.joint])
+    return frame_at(model, seat.base, place)[0]
 
 
 def _spinner(model: Model, seat: Seat) -> int:
