@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -200,6 +200,25 @@ def check_speed(structure: Structure, frequency: float) -> None:
         )
 
 
+@dataclass(frozen=True)
+class Member:
+    """Beam between two nodes of a frame.
+
+    Parameters
+    ----------
+    ends
+        Numbers of its nodes.
+    beam
+        Section and material with density; the length is the distance of the nodes.
+    axis
+        Direction near axis 1 of the section, not along the beam.
+    """
+
+    ends: tuple[int, int]
+    beam: Beam
+    axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
+
+
 def beam_line(beams: Sequence[Beam]) -> Structure:
     """Structure of beams in series along the third axis, from the origin, with six displacements per node.
 
@@ -208,23 +227,56 @@ def beam_line(beams: Sequence[Beam]) -> Structure:
     beams
         Beam elements in order; a density is required.
     """
+    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
+    places = np.zeros((ends.size, 3))
+    places[:, 2] = ends
+    return beam_frame(places, [Member((k, k + 1), beam) for k, beam in enumerate(beams)])
+
+
+def beam_frame(places: ArrayLike, members: Sequence[Member]) -> Structure:
+    """Structure of rigidly joined beams, with six displacements per node.
+
+    Parameters
+    ----------
+    places
+        Positions of the nodes (number of nodes, 3) [m].
+    members
+        The beams.
+
+    Examples
+    --------
+    Two beams of 1 m and 1 kg/m at a right angle:
+
+    >>> from pitchpoint.multibody.beam_section import rectangle
+    >>> beam = Beam(section=rectangle(0.02, 0.05), length=1.0, E=2.1e11, G=8e10, rho=1000.0)
+    >>> frame = beam_frame(
+    ...     [[0, 0, 0], [0, 0, 1], [0, 1, 1]], [Member((0, 1), beam), Member((1, 2), beam)]
+    ... )
+    >>> round(float(frame.M[0::6][:, 0::6].sum()), 9)
+    2.0
+    """
     from scipy.sparse import coo_array
 
-    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
-    n = 6 * ends.size
+    spots = np.asarray(places, float)
+    n = 6 * len(spots)
     rows, columns, stiff, heavy = [], [], [], []
-    for k, beam in enumerate(beams):
-        at = 6 * k + np.arange(12)
+    for member in members:
+        one, two = member.ends
+        chord = spots[two] - spots[one]
+        beam = replace(member.beam, length=float(np.linalg.norm(chord)))
+        z = chord / beam.length
+        x = np.asarray(member.axis, float) - z * (z @ np.asarray(member.axis, float))
+        x /= np.linalg.norm(x)
+        turn = np.kron(np.eye(4), np.column_stack([x, np.cross(z, x), z]))
+        at = np.concatenate([6 * one + np.arange(6), 6 * two + np.arange(6)])
         rows.append(np.repeat(at, 12))
         columns.append(np.tile(at, 12))
-        stiff.append(beam.stiffness().ravel())
-        heavy.append(beam.consistent_mass().ravel())
+        stiff.append((turn @ beam.stiffness() @ turn.T).ravel())
+        heavy.append((turn @ beam.consistent_mass() @ turn.T).ravel())
     entries = np.concatenate(rows), np.concatenate(columns)
     K = coo_array((np.concatenate(stiff), entries), (n, n))
     M = coo_array((np.concatenate(heavy), entries), (n, n))
-    places = np.zeros((ends.size, 3))
-    places[:, 2] = ends
-    return make_structure(K, M, places)
+    return make_structure(K, M, spots)
 
 
 def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.system import evaluate
+from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -83,7 +84,8 @@ def base_momenta(system: System, state: State, shapes: Array) -> Array:
     """Momenta of the whole system for given motions, shape (n, 6).
 
     Along the world axes and about them through the world origin. By reciprocity, this is the modal force per
-    unit acceleration of the base. Massive elements are included.
+    unit acceleration of the base. Massive elements are included; forces on modal coordinates of elastic bodies
+    are internal.
 
     Parameters
     ----------
@@ -93,6 +95,7 @@ def base_momenta(system: System, state: State, shapes: Array) -> Array:
         Rates of the coordinates, shape (n, nd).
     """
     wrenches = inertia_wrenches(system, state, shapes)
+    wrenches[:, modal_bodies(system)] = 0.0
     force, moment = wrenches[..., :3], wrenches[..., 3:]
     about = moment + np.cross(system.workspace.fr["r"], force)
     return np.concatenate([force.sum(axis=1), about.sum(axis=1)], axis=1)
