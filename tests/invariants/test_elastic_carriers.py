@@ -17,7 +17,7 @@ from tests.support.elastic_carriers import files, models, two_wall_carrier
 
 MESH = "stiffness: {law: constant, value: 5e8 N/m}, backlash: {normal: 20 um}"
 BEARING = "bearing: {stiffness: {radial: 8e8 N/m, axial: 2e8 N/m, tilt: 1e6 N m/rad}}"
-LOSSES = "stiffness: {law: constant, value: 5e7 N/m}, backlash: {normal: 0.2 mm}, damping: {d_in: 2e4, d_out: 2e4}"
+SOFT = "stiffness: {law: constant, value: 1e6 N/m}, backlash: {normal: 2 mm}, damping: {d_in: 200, d_out: 200}"
 
 
 def begin(model):
@@ -28,23 +28,25 @@ def begin(model):
 
 @pytest.mark.parametrize("motion", ["torsion", "planar", "free"])
 def test_matrices_are_the_whole_derivative(tmp_path, motion):
-    """In motion and deflected, with a pin error: against differences to 1e-7.
+    """In motion and deflected, with a pin error: against differences to 1e-8.
 
-    Soft teeth and a small torque: of tilted teeth the derivative by the axial shift is not exact.
+    Soft teeth: of tilted ones the derivative by the axial shift is not exact, in proportion to their stiffness.
+    Few modes, so that the highest does not hide what the forces add.
     """
     more = f"planets: 3\nmotion: {motion}\npin_errors: {{planet_1: {{tangential: 5 um}}}}\n"
     more += "" if motion == "torsion" else BEARING
-    _, model = models(tmp_path, two_wall_carrier(), more, modes=24, mesh=LOSSES, torque=60.0)
+    few = {"modes": 6, "static_shapes": "false"}
+    _, model = models(tmp_path, two_wall_carrier(), more, mesh=SOFT, torque=60.0, **few)
     system, state = begin(model)
     rng = np.random.default_rng(3)
     state.v += rng.normal(scale=1e-3, size=state.v.size)
     state.a = rng.normal(scale=1.0, size=state.v.size)
-    compare(system, state, 1e-7)
+    compare(system, state, 1e-8)
 
 
 def test_whole_turns_change_nothing(tmp_path):
     """Multiples of whole turns of the set, for 10^9 revolutions of the carrier; planets turn against it."""
-    _, model = models(tmp_path, two_wall_carrier(), "planets: 3\nmotion: torsion", modes=24, mesh=LOSSES)
+    _, model = models(tmp_path, two_wall_carrier(), "planets: 3\nmotion: torsion", modes=24, mesh=MESH)
     system, state = begin(model)
     found = evaluate.residual(system, state).copy()
     turns = 7 * 13 * 10**9
@@ -56,7 +58,7 @@ def test_whole_turns_change_nothing(tmp_path):
 
 
 def test_a_free_set_keeps_energy_and_moment_of_momentum(tmp_path):
-    """Sun, ring, planets and elastic carrier without losses and loads rattle for 1 ms."""
+    """Sun, ring, planets and elastic carrier without losses and loads rattle for 0.4 ms."""
     text = files(tmp_path, two_wall_carrier(), "planets: 3\nmotion: torsion", modes=24, mesh=MESH, torque=0.0)[1]
     file = tmp_path / "free.yaml"
     file.write_text(text.replace("motion: fixed", "motion: torsion, inertia: 0.3 kg m^2"), encoding="utf-8")
@@ -72,7 +74,7 @@ def test_a_free_set_keeps_energy_and_moment_of_momentum(tmp_path):
     watch = begin(model)[0]  # a run shares the arrays of its system
     total, moment, touched, strain = [], [], set(), 0.0
     run = runge_kutta.start_adaptive(system, state, rtol=1e-10, atol=1e-14, atol_rate=1e-10)
-    for t in np.linspace(5e-5, 1e-3, 20):
+    for t in np.linspace(2e-5, 4e-4, 20):
         assert run.advance_to(t).status == 1
         state = run.state()
         row = evaluate.observe(watch, state)
@@ -81,7 +83,6 @@ def test_a_free_set_keeps_energy_and_moment_of_momentum(tmp_path):
         moment.append(base_momenta(watch, state, state.v[None])[0, 5])
         strain = max(strain, float(row[system.layout.channel("strain_energy[carrier]")]))
         touched.add(float(row[system.layout.channel("contact_state[sun-planet_1]")]))
-    print(total, moment, strain, touched)
     assert len(touched) > 1
-    assert np.ptp(total) < 1e-6 * total[0]
+    assert np.ptp(total) < 1e-5 * strain
     assert np.ptp(moment) < 1e-9 * abs(moment[0])

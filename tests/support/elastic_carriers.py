@@ -88,13 +88,12 @@ def files(
     modes: int = 30,
     mesh: str = LAW,
     bearing: float = 2e9,
-    rotor: str = "",
+    static_shapes: str = "true",
     **how: str | float,
 ) -> tuple[str, str]:
     """Texts of the models with the rigid and with the elastic carrier; writes the matrices.
 
-    The carrier runs in bearings at its nodes out and in; the load is at out. `more` are keys of the stage,
-    `rotor` further keys of the elastic body.
+    The carrier runs in bearings at its nodes out and in; the load is at out. `more` are keys of the stage.
     """
     structure, nodes = carrier
     np.savez(
@@ -126,7 +125,7 @@ def files(
     elastic = text.replace(f"{line}\n", journals)
     elastic += (
         f"elastic_bodies:\n  carrier:\n    file: carrier.npz\n    rotor: true\n    modes: {modes}\n"
-        f"    static_shapes: true\n    position: [0, 0, 0]\n{rotor}    nodes:\n{marks}"
+        f"    static_shapes: {static_shapes}\n    position: [0, 0, 0]\n    nodes:\n{marks}"
     )
     return rigid, elastic
 

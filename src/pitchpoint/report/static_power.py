@@ -239,7 +239,35 @@ def _shafts(
 def _acting(
     model: Model, balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str
 ) -> list[tuple[list[str], float | None]]:
-    """Torques on a body about its axis, by what they come from; that of bodies on it is the remainder."""
+    """Torques on a body about its axis, by what they come from; that of bodies on it is the remainder.
+
+    A body that is fixed to one that rotates hands its torques on to it.
+    """
+    from pitchpoint.model.mechanism import spinner_of
+
+    found = _own(balance, outer, body)
+    carried = model.mechanism.carried_by(body)
+    fixed = [name for name in carried if spinner_of(model, model.mechanism, name) == body]
+    riders = [
+        name
+        for name in carried
+        if name not in fixed and (model.bodies[name].gears or model.bodies[name].bevel_gears)
+    ]
+    for name in fixed:
+        torques = [torque for _, torque in _own(balance, outer, name)]
+        if torques:
+            found.append(([name], None if None in torques else sum(t for t in torques if t is not None)))
+    known = [torque for _, torque in found if torque is not None]
+    rest = riders or [name for name in (spinner_of(model, model.mechanism, body),) if name is not None]
+    if rest and len(known) == len(found):
+        found.append((rest, -sum(known)))
+    return found
+
+
+def _own(
+    balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str
+) -> list[tuple[list[str], float | None]]:
+    """Torques of loads, meshes and other links on a body about its axis."""
     found: list[tuple[list[str], float | None]] = []
     for each in outer:
         if body in (each["body"], each["reaction"]):
@@ -249,14 +277,6 @@ def _acting(
         for end, torque in zip(link.bodies, link.torques, strict=True):
             if end == body:
                 found.append(([str(link.place[1])], _finite(torque)))
-    known = [torque for _, torque in found if torque is not None]
-    riders = [
-        name
-        for name in model.mechanism.carried_by(body)
-        if model.bodies[name].gears or model.bodies[name].bevel_gears
-    ]
-    if riders and len(known) == len(found):
-        found.append((riders, -sum(known)))
     return found
 
 
