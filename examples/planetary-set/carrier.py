@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Matrices of the carrier of `elastic_carrier.yaml` from finite elements; requires scikit-fem.
 
-Usage: ``python carrier.py carrier.npz``. Two walls of 20 mm are joined by three webs. The pins, beams of 40 mm
-diameter, are held rigidly in the walls. Kept are the middle of each pin, both bores, and some points of the
-walls for the modes and the picture.
+Usage: ``python carrier.py carrier.npz``. Two walls of 20 mm are joined by three webs. The pins, beams of
+40 mm diameter, are held rigidly in the walls. Kept are the middle of each pin, both bores, and some points
+of the walls for the modes and the picture.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ def solid() -> tuple[csc_array, csc_array, Array, NDArray[np.int64]]:
     for i in range(len(RADII) - 1):
         for j in range(len(TURN)):
             # webs are half-way between the pins, at 60, 180 and 300 deg
-            beside = abs(math.remainder(TURN[j] + 0.5 * CELL - math.pi / 3.0, math.tau / 3.0))
-            web = WEB[0] <= RADII[i] and beside < WEB[1]
+            aside = abs(math.remainder(TURN[j] + 0.5 * CELL - math.pi / 3.0, math.tau / 3.0))
+            web = WEB[0] <= RADII[i] and aside < WEB[1]
             for k in (0, 1, 2, 3) if web else (0, 3):
                 corners = [(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)]
                 cells.append([number[i + a, (j + b) % len(TURN), k + c] for a, b, c in corners])
@@ -110,7 +110,9 @@ def carrier() -> Structure:
     corners = 48 + ring[np.abs((angle + 30.0) % 60.0 - 30.0) < 0.1]
     kept = np.r_[:12, size : size + 18, corners]
     spots = [*middles, *(0.5 * (held[2 + 2 * k][1] + held[3 + 2 * k][1]) for k in range(3))]
-    return condensed(K.tocsc(), M.tocsc(), kept, spots, places[free[corners - 48]], direction[free[corners - 48]])
+    return condensed(
+        K.tocsc(), M.tocsc(), kept, spots, places[free[corners - 48]], direction[free[corners - 48]]
+    )
 
 
 def condensed(

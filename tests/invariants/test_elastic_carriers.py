@@ -17,7 +17,9 @@ from tests.support.elastic_carriers import files, models, two_wall_carrier
 
 MESH = "stiffness: {law: constant, value: 5e8 N/m}, backlash: {normal: 20 um}"
 BEARING = "bearing: {stiffness: {radial: 8e8 N/m, axial: 2e8 N/m, tilt: 1e6 N m/rad}}"
-SOFT = "stiffness: {law: constant, value: 1e6 N/m}, backlash: {normal: 2 mm}, damping: {d_in: 200, d_out: 200}"
+SOFT = (
+    "stiffness: {law: constant, value: 1e6 N/m}, backlash: {normal: 2 mm}, damping: {d_in: 200, d_out: 200}"
+)
 
 
 def begin(model):
@@ -30,8 +32,8 @@ def begin(model):
 def test_matrices_are_the_whole_derivative(tmp_path, motion):
     """In motion and deflected, with a pin error: against differences to 1e-8.
 
-    Soft teeth: of tilted ones the derivative by the axial shift is not exact, in proportion to their stiffness.
-    Few modes, so that the highest does not hide what the forces add.
+    Soft teeth: of tilted ones the derivative by the axial shift is not exact, in proportion to their
+    stiffness. Few modes, so that the highest does not hide what the forces add.
     """
     more = f"planets: 3\nmotion: {motion}\npin_errors: {{planet_1: {{tangential: 5 um}}}}\n"
     more += "" if motion == "torsion" else BEARING
@@ -59,7 +61,9 @@ def test_whole_turns_change_nothing(tmp_path):
 
 def test_a_free_set_keeps_energy_and_moment_of_momentum(tmp_path):
     """Sun, ring, planets and elastic carrier without losses and loads rattle for 0.4 ms."""
-    text = files(tmp_path, two_wall_carrier(), "planets: 3\nmotion: torsion", modes=24, mesh=MESH, torque=0.0)[1]
+    text = files(
+        tmp_path, two_wall_carrier(), "planets: 3\nmotion: torsion", modes=24, mesh=MESH, torque=0.0
+    )[1]
     file = tmp_path / "free.yaml"
     file.write_text(text.replace("motion: fixed", "motion: torsion, inertia: 0.3 kg m^2"), encoding="utf-8")
     model = load_model(file)

@@ -9,15 +9,15 @@ Pins on springs: the springs of `tests/validation/test_planet_load_sharing.py`; 
 
 Wind-up: n forces F at the middle of the pins of a carrier with rigid walls, its torque taken at one of them.
 Half of each force is on the free wall, which turns by phi against the other one. Each half of a pin is a beam
-from a wall, displaced by phi a/2 across, to the middle, which tilts by theta; with the stiffness k, k', k'' of
-its end, that of a web k_w at the same radius, torsion of both, and the tilting stiffness c of the teeth
+from a wall, displaced by phi a/2 across, to the middle, which tilts by theta; with the stiffness k, k', k''
+of its end, that of a web k_w at the same radius, torsion of both, and the tilting stiffness c of the teeth
 
     (k a^2/2 + k_w a^2 + (G J_p + G J_w)/L) phi - k' a theta = F a/2,    (2 k'' + c) theta = k' a phi.
 
 Rotating ring: N point masses m on a regular polygon of massless beams of section A, radius R, kept by a hub
 on spokes of section A_s. Equilibrium of a mass is m (R + u) Omega^2 = (2 sin(pi/N) A + A_s) E u/R; without
-spokes and with m = 2 R sin(pi/N) rho A it is the growth of a ring, rho R^3 Omega^2/E, with the softening by it.
-Massless planets on three of the masses follow.
+spokes and with m = 2 R sin(pi/N) rho A it is the growth of a ring, rho R^3 Omega^2/E, with the softening by
+it. Massless planets on three of the masses follow.
 """
 
 from __future__ import annotations
@@ -66,7 +66,12 @@ def history(model):
     begin = prepare_start(compile_model(model, "steady"), model.scenarios["steady"])
     run = generalized_alpha.start(begin.system, begin.state, 4e-6)
     place = begin.system.layout.channel
-    wanted = ["mesh_force[sun-planet_1]", "mesh_force[planet_2-ring]", "speed[carrier]", "bearing_force[at_out.fx]"]
+    wanted = [
+        "mesh_force[sun-planet_1]",
+        "mesh_force[planet_2-ring]",
+        "speed[carrier]",
+        "bearing_force[at_out.fx]",
+    ]
     rows = []
     for _ in range(25):
         run.advance(20)
@@ -100,7 +105,9 @@ def test_pins_on_springs_are_the_pin_stiffness(tmp_path):
     pins: 0.1 g for statics, 0.1 mg for modes. Coordinates of still lighter pins are below the tolerance of
     the equilibrium.
     """
-    more = f"planets: 3\nmotion: planar\npin_errors: {{planet_1: {{tangential: 8 um, radial: 5 um}}}}\n{BEARING}"
+    more = (
+        f"planets: 3\nmotion: planar\npin_errors: {{planet_1: {{tangential: 8 um, radial: 5 um}}}}\n{BEARING}"
+    )
     series = more.replace("N/m}}", "N/m}, pin_stiffness: 1.5e9 N/m}")
 
     def pair(mass):
@@ -141,7 +148,7 @@ def half_beam(section, length):
 
 @pytest.mark.parametrize("torque", [60.0, 600.0])
 def test_wind_up_tilts_the_pins_and_shifts_the_load(tmp_path, torque):
-    """Tilt to 2e-4, of the moments of the teeth as well; the load at one end of the face rises by a quarter."""
+    """Tilt, and the moments of the teeth by it, which shift the load along the face width, to 2e-3."""
     more = "planets: 3\nmotion: free\n"
     more += "bearing: {stiffness: {radial: 8e8 N/m, axial: 2e8 N/m, tilt: 1e10 N m/rad}}"
     _, model = models(tmp_path, two_wall_carrier(wall=1e7), more, mesh=MESH, torque=torque)

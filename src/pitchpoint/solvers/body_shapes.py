@@ -84,8 +84,8 @@ def base_momenta(system: System, state: State, shapes: Array) -> Array:
     """Momenta of the whole system for given motions, shape (n, 6).
 
     Along the world axes and about them through the world origin. By reciprocity, this is the modal force per
-    unit acceleration of the base. Massive elements are included; forces on modal coordinates of elastic bodies
-    are internal.
+    unit acceleration of the base. Massive elements are included; forces on modal coordinates of elastic
+    bodies are internal.
 
     Parameters
     ----------

@@ -16,8 +16,9 @@ from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Mapping
 
+    from pitchpoint.model.components.marker import Marker
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
     from pitchpoint.model.parts import Parts
 
@@ -45,7 +46,8 @@ def check_pin_names(parts: Parts, report: Reader) -> None:
             continue  # an unknown carrier, or one that could not be read
         have = f"{stage.carrier} has {', '.join(nodes) or 'none'}"
         if stage.pins is None:
-            few = f"[{', '.join(list(nodes)[: len(stage.names)])}]"
+            around = [n for n, node in nodes.items() if np.hypot(*node.position[:2]) > 0.0]
+            few = f"[{', '.join(around[: len(stage.names)]) or 'pin_1, pin_2'}]"
             report.problem(
                 at,
                 f"is missing: planets act on an elastic carrier at its nodes; {have}",
@@ -55,7 +57,7 @@ def check_pin_names(parts: Parts, report: Reader) -> None:
         _names(at, stage, stage.pins, nodes, have, report)
 
 
-def _nodes(parts: Parts, body: str) -> Iterable[str] | None:
+def _nodes(parts: Parts, body: str) -> Mapping[str, Marker] | None:
     """Nodes of an elastic body, or markers of a body or shaft; None if it is unknown."""
     if body in parts.elastic_bodies:
         return parts.elastic_bodies[body].nodes
@@ -66,15 +68,20 @@ def _nodes(parts: Parts, body: str) -> Iterable[str] | None:
 
 
 def _names(
-    at: Place, stage: PlanetaryStage, pins: tuple[str, ...], nodes: Iterable[str], have: str, report: Reader
+    at: Place,
+    stage: PlanetaryStage,
+    pins: tuple[str, ...],
+    nodes: Mapping[str, Marker],
+    have: str,
+    report: Reader,
 ) -> None:
     """Check number and names of the pins."""
     if stage.names and len(pins) != len(stage.names):
         report.problem(
             at,
-            "must have one node for each planet",
-            value=f"{len(pins)} nodes",
-            limit=f"{len(stage.names)}",
+            f"for {len(stage.names)} planets",
+            value=f"{len(pins)} {'node' if len(pins) == 1 else 'nodes'}",
+            limit="one for each planet",
             remedy=f"name the nodes of {', '.join(stage.names)} in this order",
         )
         return
@@ -116,7 +123,7 @@ def check_pins(parts: Parts, report: Reader) -> None:
             off = size > aside
             report.problem(
                 (*at, k),
-                f"names {seat}, which is off {'the axis' if off else 'the face'} of {planet}",
+                f"is the distance of {seat} from the {'axis' if off else 'middle'} of {planet}",
                 value=format_quantity(size if off else abs(float(arm[2])), "length", 4),
                 limit=f"{format_quantity(aside, 'length', 3)}, a tenth of a module"
                 if off

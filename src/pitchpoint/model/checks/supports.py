@@ -90,6 +90,8 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
     if not marker:
         _off_the_pin(parts, at, part, center, limit, report)
         return
+    if isinstance(part, Bearing) and part.stage is not None:
+        return  # `check_pins` of the stage
     apart = float(np.linalg.norm(center - there))
     if apart > limit:
         report.problem(

@@ -102,23 +102,18 @@ def _section(part: Beam) -> Array:
 
 def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
     """Bars between neighbouring nodes, which follow the modal coordinates."""
-    from scipy.sparse.csgraph import minimum_spanning_tree
-    from scipy.spatial.distance import cdist
-
     from pitchpoint.system.rules.elastic_body import file_nodes
 
     places, shape = file_nodes(model, name)
     kept = np.arange(0, len(places), -(-len(places) // MAX_NODES))
     places, shape = places[kept], shape[kept]
-    # a length of zero would not define an edge
-    edges = np.argwhere(minimum_spanning_tree(cdist(places, places) + 1e-9).toarray())
     half = BAR * at.size
     points: list[Array] = []
     node: list[int] = []
     faces: list[NDArray[np.int64]] = []
     corner = half * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
     k, after = np.arange(4), (np.arange(4) + 1) % 4
-    for i, j in edges:
+    for i, j in neighbours(places):
         if np.linalg.norm(places[j] - places[i]) < 1e-6 * at.size:
             continue  # coincident nodes
         z = unit(places[j] - places[i])
@@ -149,6 +144,25 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
         ),
         schematic=True,
     )
+
+
+def neighbours(places: Array) -> NDArray[np.int64]:
+    """Pairs of points of which no third one is nearer to both, shape (pairs, 2).
+
+    The pairs connect all points (G. T. Toussaint, Pattern Recognition 12 (1980) 261-268).
+
+    Examples
+    --------
+    The corners of a square, without its diagonals:
+
+    >>> neighbours(np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])).tolist()
+    [[0, 1], [0, 3], [1, 2], [2, 3]]
+    """
+    from scipy.spatial.distance import cdist
+
+    apart = cdist(places, places)
+    nearer = np.array([np.maximum(row, apart).min(axis=1) for row in apart])
+    return np.argwhere(np.triu(nearer >= (1.0 - 1e-6) * apart, 1))
 
 
 def coordinates_of(name: str, count: int) -> list[str]:

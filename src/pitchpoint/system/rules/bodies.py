@@ -131,7 +131,7 @@ def count_of(model: Model, body: str) -> int:
 
 
 def _parent(model: Model, seat: Seat) -> int:
-    """Number of the parent body: the node or station of the end that carries the body, or that at the joint."""
+    """Number of the parent body: of the node or station that the joint names, or of that at the joint."""
     if seat.joint is None:
         return body_numbers(model)[seat.parent]
     marked = bool(split(seat.end)[1])
