@@ -51,8 +51,8 @@ def _show_joints(found: Mapping[str, Any]) -> None:
     if count["constraints"]:
         show(
             f"{count['coordinates']} coordinates{_modes(found)} - {count['constraints']} constraints = "
-            f"{count['by_count']} degrees of freedom by count; redundant constraints, which assembly "
-            "detects, leave more"
+            f"{count['by_count']} degrees of freedom by count; more with redundant constraints, which "
+            "are detected at assembly"
         )
 
 
