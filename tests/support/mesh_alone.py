@@ -99,7 +99,7 @@ def moved(frames, body, step):
 
 
 def wrenches_move_with_the_gearbox(m):
-    """Whether the wrenches of a mesh rotate with the whole gearbox and do not depend on its place, to 1e-7."""
+    """Whether the wrenches of a mesh rotate with the gearbox and do not depend on its place, to 1e-7."""
     F = m.evaluate()
     Q = rotation(np.array([1.0, 2.0, 3.0]) / math.sqrt(14.0), 0.9)
     fr = m.frames.copy()

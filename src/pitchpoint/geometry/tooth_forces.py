@@ -79,8 +79,8 @@ def bevel_force(pair: BevelPair, T_1: float, *, gear: int = 1) -> ToothForce:
     pair
         The pair.
     T_1
-        Torque of the mesh on gear 1 [N m], counter-clockwise seen from the direction into which its pitch cone
-        opens.
+        Torque of the mesh on gear 1 [N m], counter-clockwise seen from the direction into which its pitch
+        cone opens.
     gear
         1 or 2.
 

@@ -215,7 +215,7 @@ def _body_compliance(form: ToothForm, c: Array, height: Array, bore: float | Non
 def bending_terms(
     form: ToothForm, roll: Array, beta: float, moments: tuple[Array, Array, Array]
 ) -> tuple[Array, Array, Array, Array]:
-    """Bending compliance times E cos^4(beta) at contact points, with cos and sin of a1 and the half thickness x.
+    """Bending compliance times E cos^4(beta) at contact points, cos and sin of a1, and half thickness x.
 
     Symbols as in `tooth_compliance`; `moments` are the integrals of eta^k/I from the root, k = 0, 1, 2.
     """
