@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.mode_names import ordinal
+from pitchpoint.solvers.modes.names import ordinal
 from pitchpoint.system.compile import compile_model
 from tests.support.planet_stages import planet_set
 from tests.support.planetary import lin_parker

@@ -218,6 +218,19 @@ def bending_terms(
     """Bending compliance times E cos^4(beta) at contact points, cos and sin of a1, and half thickness x.
 
     Symbols as in `tooth_compliance`; `moments` are the integrals of eta^k/I from the root, k = 0, 1, 2.
+
+    Examples
+    --------
+    With the compliance at the root alone, its root is the lever of the force about the root:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> form = tooth_form(CylindricalGear(z=62, m_n=2e-3))
+    >>> one, none = np.ones(1), np.zeros(1)
+    >>> bending, c, s, x = bending_terms(form, np.array([0.4]), 0.0, (one, none, none))
+    >>> height = section(form, np.array([0.4]))[1]
+    >>> bool(abs(np.sqrt(bending) - (c * height - s * x))[0] < 1e-12)
+    True
     """
     J0, J1, J2 = moments
     x, eta, _ = section(form, roll)

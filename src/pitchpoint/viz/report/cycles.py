@@ -39,7 +39,7 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
     section = Section("cycle", "Mesh cycle")
     for meshes, cycle in grouped(cycles, _same):
         mesh = common_name(meshes)
-        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
+        section.add_name(mesh, cycles)
         if cycle.stiffness is not None:
             _add_stiffness(section, mesh, cycle)
         if cycle.errors and all(float(np.ptp(e)) <= ROUND_OFF for e in cycle.errors.values()):

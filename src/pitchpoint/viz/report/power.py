@@ -39,7 +39,7 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
     section = Section("power", "Power flow")
     for group in _same_paths(flows):
         first, flow = next(iter(group.items()))
-        section.add(f"<h3>{escape(', '.join(group))}</h3>" if len(flows) > 1 else "")
+        section.add_name(", ".join(group), flows)
         drawing = power_flow_svg(flow)
         whose = f" of {first}" if len(group) > 1 else ""
         words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power."
