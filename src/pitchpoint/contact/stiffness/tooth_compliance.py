@@ -215,9 +215,23 @@ def _body_compliance(form: ToothForm, c: Array, height: Array, bore: float | Non
 def bending_terms(
     form: ToothForm, roll: Array, beta: float, moments: tuple[Array, Array, Array]
 ) -> tuple[Array, Array, Array, Array]:
-    """Bending compliance times E cos^4(beta) at contact points, cos and sin of a1, and half thickness x.
+    """Bending of a tooth by forces at contact points; symbols as in `tooth_compliance`.
 
-    Symbols as in `tooth_compliance`; `moments` are the integrals of eta^k/I from the root, k = 0, 1, 2.
+    Parameters
+    ----------
+    form
+        Exact tooth.
+    roll
+        Roll angles of the contact points [rad], shape (n,).
+    beta
+        Helix angle [rad].
+    moments
+        Integrals of eta^k/I from the root per unit face width, k = 0, 1, 2, shape (n,) each.
+
+    Returns
+    -------
+    tuple of ndarray
+        Compliance times E cos^4(beta), cos a1, sin a1 and half thickness x [m] at the points, shape (n,) each.
 
     Examples
     --------
