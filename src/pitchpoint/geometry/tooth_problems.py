@@ -47,7 +47,20 @@ def at_key(where: str, key: str) -> str:
 
 
 def placed(where: str, error: GeometryError) -> Message:
-    """Message of an error, with the path of its part."""
+    """Message of an error, with the path of its part.
+
+    Parameters
+    ----------
+    where
+        Path of the part; may be empty.
+    error
+        The error; its place is relative to the part.
+
+    Examples
+    --------
+    >>> print(placed("gears.pinion", GeometryError("is missing", where="rack")))
+    gears.pinion.rack: is missing
+    """
     p = error.problem
     return Message(at_key(where, p.where), p.text, p.value, p.limit, p.remedy)
 

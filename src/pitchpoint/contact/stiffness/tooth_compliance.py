@@ -231,7 +231,7 @@ def bending_terms(
     Returns
     -------
     tuple of ndarray
-        Compliance times E cos^4(beta), cos a1, sin a1 and half thickness x [m] at the points, shape (n,) each.
+        Compliance times E cos^4(beta), cos a1, sin a1 and half thickness x [m], shape (n,) each.
 
     Examples
     --------
