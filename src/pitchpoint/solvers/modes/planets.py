@@ -46,7 +46,7 @@ from pitchpoint.system.elastic import frames_of
 from pitchpoint.system.meshes import mesh_records
 
 if TYPE_CHECKING:
-    from pitchpoint.solvers.machine_groups import Groups
+    from pitchpoint.solvers.modes.machine_groups import Groups
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
