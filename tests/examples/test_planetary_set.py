@@ -18,7 +18,9 @@ import pytest
 import pitchpoint
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "planetary-set"
@@ -102,3 +104,23 @@ def test_planets_on_needle_bearings_as_on_the_page():
     found = solve_equilibrium(compile_model(loads_model(text + rows)))
     halves = [found[f"bearing_force[pin_1{side}.radial]"].item() for side in "ab"]
     assert halves[0] == pytest.approx(halves[1], rel=1e-9) and halves[0] < loads[0]
+
+
+def test_the_elastic_carrier_winds_up():
+    """Numbers of the page at 600 N m."""
+    model = load_model(FOLDER / "elastic_carrier.yaml")
+    begin = prepare_start(compile_model(model, "slow"), model.scenarios["slow"])
+    evaluate.residual(begin.system, begin.state)
+    frames = dict(zip(begin.system.layout.bodies, begin.system.workspace.fr, strict=True))
+    text = (FOLDER / "README.md").read_text("utf-8")
+    printed = {
+        row.split("|")[1].strip(): float(row.split("|")[3])
+        for row in text.splitlines()
+        if row.endswith("µrad |")
+    }
+    turn = float(frames["output"]["phi"] - frames["journal"]["phi"])
+    assert 1e6 * abs(turn) == pytest.approx(printed["wind-up between the walls"], abs=0.6)
+    tilts = [float(np.hypot(*frames[f"planet_{k}"]["R"][:2, 2])) for k in (1, 2, 3)]
+    assert 1e6 * np.mean(tilts) == pytest.approx(printed["tilt of the planet axes"], abs=1.0)
+    found = solve_equilibrium(compile_model(model))
+    assert pitchpoint.planet_loads(model, found)["set"].factor == pytest.approx(1.001, abs=1e-3)
