@@ -31,7 +31,12 @@ LINEAR_DAMPING, CONTACT_DAMPING = 0.03, 2.0
 """Defaults: damping ratio of linear bearings, damping over elastic force [s/m] of rolling bearings."""
 SIDES = ("inner_part", "outer_part")
 CASING = ("gear_casing",)
-COUPLINGS = ("coupling", "switchable_coupling")
+HUBS = (
+    *("cylindrical_interference_fit", "tapered_interference_fit"),
+    *("feather_key_connection", "involute_spline_connection"),
+)
+"""Connections of shaft and hub."""
+COUPLINGS = ("coupling", "switchable_coupling", *HUBS)
 
 
 def sides_of(conversion: Conversion, part: RexsComponent) -> dict[str, RexsComponent]:
@@ -115,6 +120,16 @@ def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | No
     markers[marker] = {"position": [0, 0, q(other.place(u_other), "length")]}
     values["housing"] = f"{other.body}.{marker}"
     return values
+
+
+def centre_of(conversion: Conversion, part: RexsComponent) -> np.ndarray | None:
+    """Centre of a bearing or coupling on its shaft in the world [m]; None if it has none."""
+    for role, side in sides_of(conversion, part).items():
+        seat = conversion.seats.get(side.id)
+        u = part.get(f"u_coordinate_on_shaft_{role.removesuffix('_part')}_side")
+        if seat is not None and isinstance(u, float):
+            return seat.point(u)
+    return None
 
 
 # --- linear bearings ----------------------------------------------------------------------------------------

@@ -72,8 +72,16 @@ def convert_gravity(conversion: Conversion) -> None:
         conversion.data["gravity"] = vector(g / size * TO_MODEL @ np.array(direction), "acceleration")
 
 
-def convert_loads(conversion: Conversion) -> None:
-    """Add the external loads; the one that transmits torque without a value balances the others."""
+def convert_loads(conversion: Conversion, active: set[int]) -> None:
+    """Add the external loads; the one that transmits torque without a value balances the others.
+
+    Parameters
+    ----------
+    conversion
+        The conversion.
+    active
+        Loads that act in at least one load case of the file.
+    """
     free: list[tuple[RexsComponent, dict[str, Any]]] = []
     driven = False
     for load in conversion.source.of_type("external_load"):
@@ -105,6 +113,9 @@ def convert_loads(conversion: Conversion) -> None:
             free.append((load, values))
         elif torque or any(forces) or any(moments):
             conversion.put("loads", load, values)
+        elif load.id in active:
+            zero = {"torque": "0 N m"} if torque is not None else {"force": ["0 N"] * 3}
+            conversion.put("loads", load, {"body": seat.body, **zero, "position": values["position"]})
         else:
             conversion.ignored(load, "all", "it has neither torque nor force in this load case")
     if driven and len(free) == 1:
@@ -136,15 +147,24 @@ def _torque(conversion: Conversion, load: RexsComponent, shaft: RexsComponent | 
     return power / speed
 
 
-def convert_speeds(conversion: Conversion) -> None:
-    """Add the scenarios: a slow roll through the first mesh, and a time response at the given speed."""
-    shafts = [
+def _with_speed(conversion: Conversion) -> list[RexsComponent]:
+    return [
         s
         for s in conversion.source.of_type("shaft")
         if s.get("rotational_speed") is not None and s.id in conversion.seats
     ]
-    chosen = [s for s in shafts if s.get("defines_speed") is True] or shafts[:1]
-    for shaft in shafts:
+
+
+def speed_shafts(conversion: Conversion) -> list[RexsComponent]:
+    """Shafts whose speeds are given: those that define the speed, else the first one with a speed."""
+    shafts = _with_speed(conversion)
+    return [s for s in shafts if s.get("defines_speed") is True] or shafts[:1]
+
+
+def convert_speeds(conversion: Conversion) -> None:
+    """Add the scenarios: a slow roll through the first mesh, and a time response at the given speed."""
+    chosen = speed_shafts(conversion)
+    for shaft in _with_speed(conversion):
         if shaft not in chosen:
             conversion.ignored(shaft, "rotational_speed", "the speed follows from the gear ratios")
     speeds = {}
@@ -155,7 +175,8 @@ def convert_speeds(conversion: Conversion) -> None:
             seat = conversion.seats[shaft.id]
             speeds[seat.body] = seat.sign * value
     scenarios: dict[str, Any] = {}
-    mesh = next(iter(conversion.data.get("meshes", {})), None) or _mesh_of_stage(conversion)
+    meshes = [*conversion.data.get("meshes", {}), *conversion.data.get("bevel_meshes", {})]
+    mesh = next(iter(meshes), None) or _mesh_of_stage(conversion)
     if mesh is not None:
         scenarios["slow"] = {"quasi_static": {"mesh": mesh, "points": 20}}
         conversion.default("scenario", "slow", f"mesh {mesh}, 20 points", "scenarios.slow", "slow roll")
@@ -206,6 +227,10 @@ def _mesh_frequencies(model: Model) -> list[float]:
         carrier = speeds.get(stage.carrier, 0.0) if stage is not None else 0.0
         turning = speeds.get(body, 0.0) - carrier
         found.append(abs(turning) * model.gears[gear].number_of_teeth / math.tau)
+    for bevel in model.bevel_meshes.values():
+        gear = bevel.gears[0]
+        body = next((n for n, b in model.bodies.items() if gear in b.bevel_gears), "")
+        found.append(abs(speeds.get(body, 0.0)) * model.bevel_gears[gear].number_of_teeth / math.tau)
     return found
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
+from pitchpoint.io.rexs.conversion.hubs import shaft_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
 from pitchpoint.io.rexs.document import RexsComponent
 
@@ -35,7 +36,7 @@ def seat_gear(conversion: Conversion, gear: RexsComponent) -> str | None:
     """Add a gear to its shaft or body; its name, None with a problem if it has no place."""
     name = conversion.name(gear)
     values = gear_data(conversion, gear, f"gears.{name}")
-    shaft = conversion.owner(gear, "shaft")
+    shaft = shaft_of(conversion, gear)
     if shaft is None:
         conversion.problem(
             gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
@@ -137,7 +138,7 @@ def _distance_of_places(conversion: Conversion, gears: list[RexsComponent]) -> f
     """Distance of the axes of two gears by the positions of their shafts [m]; None if not parallel."""
     seats = []
     for gear in gears:
-        shaft = conversion.owner(gear, "shaft")
+        shaft = shaft_of(conversion, gear)
         seats.append(None if shaft is None else conversion.seats.get(shaft.id))
     one, two = seats
     if one is None or two is None:

@@ -222,12 +222,20 @@ class Conversion:
         """List a value that was replaced or simplified."""
         self._add(Item(CHANGED, str(component), attribute, value, target, reason))
 
-    def ignored(self, component: RexsComponent | str, attribute: str, reason: str) -> None:
-        """List a component or value without effect in the model."""
+    def ignored(
+        self, component: RexsComponent | str, attribute: str, reason: str, *, values: bool = False
+    ) -> None:
+        """List a component or value without effect in the model; `values`: each with its value."""
+        names = [attribute]
         if isinstance(component, RexsComponent):
             self.done.add(component.id)
-            self.used |= {(component.id, name) for name in component.attributes if attribute in (name, "all")}
-        self._add(Item(IGNORED, str(component), attribute, reason=reason))
+            found = component.attributes
+            self.used |= {(component.id, name) for name in found if attribute in (name, "all")}
+            names = list(found) if values and attribute == "all" and found else names
+        for name in names:
+            known = component.attributes.get(name) if isinstance(component, RexsComponent) else None
+            text = "" if known is None else shown(known)
+            self._add(Item(IGNORED, str(component), name, text, reason=reason))
 
     def _add(self, item: Item) -> None:
         """Add an entry once."""
