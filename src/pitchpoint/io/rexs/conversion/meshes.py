@@ -19,6 +19,8 @@ BACKLASH = 0.04
 """Default circumferential backlash over module: without it both flanks would be in contact."""
 AGREE = 1e-6
 """Difference of centre distances that counts as rounding [m]."""
+ROUNDED = 2e-6
+"""Rounding of reference centre distances in files [m]."""
 PARALLEL = 1e-9
 
 
@@ -92,6 +94,13 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     name = conversion.name(stage)
     distance = conversion.number(stage, "center_distance", f"meshes.{name}.center_distance")
     placed = _distance_of_places(conversion, gears)
+    if placed is not None and distance is not None and abs(distance - _reference(gears)) < ROUNDED < abs(
+        placed - distance
+    ):
+        reason = f"{_mm(distance)} is the reference centre distance, without profile shift"
+        target = f"meshes.{name}.center_distance"
+        conversion.changed(stage, "center_distance", _mm(placed), target, reason)
+        distance = placed
     if placed is not None and distance is not None and abs(placed - distance) > AGREE:
         conversion.problem(
             stage,
@@ -117,6 +126,15 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     conversion.default(
         stage, "mesh stiffness", "law din3990", f"meshes.{name}.stiffness", "from the geometry"
     )
+
+
+def _reference(gears: list[RexsComponent]) -> float:
+    """Reference centre distance of two gears [m]."""
+    teeth = [float(g.get("number_of_teeth") or 0.0) for g in gears]  # type: ignore[arg-type]
+    signs = [-1.0 if g.type == "ring_gear" else 1.0 for g in gears]
+    m_n = float(gears[0].get("normal_module") or 0.0)  # type: ignore[arg-type]
+    beta = float(gears[0].get("helix_angle_reference_diameter") or 0.0)  # type: ignore[arg-type]
+    return abs(sum(s * z for s, z in zip(signs, teeth, strict=True))) * m_n / (2.0 * math.cos(beta))
 
 
 def backlash_of(conversion: Conversion, stage: RexsComponent, target: str) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.io.rexs.conversion.bearings import TYPES
+from pitchpoint.io.rexs.conversion.rolling import TYPES
 from pitchpoint.io.rexs.exporting.draft import Draft
 
 if TYPE_CHECKING:
