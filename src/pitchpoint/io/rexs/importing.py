@@ -26,6 +26,7 @@ from pitchpoint.io.rexs.conversion.masses import convert_mass
 from pitchpoint.io.rexs.conversion.meshes import convert_stage
 from pitchpoint.io.rexs.conversion.operating import active_loads, convert_load_cases, convert_lubricant
 from pitchpoint.io.rexs.conversion.planetary import convert_carriers, convert_planetary_stage
+from pitchpoint.io.rexs.conversion.profile_amounts import settle_profile_amounts
 from pitchpoint.io.rexs.conversion.profile_shifts import settle_shifts
 from pitchpoint.io.rexs.conversion.shafts import convert_shaft
 from pitchpoint.io.rexs.conversion.state import CHANGED, DEFAULT, IGNORED, TAKEN, Conversion, Item, shown
@@ -163,6 +164,8 @@ def import_rexs(path: str | Path, load_case: int | None = None, *, name: str | N
         place = stored(file, files[file]).with_name(f"{stem}.yaml")
     try:
         model = _built(conversion, place)
+        if settle_profile_amounts(conversion, model):
+            model = _built(conversion, place)
         steady = time_response(conversion, model)
         if steady is not None:
             conversion.data["scenarios"]["steady"] = steady

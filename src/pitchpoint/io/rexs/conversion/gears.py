@@ -77,7 +77,7 @@ def gear_data(conversion: Conversion, gear: RexsComponent, path: str) -> dict[st
     bore = bore or _own_diameter(conversion, gear, f"{path}.bore_diameter")
     if bore:
         values["bore_diameter"] = q(bore, "length")
-    modifications = modifications_of(conversion, flanks_of(conversion, gear), path)
+    modifications = modifications_of(conversion, gear, flanks_of(conversion, gear), path)
     if modifications:
         values["modifications"] = modifications
     mass = conversion.number(gear, "mass_of_component", f"{path}.mass")

@@ -7,7 +7,7 @@ import re
 import unicodedata
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from pitchpoint.io.rexs.conversion.frames import Frame
 from pitchpoint.io.rexs.document import RexsAttribute, RexsComponent, RexsModel, Value
 from pitchpoint.io.rexs.units import RexsUnit, unit_of
 from pitchpoint.model.write import quantity_text
+
+if TYPE_CHECKING:
+    from pitchpoint.io.rexs.conversion.profile_amounts import ProfileAmount
 
 TAKEN, DEFAULT, CHANGED, IGNORED = "taken", "default", "changed", "ignored"
 """Kinds of entries: value of the file; default for a missing one; value of the file that was replaced or
@@ -136,6 +139,7 @@ class Conversion:
         self.frames: dict[int, Frame] = {}
         self.seats: dict[int, Seat] = {}
         self.meshings: list[Meshing] = []
+        self.profile_amounts: list[ProfileAmount] = []
         self.directions: list[np.ndarray] = [np.array([0.0, 0.0, 1.0])]
         self.origins: dict[tuple[str, str], RexsComponent] = {}
         """Component of each entry of the model file."""
