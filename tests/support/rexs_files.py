@@ -9,7 +9,10 @@ from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 UNITS = {
-    "deg": ("helix_angle_reference_diameter", "normal_pressure_angle", "pressure_angle"),
+    "deg": (
+        *("helix_angle_reference_diameter", "normal_pressure_angle", "pressure_angle", "mean_spiral_angle"),
+        *("shaft_angle", "generated_pressure_angle_on_drive_side", "generated_pressure_angle_on_coast_side"),
+    ),
     "none": (
         *("number_of_teeth", "addendum_modification_coefficient", "axial_force_absorption", "poisson_ratio"),
         *(
@@ -28,13 +31,21 @@ UNITS = {
             "direction_vector_gravity_w",
         ),
         *("addendum_coefficient_reference_profile", "tip_corner_radius_factor_reference_profile"),
+        *("datum_face_orientation", "bevel_cone_orientation", "spiral_angle_pitch_direction", "basis"),
+        *("reduced_static_stiffness_matrix", "matrix_with_inertial_environment_boundary"),
+        *("profile_shift_coefficient", "lubricant_type_iso_6336_2006", "number_of_bearing_rows"),
+        "catalogue_value_e",
     ),
+    "C": ("temperature_lubricant",),
+    "mm^2 / s": ("viscosity_at_40_degree_celsius", "viscosity_at_100_degree_celsius"),
+    "%": ("operating_time_fraction",),
+    "h": ("operating_time",),
     "N m": ("torque_around_u_axis",),
     "N": ("force_u_direction", "force_v_direction", "force_w_direction"),
     "1 / min": ("rotational_speed",),
     "kN": ("radial_dynamic_load_rating", "radial_static_load_rating"),
     "N / mm^2": ("elastic_modulus",),
-    "kg / dm^3": ("density",),
+    "kg / dm^3": ("density", "density_at_15_degree_celsius"),
     "kg": ("mass_of_component",),
     "kW": ("power",),
     "kg m^2": ("moment_of_inertia_u_axis", "moment_of_inertia_v_axis", "moment_of_inertia_w_axis"),
@@ -52,6 +63,9 @@ Relation = tuple[str, Mapping[str, int]]
 
 
 def _cells(value: Any) -> str:
+    if isinstance(value, Sequence) and not isinstance(value, str) and isinstance(value[0], Sequence):
+        rows = ("<r>" + "".join(f"<c>{_cells(v)}</c>" for v in row) + "</r>" for row in value)
+        return f"<matrix>{''.join(rows)}</matrix>"
     if isinstance(value, Sequence) and not isinstance(value, str):
         return "<array>" + "".join(f"<c>{_cells(v)}</c>" for v in value) + "</array>"
     return str(value).lower() if isinstance(value, bool) else escape(str(value))

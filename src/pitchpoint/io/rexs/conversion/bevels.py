@@ -287,7 +287,7 @@ def _backlash(
 ) -> dict[str, Any]:
     """Backlash of a bevel mesh at the mean cone distance; a usual one if the file has none."""
     mean = conversion.number(stage, "mean_normal_backlash", f"{target}.normal")
-    if mean:
+    if mean or (conversion.own and mean is not None):
         return {"normal": q(mean, "length")}
     text = f"factor {BACKLASH}"
     conversion.default(stage, "mean_normal_backlash", text, target, "circumferential, over the module")

@@ -118,7 +118,7 @@ def convert_loads(conversion: Conversion, active: set[int]) -> None:
             conversion.put("loads", load, {"body": seat.body, **zero, "position": values["position"]})
         else:
             conversion.ignored(load, "all", "it has neither torque nor force in this load case")
-    if driven and len(free) == 1:
+    if (driven or conversion.own) and len(free) == 1:
         load, values = free[0]
         values = {
             "body": values["body"],

@@ -142,7 +142,7 @@ def backlash_of(conversion: Conversion, stage: RexsComponent, target: str) -> di
     for key, attribute in (("normal", "normal_backlash"), ("circumferential", "transverse_backlash")):
         ends = [conversion.number(stage, f"{end}_{attribute}", f"{target}.{key}") for end in _ENDS]
         given = [value for value in ends if value is not None]
-        if given and max(given) > 0.0:
+        if given and (max(given) > 0.0 or conversion.own):
             return {key: q(sum(given) / len(given), "length")}
     text = f"factor {BACKLASH}"
     conversion.default(stage, "minimum_normal_backlash", text, target, "circumferential, over the module")

@@ -17,9 +17,10 @@ from pitchpoint.io.rexs.conversion.planets import (
     Mate,
     check_equal,
     circles_of,
+    fitting_angles,
+    places_on_turn,
     planet_shafts,
     settle_places,
-    teeth_fit,
 )
 from pitchpoint.io.rexs.conversion.shafts import sections_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, Seat, q
@@ -56,12 +57,20 @@ def convert_planetary_stage(conversion: Conversion, stage: RexsComponent, carrie
     several = len(circles) > 1 or len(conversion.source.of_type("planetary_stage")) > 1
     for k, circle in enumerate(circles):
         circle.name = name if k == 0 else conversion.free(f"{name}_{k + 1}")
-        circle.planet_name = f"{circle.name}_planet" if several else "planet"
+        circle.planet_name = _stem(conversion, circle) or (f"{circle.name}_planet" if several else "planet")
     data: dict[int, dict[str, Any]] = {}
     for circle in circles:
         _convert_circle(conversion, stage, circle, (carrier, axis), data)
         if len(conversion.problems) > before:
             return
+
+
+def _stem(conversion: Conversion, circle: Circle) -> str:
+    """Common beginning of the names of planets in files of pitchpoint; else empty."""
+    names = [planet.shaft.name for planet in circle.planets]
+    stem = names[0].removesuffix("_1")
+    numbered = [f"{stem}_{k}" for k in range(1, len(names) + 1)]
+    return stem if conversion.own and sorted(names) == sorted(numbered) else ""
 
 
 def _convert_circle(
@@ -95,11 +104,14 @@ def _convert_circle(
         data[gear.id] = found
         conversion.done.add(gear.id)
     check_equal(conversion, circle.planets)
+    fitted = len(circle.order) > 1 and fitting_angles(circle, places_on_turn(circle, False)) is None
+    angles = fitting_angles(circle, places_on_turn(circle, fitted))
+    angles = [planet.angle for planet in circle.planets] if angles is None else angles
     values: dict[str, Any] = {}
     _add_mates(conversion, circle, main, values, data)
     values |= {"carrier": carrier, "planet": data[first.gears[main].id]}
     if circle.inner is None:
-        values["angles"] = [q(planet.angle, "angle") for planet in circle.planets]
+        values["angles"] = [q(angle, "angle") for angle in angles]
     else:
         values["planets"] = len(circle.planets)
         _by_inner(conversion, stage, circle, values)
@@ -107,8 +119,8 @@ def _convert_circle(
     if circle.planet_name != "planet":
         values["planet_name"] = circle.planet_name
     _add_position(conversion, circle, axis, values)
-    _add_pin_errors(conversion, circle, values)
-    _add_steps(conversion, circle, values, data)
+    _add_pin_errors(conversion, circle, angles, values)
+    _add_steps(conversion, circle, fitted, values, data)
     convert_planet_bearings(conversion, stage, circle, carrier, values)
     conversion.put("planetary_stages", stage, values, circle.name)
 
@@ -220,30 +232,42 @@ def _add_position(conversion: Conversion, circle: Circle, axis: Seat, values: di
         values["position"] = q(offset, "length")
 
 
-def _add_pin_errors(conversion: Conversion, circle: Circle, values: dict[str, Any]) -> None:
-    """Add the errors of pins that are at another distance from the axis than the others."""
+def _add_pin_errors(
+    conversion: Conversion, circle: Circle, angles: list[float], values: dict[str, Any]
+) -> None:
+    """Add the errors of pins that are not at the distance of the others or not at a fitting angle."""
     nominal = circle.distance
     errors = {}
-    for k, planet in enumerate(circle.planets):
-        if abs(planet.distance - nominal) > EQUAL:
-            error = q(planet.distance - nominal, "length")
-            errors[f"{circle.planet_name}_{k + 1}"] = {"radial": error}
-            target = f"planetary_stages.{circle.name}.pin_errors.{circle.planet_name}_{k + 1}"
-            reason = f"the other pins are {1e3 * nominal:.6g} mm from the axis"
-            conversion.changed(planet.shaft, "support_vector", str(error), target, reason)
+    for k, (planet, angle) in enumerate(zip(circle.planets, angles, strict=True)):
+        off = math.remainder(planet.angle - angle, math.tau)
+        found = {
+            "tangential": planet.distance * math.sin(off),
+            "radial": planet.distance * math.cos(off) - nominal,
+        }
+        given = {key: q(value, "length") for key, value in found.items() if abs(value) > EQUAL}
+        if given:
+            name = f"{circle.planet_name}_{k + 1}"
+            errors[name] = given
+            target = f"planetary_stages.{circle.name}.pin_errors.{name}"
+            text = ", ".join(f"{key} {value}" for key, value in given.items())
+            reason = f"from the place at {1e3 * nominal:.6g} mm and {math.degrees(angle):.6g} deg"
+            conversion.changed(planet.shaft, "support_vector", text, target, reason)
     if errors:
         values["pin_errors"] = errors
 
 
 def _add_steps(
-    conversion: Conversion, circle: Circle, values: dict[str, Any], data: dict[int, dict[str, Any]]
+    conversion: Conversion,
+    circle: Circle,
+    fitted: bool,
+    values: dict[str, Any],
+    data: dict[int, dict[str, Any]],
 ) -> None:
     """Add the further gears of stepped planets."""
     main, *others = circle.order
     if not others:
         return
     first = circle.planets[0]
-    fitted = not teeth_fit(circle, False) and teeth_fit(circle, True)
     steps = {}
     for k in others:
         step: dict[str, Any] = {}

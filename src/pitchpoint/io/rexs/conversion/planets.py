@@ -278,8 +278,16 @@ def check_equal(conversion: Conversion, planets: Sequence[Planet]) -> None:
                     )
 
 
-def teeth_fit(circle: Circle, fitted: bool) -> bool:
-    """Whether the teeth of all planets fit at their angles, steps rigid or oriented at the assembly."""
+def places_on_turn(circle: Circle, fitted: bool) -> int:
+    """Number of places on a turn of the carrier at which the teeth of planets fit; 0: at any angle.
+
+    Parameters
+    ----------
+    circle
+        The planets.
+    fitted
+        Whether the teeth of further gears of the planets are oriented at the assembly.
+    """
     from pitchpoint.model.planet_spacing import spacing_teeth
 
     meshes = []
@@ -288,14 +296,35 @@ def teeth_fit(circle: Circle, fitted: bool) -> bool:
         own = int(circle.planets[0].gears[k].get("number_of_teeth") or 0)  # type: ignore[arg-type]
         for mate in mates:
             if mate.side == "planet":
-                return True  # of the chain of planets: checked by the model
+                return 0  # of the chain of planets: checked by the model
             teeth = int(mate.gear.get("number_of_teeth") or 0)  # type: ignore[arg-type]
             meshes.append(({part: own}, -teeth if mate.side == "ring" else teeth))
-    places = spacing_teeth(meshes) if meshes else 0  # type: ignore[arg-type]
-    first = circle.planets[0].angle
-    turns = [(planet.angle - first) * places / math.tau for planet in circle.planets]
-    return all(abs(turn - round(turn)) < FITS for turn in turns)
+    return spacing_teeth(meshes) if meshes else 0  # type: ignore[arg-type]
 
 
-FITS = 1e-3
-"""Deviation from the angle at which the teeth of a planet fit, in the angle between two of them."""
+def fitting_angles(circle: Circle, places: int) -> list[float] | None:
+    """Angles of the planets at which their teeth fit [rad]: those of the file, or up to a pin error beside them.
+
+    None if a planet is farther away from them than `LARGEST_ERROR` modules.
+    """
+    if places == 0:
+        return [planet.angle for planet in circle.planets]
+    module = float(circle.planets[0].gears[circle.order[0]].get("normal_module") or 0.0)  # type: ignore[arg-type]
+    step = math.tau / places
+    for first in (planet.angle for planet in circle.planets):  # most planets have no error
+        found = [first + step * round((planet.angle - first) / step) for planet in circle.planets]
+        errors = [
+            abs(angle - planet.angle) * planet.distance
+            for angle, planet in zip(found, circle.planets, strict=True)
+        ]
+        right = sum(error <= EQUAL for error in errors)
+        if max(errors) <= LARGEST_ERROR * module and 2 * right > len(errors):
+            return [
+                planet.angle if error <= EQUAL else angle
+                for angle, error, planet in zip(found, errors, circle.planets, strict=True)
+            ]
+    return None
+
+
+LARGEST_ERROR = 0.25
+"""Largest error of a pin, in modules: the bottom clearance of the teeth."""

@@ -135,10 +135,12 @@ class Conversion:
         self.done: set[int] = set()
         """Components that are in the model, or in the list."""
         self.names: dict[int, str] = {}
-        self.given: set[str] = set()
+        self.given: set[tuple[str, str]] = set()
         self.frames: dict[int, Frame] = {}
         self.seats: dict[int, Seat] = {}
         self.meshings: list[Meshing] = []
+        self.own = source.application.startswith("pitchpoint")
+        """Whether pitchpoint wrote the file: names, directions and zeros are then those of a model."""
         self.profile_amounts: list[ProfileAmount] = []
         self.directions: list[np.ndarray] = [np.array([0.0, 0.0, 1.0])]
         self.origins: dict[tuple[str, str], RexsComponent] = {}
@@ -157,15 +159,16 @@ class Conversion:
         """Name of a component in the model file: its own, without characters that names must not have."""
         if component.id not in self.names:
             text = component.name or f"{component.type} {component.id}"
-            self.names[component.id] = self.free(plain_name(text), component.id)
+            name = text if self.own and re.fullmatch(r"[A-Za-z][\w-]*", text) else plain_name(text)
+            self.names[component.id] = self.free(name, component.id, component.type if self.own else "")
         return self.names[component.id]
 
-    def free(self, name: str, number: int | None = None) -> str:
-        """A name that no other component has."""
+    def free(self, name: str, number: int | None = None, group: str = "") -> str:
+        """A name that no other component has; in files of pitchpoint none of the same type."""
         found, k = name, number if number is not None else 2
-        while found in self.given:
+        while (group, found) in self.given:
             found, k = f"{name}_{k}", k + 1
-        self.given.add(found)
+        self.given.add((group, found))
         return found
 
     def aligned(self, frame: Frame) -> tuple[Frame, float]:
@@ -173,7 +176,7 @@ class Conversion:
 
         Gears of a model mesh on shafts with equal directions of z.
         """
-        for direction in self.directions:
+        for direction in () if self.own else self.directions:
             if abs(abs(float(frame.z @ direction)) - 1.0) < 1e-9:
                 found = frame.along(direction)
                 return found, 1.0 if found is frame else -1.0

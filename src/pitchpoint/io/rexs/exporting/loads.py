@@ -49,12 +49,14 @@ def add_loads(draft: Draft) -> Values:
                 given = name_of.format(axis)
                 if value or key == "force":
                     values[given] = values.get(given, 0.0) + float(value)
+        if not any(values.values()) and load.torque is None:
+            draft.omit(path, "has neither torque nor force in the file")
         id = draft.part(
             "external_load",
             name,
             shaft,
             u_coordinate_on_shaft=float(load.position[2]),
-            transmits_torque=True if load.torque is not None else None,
+            transmits_torque=True if balance or isinstance(load.torque, Constant) else None,
         )
         draft.loads[name] = id
         found[id] = {key: attribute(key, value, "external_load") for key, value in values.items()}
@@ -78,20 +80,20 @@ def load_spectra(draft: Draft, loads: Values, results: Mapping[str, Values]) -> 
     """
     model = draft.model
     own = {name: _of_load_case(draft, name, loads) for name in model.load_cases}
-    cases: list[Values] = []
+    moving: list[Values] = []
+    others: list[Values] = []
     scenarios = {n: s for n, s in model.scenarios.items() if s.speed or n in results}
-    # the import takes the first load case: one with speeds
-    for name in sorted(scenarios, key=lambda n: not scenarios[n].speed):
-        values = _with_speeds(draft, loads, f"scenarios.{name}.speed", scenarios[name].speed)
-        known = [_plain(one) for one in (*own.values(), *cases)]
-        if name not in results and _plain(values) in known:
+    for name, scenario in scenarios.items():
+        values = _with_speeds(draft, loads, f"scenarios.{name}.speed", scenario.speed)
+        if name not in results and _plain(values) in [_plain(one) for one in (*own.values(), *moving)]:
             continue
         for id, more in results.get(name, {}).items():
             values.setdefault(id, {}).update(more)
-        cases.append(values)
-    for name, values in own.items():
-        cases.append(values)
-        draft.omit(f"load_cases.{name}", f"is load case {len(cases)} of the file, which has no names of them")
+        (moving if scenario.speed else others).append(values)
+    # the import takes the first load case: one with speeds
+    cases = [*moving, *own.values(), *others]
+    for number, name in enumerate(own, len(moving) + 1):
+        draft.omit(f"load_cases.{name}", f"is load case {number} of the file, which has no names of them")
     if not cases and loads:
         cases.append({id: dict(one) for id, one in loads.items()})
     for name, scenario in model.scenarios.items():

@@ -59,8 +59,6 @@ def _add_shaft(draft: Draft, name: str, body: Body) -> None:
 def _add_rigid(draft: Draft, name: str, body: Body) -> None:
     """Add a rigid body: a shaft without sections, with its mass as an additional one."""
     origin, axes = draft.frame(name)
-    if body.stage is not None:
-        origin = _on_pin(draft, name, body.stage, origin, axes)
     id = draft.part("shaft", name, draft.unit, **placed(origin, axes, draft.unit))
     draft.shafts[name] = id
     if body.motion == "fixed":
@@ -96,21 +94,6 @@ def _add_mass(draft: Draft, name: str, id: int) -> None:
         moment_of_inertia_v_axis=float(tensor[1, 1]) or None,
         moment_of_inertia_w_axis=float(tensor[0, 0]) or None,
     )
-
-
-def _on_pin(draft: Draft, name: str, stage: str, origin: np.ndarray, axes: np.ndarray) -> np.ndarray:
-    """Origin of a planet without the error of its pin [m]: planets of REXS have equal distances."""
-    found = draft.model.planetary_stages.get(stage)
-    error = None if found is None else found.pin_errors.get(name)
-    if found is None or error is None:
-        return origin
-    axis, frame = draft.frame(found.carrier)
-    x, y, z = frame.T @ (origin - axis)
-    distance = math.sqrt(x * x + y * y - error.tangential**2) - error.radial
-    angle = math.atan2(y, x) - math.atan2(error.tangential, distance + error.radial)
-    place = np.array([distance * math.cos(angle), distance * math.sin(angle), z])
-    nominal: np.ndarray = axis + frame @ place
-    return nominal
 
 
 def _add_carrier(draft: Draft, name: str, body: Body) -> None:
