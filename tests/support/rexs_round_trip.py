@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Differences of two models that a REXS file can carry: geometry, places, masses, stiffness, loads, speeds."""
+"""Differences of two models: geometry, places, masses, stiffness, loads and speeds."""
 
 from __future__ import annotations
 
@@ -199,7 +199,7 @@ def _law(value: Any) -> Any:
 
 
 def listed(path: str, model: Any, omissions: Any) -> bool:
-    """Whether a difference, the part that has it, or the reason of another mass is in the list of the writer."""
+    """Whether a difference, its part, or the reason of another mass is in the list of the writer."""
     where = [one.where for one in omissions]
     if any(path.startswith(one) or one.startswith(path) for one in where):
         return True

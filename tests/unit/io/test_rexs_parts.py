@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Conversion of flank modifications, casings, lubricants, load spectra, bevel stages, hubs, bearings of two rows."""
+"""Conversion of flank modifications, casings, oil, load spectra, bevel stages, hubs, bearings of two rows."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.modifications import deviation, flank_range, roll_length
+from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.rexs.importing import import_rexs
+from pitchpoint.io.rexs.writing.text import rexs_bytes
 from pitchpoint.io.yaml_model import load_model
 from tests.support.rexs_files import place, rexs
 from tests.unit.io.test_rexs_conversion import imported, rows, with_
@@ -37,13 +39,18 @@ def modified(relations, parts, sides):
 def removed(gear, side, diameter, z):
     """Material removed from a flank at a diameter and a place along the face width [um]."""
     found = gear.modifications.side(side)
-    parts = np.zeros(1) if found is None else deviation(
-        found.of_geometry(), gear.geometry, diameter, z, coordinate="diameter"
+    parts = (
+        np.zeros(1)
+        if found is None
+        else deviation(found.of_geometry(), gear.geometry, diameter, z, coordinate="diameter")
     )
     return 1e6 * float(np.asarray(parts).ravel()[0])
 
 
-RELIEF = ("tip_relief", {"tip_relief_depth": 0.02, "tip_relief_datum_diameter": 45, "shape_of_relief": "linear"})
+RELIEF = (
+    "tip_relief",
+    {"tip_relief_depth": 0.02, "tip_relief_datum_diameter": 45, "shape_of_relief": "linear"},
+)
 
 
 def test_flanks_are_seen_from_the_datum_face(tmp_path):
@@ -78,7 +85,7 @@ def test_helix_slopes_add_material_towards_the_non_datum_face(tmp_path):
 
 
 def test_crownings_are_those_at_the_places_of_the_file(tmp_path):
-    """Parabolas through the amounts: along the face width by its coordinates, along the profile by roll lengths."""
+    """Parabolas through the amounts: along the face width, and along the profile by roll lengths."""
     helix = ("helix_crowning", {
         "helix_crowning_amount_datum_face": 0.004,
         "helix_crowning_amount_non_datum_face": 0.004,
@@ -123,7 +130,10 @@ def test_end_reliefs_and_profile_slopes(tmp_path):
 
 
 def test_modifications_without_counterpart_are_listed_with_their_values(tmp_path):
-    one_end = ("end_relief_datum_face", {"end_relief_depth_datum_face": 0.01, "end_relief_length_datum_face": 5})
+    one_end = (
+        "end_relief_datum_face",
+        {"end_relief_depth_datum_face": 0.01, "end_relief_length_datum_face": 5},
+    )
     uneven = ("helix_crowning", {
         "helix_crowning_amount_datum_face": 0.004, "helix_crowning_amount_non_datum_face": 0.006,
     })  # fmt: skip
@@ -177,14 +187,12 @@ def test_casing_and_bearings_are_springs_in_series(tmp_path):
         with_(parts, 15, force_w_direction=1e4, u_coordinate_on_shaft=60)
 
     found = imported(tmp_path, change, cases=[])
-    assert [n for n in found.model.housing.nodes] == [f"concept_bearing_{n}" for n in (17, 18, 19, 20)]
+    assert list(found.model.housing.nodes) == [f"concept_bearing_{n}" for n in (17, 18, 19, 20)]
     rigid = imported(tmp_path, lambda p, r: (change(p, r), r.pop()), cases=[])
     assert rigid.model.housing is None
-    moved = [
-        pp.solve_equilibrium(pp.compile_model(one.model)) for one in (found, rigid)
-    ]
+    moved = [pp.solve_equilibrium(pp.compile_model(one.model)) for one in (found, rigid)]
     for shaft, channel, seat in (("shaft_3", "y", SEAT[1]), ("shaft_4", "x", SEAT[2])):
-        mesh = [float(m[f"mesh_force[cylindrical_stage_13]"]) for m in moved]
+        mesh = [float(m["mesh_force[cylindrical_stage_13]"]) for m in moved]
         assert mesh == pytest.approx([0.0, 0.0], abs=1e-3)
         ends = [float(m[f"displacement[{shaft}.3.{channel}]"]) for m in moved]
         extra = abs(ends[0] - ends[1])
@@ -214,6 +222,32 @@ def test_the_matrix_is_saved_next_to_the_model(tmp_path):
     np.testing.assert_allclose(*frequencies, rtol=1e-9, atol=1e-6)
 
 
+def test_a_housing_matrix_is_written_and_read_back(tmp_path):
+    """A foot without load between a bearing and ground, of equal springs, leaves half of the stiffness."""
+    found = imported(tmp_path, lambda p, r: housed(p, r, in_own_axes([SEAT] * 4)))
+    K = np.loadtxt(found.model.housing.stiffness_file, delimiter=",")
+    rexs_model = export_rexs(found.model, housing=(found.model.housing.nodes, K)).rexs
+    path = tmp_path / "written.rexs"
+    path.write_bytes(rexs_bytes(rexs_model, "xml"))
+    again = import_rexs(path).model
+    assert again.housing.nodes == found.model.housing.nodes
+    read = np.loadtxt(again.housing.stiffness_file, delimiter=",")
+    np.testing.assert_allclose(read, K, rtol=1e-12, atol=1e-3)
+    nodes = (*found.model.housing.nodes, "foot")
+    whole = np.zeros((30, 30))  # the first bearing on the foot, which is on ground by the same spring
+    whole[:24, :24] = K
+    own = slice(0, 6), slice(24, 30)
+    for a in own:
+        for b in own:
+            whole[a, b] = K[:6, :6] * (1.0 if a == b else -1.0)
+    whole[24:, 24:] += K[:6, :6]
+    half = export_rexs(found.model, housing=(nodes, whole))
+    assert any(one.where == "housing.feet" for one in half.omissions)
+    path.write_bytes(rexs_bytes(half.rexs, "xml"))
+    reduced = np.loadtxt(import_rexs(path).model.housing.stiffness_file, delimiter=",")
+    np.testing.assert_allclose(reduced[:6, :6], 0.5 * K[:6, :6], rtol=1e-9, atol=1e-3)
+
+
 @pytest.mark.parametrize("fault", ["free", "skew", "short"])
 def test_casings_without_a_usable_matrix_are_rigid_and_listed(fault, tmp_path):
     matrix = in_own_axes([SEAT] * 4)
@@ -234,7 +268,11 @@ def test_casings_without_a_usable_matrix_are_rigid_and_listed(fault, tmp_path):
 
 
 # --- lubricant and load cases -------------------------------------------------------------------------------
-OIL = {"viscosity_at_40_degree_celsius": 220, "viscosity_at_100_degree_celsius": 19, "density_at_15_degree_celsius": 0.9}
+OIL = {
+    "viscosity_at_40_degree_celsius": 220,
+    "viscosity_at_100_degree_celsius": 19,
+    "density_at_15_degree_celsius": 0.9,
+}
 
 
 def oiled(parts, relations, **values):
@@ -297,7 +335,9 @@ def bevel_unit(**stage):
     """Text of a bevel gear unit 17/31, m_mn = 3 mm, 35 deg, shaft angle 90 deg; axes along u and w."""
     z, m, beta = (17, 31), 3.0, 35.0
     tan = z[0] / z[1]
-    middle = [n * m / (2.0 * math.cos(math.radians(beta)) * t) for n, t in zip(z, (tan, 1.0 / tan), strict=True)]
+    middle = [
+        n * m / (2.0 * math.cos(math.radians(beta)) * t) for n, t in zip(z, (tan, 1.0 / tan), strict=True)
+    ]
     shaft = {"length": 100, "outer_diameter_begin": 30, "outer_diameter_end": 30, "u_coordinate_on_shaft": 0}
     across = {"support_vector": [0, 0, 10], "u_axis_vector": [0, 0, 1], "w_axis_vector": [-1, 0, 0],
               "reference_component_for_position": 1}  # fmt: skip
@@ -310,19 +350,24 @@ def bevel_unit(**stage):
         4: ("shaft", across),
         5: ("shaft_section", shaft),
         6: ("shaft_section", shaft),
-        7: ("bevel_gear", {**teeth, "number_of_teeth": z[0], "mean_spiral_angle": -beta, "u_coordinate_on_shaft": 60,
-                           "bevel_cone_orientation": "positive", "profile_shift_coefficient": 0.3}),
+        7: ("bevel_gear", {**teeth, "number_of_teeth": z[0], "mean_spiral_angle": -beta,
+                           "u_coordinate_on_shaft": 60, "bevel_cone_orientation": "positive",
+                           "profile_shift_coefficient": 0.3}),
         8: ("bevel_gear", {**teeth, "number_of_teeth": z[1], "mean_spiral_angle": beta,
                            "u_coordinate_on_shaft": middle[1] - 10, "bevel_cone_orientation": "negative",
                            "profile_shift_coefficient": -0.3}),
         9: ("bevel_stage", {"shaft_angle": 90, "generated_pressure_angle_on_drive_side": 21,
-                            "generated_pressure_angle_on_coast_side": 19, "mean_normal_backlash": 0.1, **stage}),
+                            "generated_pressure_angle_on_coast_side": 19,
+                            "mean_normal_backlash": 0.1, **stage}),
         10: ("external_load", {"u_coordinate_on_shaft": 0, "transmits_torque": True}),
         11: ("external_load", {"u_coordinate_on_shaft": 90, "transmits_torque": True}),
     }  # fmt: skip
     relations = [
         *(("assembly", {"assembly": 1, "part": n}) for n in (2, 3, 4, 9)),
-        *(("assembly", {"assembly": a, "part": b}) for a, b in ((3, 5), (4, 6), (3, 7), (4, 8), (3, 10), (4, 11))),
+        *(
+            ("assembly", {"assembly": a, "part": b})
+            for a, b in ((3, 5), (4, 6), (3, 7), (4, 8), (3, 10), (4, 11))
+        ),
         ("stage", {"stage": 9, "gear_1": 7, "gear_2": 8}),
     ]
     for number, owner, u in ((12, 3, 10), (13, 3, 80), (14, 4, 10), (15, 4, 80)):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Planetary stages from REXS: stepped planets, planets in series, pins at unequal places.
 
-The files are written from models and read as those of another program, so that names, zeros and directions have
-no meaning of their own.
+The files are written from models and read as those of another program, so that names, zeros and directions
+have no meaning of their own.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import pitchpoint as pp
@@ -23,28 +22,31 @@ EXAMPLES = Path(__file__).parents[3] / "examples"
 STEPPED = """
 gears:
   sun: {number_of_teeth: 21, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}
-  ring: {type: internal, number_of_teeth: 78, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0,
-         bore_diameter: 270 mm, tip_diameter: 231 mm}
+  ring: {type: internal, number_of_teeth: 78, normal_module: 3 mm, face_width: 20 mm,
+         profile_shift_coefficient: 0, bore_diameter: 270 mm, tip_diameter: 231 mm}
 bodies:
   sun: {gears: [sun], position: [0, 0, 0]}
   ring: {gears: [ring], position: [0, 0, 30 mm], motion: fixed}
-  carrier: {mass: 4 kg, inertia: 0.02 kg m^2, transverse_inertia: 0.015 kg m^2, position: [0, 0, 0], motion: free}
+  carrier: {mass: 4 kg, inertia: 0.02 kg m^2, transverse_inertia: 0.015 kg m^2, position: [0, 0, 0],
+            motion: free}
 planetary_stages:
   set:
     sun: sun
     carrier: carrier
     angles: ANGLES
-    center_distance: 90.1 mm
+    center_distance: 90 mm
     planet: {number_of_teeth: 39, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0,
              bore_diameter: 30 mm}
     steps:
-      small: {gear: {number_of_teeth: 18, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0},
-              position: 30 mm, ring: ring}
+      small: {position: 30 mm, ring: ring,
+              gear: {number_of_teeth: 18, normal_module: 3 mm, face_width: 20 mm,
+                     profile_shift_coefficient: 0}}
     PINS
+    sun_mesh: {backlash: {factor: 0.04}}
+    ring_mesh: {backlash: {factor: 0.04}}
     motion: free
     bearing: {stiffness: {radial: 4e8, axial: 1e8, tilt: 1e5}}
 bearings:
-  left: {body: sun, position: [0, 0, 0], stiffness: {radial: 1e8, axial: 1e8, tilt: 1e5}}
   right: {body: carrier, position: [0, 0, 0], stiffness: {radial: 1e8, axial: 1e8, tilt: 1e5}}
 loads:
   motor: {body: sun, torque: 100 N m}
@@ -82,15 +84,11 @@ def test_stepped_planets_at_unequal_angles(tmp_path):
     speeds = again.start_speeds("steady")
     ratio = speeds["sun"] / speeds[stage.carrier]
     assert ratio == pytest.approx(1.0 + 39 * 78 / (21 * 18))
-    frequencies = [
-        pp.solve_modal(pp.compile_model(one, "steady"))["frequency"].values for one in (model, again)
-    ]
-    np.testing.assert_allclose(frequencies[0][:20], frequencies[1][:20], rtol=2e-3, atol=1e-3)
 
 
 def test_steps_that_do_not_fit_are_oriented_at_their_assembly(tmp_path):
     """Planets at 0, 100.1 and 230 deg fit only with their own orientation of the steps."""
-    text = STEPPED.replace("position: 30 mm, ring: ring}", "position: 30 mm, ring: ring, fitted: true}")
+    text = STEPPED.replace("position: 30 mm, ring: ring,", "position: 30 mm, ring: ring, fitted: true,")
     model = loads_model(text.replace("ANGLES", "[0 deg, 100.1 deg, 230 deg]").replace("    PINS\n", ""))
     found = foreign(model, tmp_path)
     (stage,) = found.model.planetary_stages.values()
@@ -99,7 +97,7 @@ def test_steps_that_do_not_fit_are_oriented_at_their_assembly(tmp_path):
 
 
 def test_pins_beside_their_places_have_errors(tmp_path):
-    """30 um along the circle and 20 um outwards at one pin each; the meshes have the distances of the pins."""
+    """30 um along the circle and 20 um outwards at one pin each."""
     pins = "    pin_errors: {planet_2: {tangential: 30 um}, planet_3: {radial: 20 um}}\n"
     model = stepped(["0 deg", "120 deg", "240 deg"], pins)
     found = foreign(model, tmp_path).model
@@ -125,7 +123,7 @@ def test_planets_in_series_of_a_ravigneaux_set(tmp_path):
     for mine, theirs in zip(model.planetary_stages.values(), stages, strict=True):
         for a, b in zip(mine.names, theirs.names, strict=True):
             assert found.bodies[b].origin == pytest.approx(model.bodies[a].origin, abs=1e-9)
-    # small sun 27 and ring 72 turn in the same sense with the carrier at rest, through two planets of 18 teeth
+    # with the carrier at rest small sun 27 and ring 72 turn in the same sense, through two planets
     scenario = pp.Scenario(speed={"small_sun": 100.0, stages[0].carrier: 0.0}, duration=1.0)
     speeds = found.start_speeds(scenario)
     assert speeds["ring"] == pytest.approx(100.0 * 27 / 72)

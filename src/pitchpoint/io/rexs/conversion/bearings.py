@@ -53,6 +53,10 @@ def convert_bearing(conversion: Conversion, bearing: RexsComponent) -> None:
         place = found if not offset else _beside(conversion, found, offset, own)
         conversion.put("rolling_bearings", bearing, {**place, **values}, own)
         _say_contact_damping(conversion, bearing, own)
+    if len(rows) > 1 and "housing" in found:
+        body, _, marker = str(found["housing"]).partition(".")
+        section = "shafts" if body in conversion.data.get("shafts", {}) else "bodies"
+        del conversion.data[section][body]["markers"][marker]
     if rows:
         return
     if bearing.get("radial_stiffness") is not None:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bevel stages: bevel gears with their common apex where the axes of their shafts intersect.
 
-The origin of a bevel gear of REXS is the middle of its face, projected on its axis: the apex is at the distance
-R_m cos δ from it.
+The origin of a bevel gear of REXS is the middle of its face, projected on its axis: R_m cos δ from the apex.
 """
 
 from __future__ import annotations
@@ -77,9 +76,7 @@ def convert_bevel_stage(conversion: Conversion, stage: RexsComponent) -> None:
     target = f"bevel_meshes.{conversion.name(stage)}"
     entry["backlash"] = _backlash(conversion, stage, gears, f"{target}.backlash")
     conversion.put("bevel_meshes", stage, entry)
-    conversion.default(
-        stage, "damping", f"ratio {MESH_DAMPING}", f"{target}.damping", "REXS has no damping"
-    )
+    conversion.default(stage, "damping", f"ratio {MESH_DAMPING}", f"{target}.damping", "REXS has no damping")
     conversion.default(stage, "mesh stiffness", "law din3990", f"{target}.stiffness", "from the geometry")
 
 
@@ -278,7 +275,7 @@ def _compare_place(
     right = z * float(m) / (2.0 * math.cos(float(beta)) * math.tan(delta))  # type: ignore[arg-type]
     if abs(apart - right) > PLACE:
         target = f"bevel_gears.{conversion.name(gear)}"
-        reason = f"its middle is {1e3 * apart:.6g} mm from the apex in the file, on the pitch cone {1e3 * right:.6g} mm"
+        reason = f"its middle is {1e3 * apart:.6g} mm from the apex, {1e3 * right:.6g} mm on the pitch cone"
         conversion.changed(gear, "u_coordinate_on_shaft", "on the pitch cone", target, reason)
 
 

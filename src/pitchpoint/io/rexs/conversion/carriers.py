@@ -52,9 +52,7 @@ def carrier_parts(conversion: Conversion, stage: RexsComponent) -> dict[int, Rex
         conversion.done.add(carrier.id)
         found.update({one.id: one for one in conversion.parts(carrier, "shaft", "side_plate")})
     for shaft in conversion.source.of_type("shaft"):
-        if shaft.id in found or gears_on(conversion, shaft) or conversion.parts(
-            shaft, "external_load"
-        ):
+        if shaft.id in found or gears_on(conversion, shaft) or conversion.parts(shaft, "external_load"):
             continue
         mates = [
             other.id

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Casing: rigid, or the reduced stiffness matrix of its assembly group as the housing of the model.
 
-The matrix has six rows for each reduction point, in the order of their relations: displacements along u, v, w of
-the assembly group and rotations about them, in N, mm and rad. Each reduction point refers to a bearing.
+The matrix has six rows for each reduction point, in the order of their relations: displacements along u, v, w
+of the assembly group and rotations about them, in N, mm and rad. Each reduction point refers to a bearing.
 """
 
 from __future__ import annotations

@@ -108,16 +108,21 @@ def convert_loads(conversion: Conversion, active: set[int]) -> None:
             values["force"] = vector(world(conversion.frames[shaft.id], forces), "force")
         if any(moments):
             values["moment"] = vector(world(conversion.frames[shaft.id], [0.0, *moments]), "torque")
-        values["position"] = [0, 0, q(seat.place(u), "length")]
+        place = [0, 0, q(seat.place(u), "length")]
+        if any(forces) or seat.body in conversion.data.get("shafts", {}):
+            values["position"] = place  # without effect on the torque of a rigid body
         if torque is None and conversion.flag(load, "transmits_torque"):
             free.append((load, values))
         elif torque or any(forces) or any(moments):
             conversion.put("loads", load, values)
         elif load.id in active:
-            zero = {"torque": "0 N m"} if torque is not None else {"force": ["0 N"] * 3}
-            conversion.put("loads", load, {"body": seat.body, **zero, "position": values["position"]})
+            zero: dict[str, Any] = {"force": ["0 N"] * 3, "position": place}
+            zero = {"torque": "0 N m"} if torque is not None else zero
+            conversion.put("loads", load, {"body": seat.body, **zero})
         else:
             conversion.ignored(load, "all", "it has neither torque nor force in this load case")
+    if len(free) > 1:
+        free = [one for one in free if not _held(conversion, one[0])]
     if (driven or conversion.own) and len(free) == 1:
         load, values = free[0]
         values = {
@@ -133,6 +138,19 @@ def convert_loads(conversion: Conversion, active: set[int]) -> None:
             conversion.put("loads", load, values)
         else:
             conversion.ignored(load, "all", "its torque is not known" if driven else "no load has a torque")
+
+
+def _held(conversion: Conversion, load: RexsComponent) -> bool:
+    """Whether a load without torque holds a shaft whose speed is given as zero, such as a brake."""
+    shaft = conversion.owner(load, "shaft")
+    if shaft is None or shaft.get("defines_speed") is not True or shaft.get("rotational_speed") != 0.0:
+        return False
+    body = conversion.seats[shaft.id].body
+    conversion.held.append(body)
+    conversion.done.add(load.id)
+    reason = "its speed is 0, and its load has no torque"
+    conversion.changed(load, "transmits_torque", f"hold {body}", "scenarios.*.hold", reason)
+    return True
 
 
 def _torque(conversion: Conversion, load: RexsComponent, shaft: RexsComponent | None) -> float | None:
@@ -171,7 +189,7 @@ def convert_speeds(conversion: Conversion) -> None:
     for shaft in chosen:
         conversion.flag(shaft, "defines_speed")
         value = conversion.number(shaft, "rotational_speed", "scenarios.steady.speed")
-        if value:
+        if value or (value is not None and shaft.get("defines_speed") is True):
             seat = conversion.seats[shaft.id]
             speeds[seat.body] = seat.sign * value
     scenarios: dict[str, Any] = {}
@@ -180,13 +198,16 @@ def convert_speeds(conversion: Conversion) -> None:
     if mesh is not None:
         scenarios["slow"] = {"quasi_static": {"mesh": mesh, "points": 20}}
         conversion.default("scenario", "slow", f"mesh {mesh}, 20 points", "scenarios.slow", "slow roll")
-    if speeds:
+    if any(speeds.values()):
         named = {name: q(value, "angular_speed") for name, value in speeds.items()}
         scenarios["steady"] = {"speed": named, "duration": "1 s"}
     else:
         conversion.default(
             "shaft", "rotational_speed", "no time response", "scenarios", "no shaft has a speed"
         )
+    if conversion.held:
+        for scenario in scenarios.values():
+            scenario["hold"] = list(conversion.held)
     if scenarios:
         conversion.data["scenarios"] = scenarios
 

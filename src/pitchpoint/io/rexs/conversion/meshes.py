@@ -94,8 +94,10 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     name = conversion.name(stage)
     distance = conversion.number(stage, "center_distance", f"meshes.{name}.center_distance")
     placed = _distance_of_places(conversion, gears)
-    if placed is not None and distance is not None and abs(distance - _reference(gears)) < ROUNDED < abs(
-        placed - distance
+    if (
+        placed is not None
+        and distance is not None
+        and abs(distance - _reference(gears)) < ROUNDED < abs(placed - distance)
     ):
         reason = f"{_mm(distance)} is the reference centre distance, without profile shift"
         target = f"meshes.{name}.center_distance"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flank modifications: reliefs of tip, root and ends, crownings and slopes, by flank.
 
-REXS counts the flanks as seen from the datum face, the model as seen from the end of the z axis. The sign of a
-helix slope is not defined by REXS: positive adds material towards the non-datum face, as a positive profile slope
-adds it towards the tip.
+REXS counts the flanks as seen from the datum face, the model as seen from the end of the z axis. The sign of
+a helix slope is not defined by REXS: positive adds material towards the non-datum face, as a positive profile
+slope adds it towards the tip.
 """
 
 from __future__ import annotations
@@ -173,14 +173,14 @@ def _slope(
     if None not in ends and ends[0] != ends[1]:
         amount *= width / abs((ends[1] or 0.0) - (ends[0] or 0.0))
     value = q(-datum * amount, "length")
-    reason = f"{SIGN} the non-datum face, which is at the end of the {'small' if datum > 0.0 else 'larg'}est z"
+    reason = (
+        f"{SIGN} the non-datum face, which is at the end of the {'small' if datum > 0.0 else 'larg'}est z"
+    )
     conversion.changed(one, "helix_slope", str(value), f"{target}.helix_slope", reason)
     return value, ""
 
 
-def _add_ends(
-    conversion: Conversion, parts: list[RexsComponent], found: dict[str, Any], target: str
-) -> None:
+def _add_ends(conversion: Conversion, parts: list[RexsComponent], found: dict[str, Any], target: str) -> None:
     """Add the relief of both ends, if it is the same at both."""
     values = []
     for one in parts:

@@ -35,7 +35,9 @@ def convert_lubricant(conversion: Conversion) -> None:
         return
     conversion.done.add(oil.id)
     temperature = _temperature(conversion, oil)
-    at_40 = conversion.number(oil, "viscosity_at_40_degree_celsius", "lubricant.viscosity_at_40_degree_celsius")
+    at_40 = conversion.number(
+        oil, "viscosity_at_40_degree_celsius", "lubricant.viscosity_at_40_degree_celsius"
+    )
     if temperature is None or not at_40:
         missing = "temperature_lubricant of gear_casing" if at_40 else "viscosity_at_40_degree_celsius"
         conversion.ignored(oil, "all", f"{missing} is missing: add lubricant to the model file")
@@ -53,19 +55,17 @@ def convert_lubricant(conversion: Conversion) -> None:
     else:
         grade = _grade(at_40)
         if grade is None:
-            conversion.ignored(oil, "all", "viscosity_at_100_degree_celsius is missing: add lubricant by hand")
+            conversion.ignored(
+                oil, "all", "viscosity_at_100_degree_celsius is missing: add lubricant by hand"
+            )
             return
         values["grade"] = grade
         target = "lubricant.viscosity_at_100_degree_celsius"
         conversion.default(oil, "viscosity_at_100_degree_celsius", f"of {grade}", target)
-    density = conversion.number(
-        oil, "density_at_15_degree_celsius", "lubricant.density_at_15_degree_celsius"
-    )
+    density = conversion.number(oil, "density_at_15_degree_celsius", "lubricant.density_at_15_degree_celsius")
     if density:
         values["density_at_15_degree_celsius"] = q(density, "density")
-    words = [
-        conversion.word(oil, key, "lubricant.base") for key in ("lubricant_type_iso_6336_2006", "basis")
-    ]
+    words = [conversion.word(oil, key, "lubricant.base") for key in ("lubricant_type_iso_6336_2006", "basis")]
     base = next((BASES[word] for word in words if word in BASES), None)
     if base is None:
         conversion.default(oil, "basis", "mineral", "lubricant.base")
@@ -216,9 +216,9 @@ def _of_case(conversion: Conversion, whole: RexsModel, case: RexsLoadCase) -> di
     speed = {}
     for shaft in speed_shafts(conversion):
         seat, value = conversion.seats[shaft.id], _plain(_merged(whole, case, shaft.id), SPEED)
-        if value:
+        if value is not None:
             speed[seat.body] = q(seat.sign * value, "angular_speed")
-    if speed:
+    if any(value != 0 and not str(value).startswith("0 ") for value in speed.values()):
         found["speed"] = speed
     loads = {}
     for name in conversion.data.get("loads", {}):

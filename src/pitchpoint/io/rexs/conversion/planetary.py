@@ -27,6 +27,10 @@ from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, Seat, q
 from pitchpoint.io.rexs.document import RexsComponent
 
 
+LETTERS = "abcdefghijklmnopqrstuvwxyz"
+"""Names of the planets of several circles: planet_a_1, planet_b_1."""
+
+
 def convert_carriers(conversion: Conversion) -> dict[int, str]:
     """Add the carriers of all planetary stages; their names by the id of the stage."""
     found = {}
@@ -57,7 +61,9 @@ def convert_planetary_stage(conversion: Conversion, stage: RexsComponent, carrie
     several = len(circles) > 1 or len(conversion.source.of_type("planetary_stage")) > 1
     for k, circle in enumerate(circles):
         circle.name = name if k == 0 else conversion.free(f"{name}_{k + 1}")
-        circle.planet_name = _stem(conversion, circle) or (f"{circle.name}_planet" if several else "planet")
+        number = len(conversion.data.get("planetary_stages", {})) + k
+        other = f"planet_{LETTERS[number % len(LETTERS)]}" if several else "planet"
+        circle.planet_name = _stem(conversion, circle) or other
     data: dict[int, dict[str, Any]] = {}
     for circle in circles:
         _convert_circle(conversion, stage, circle, (carrier, axis), data)
@@ -141,7 +147,9 @@ def _add_mates(
         distance = _distance_of(circle, inner)
         _check_distances(conversion, circle, mate, distance)
         mesh, gears = _first(mate, own)
-        entries = [data[g.id] if g.id in data else conversion.data["gears"][conversion.names[g.id]] for g in gears]
+        entries = [
+            data[g.id] if g.id in data else conversion.data["gears"][conversion.names[g.id]] for g in gears
+        ]
         conversion.meshings.append(Meshing(mesh, gears, entries, distance))
         target = f"planetary_stages.{circle.name}.{mate.side}_mesh"
         values[f"{mate.side}_mesh"] = {
@@ -164,18 +172,14 @@ def _distance_of(circle: Circle, inner: Circle | None) -> float:
         return circle.distance
     one, two = circle.planets[0], inner.planets[0]
     angle = one.angle - two.angle
-    return math.sqrt(
-        one.distance**2 + two.distance**2 - 2.0 * one.distance * two.distance * math.cos(angle)
-    )
+    return math.sqrt(one.distance**2 + two.distance**2 - 2.0 * one.distance * two.distance * math.cos(angle))
 
 
 def _check_distances(conversion: Conversion, circle: Circle, mate: Mate, distance: float) -> None:
     """Check that the centre distances of the meshes with a mate are those of the planets."""
     own = {gear.id: planet for planet in circle.planets for gear in planet.gears}
     for mesh, pair in mate.meshes:
-        given = conversion.number(
-            mesh, "center_distance", f"planetary_stages.{circle.name}.center_distance"
-        )
+        given = conversion.number(mesh, "center_distance", f"planetary_stages.{circle.name}.center_distance")
         planet = next(own[gear.id] for gear in pair if gear.id in own)
         right = distance if mate.side == "planet" else planet.distance
         if given is not None and abs(abs(given) - right) > EQUAL:
@@ -294,5 +298,3 @@ def _bore(
         data["bore_diameter"] = q(inner, "length")
         reason = "bore of the planet shaft, whose mass is part of the gear"
         conversion.default(gear, "inner_diameter", str(q(inner, "length")), f"{path}.bore_diameter", reason)
-
-

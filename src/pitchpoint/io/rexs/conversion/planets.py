@@ -303,7 +303,7 @@ def places_on_turn(circle: Circle, fitted: bool) -> int:
 
 
 def fitting_angles(circle: Circle, places: int) -> list[float] | None:
-    """Angles of the planets at which their teeth fit [rad]: those of the file, or up to a pin error beside them.
+    """Angles of the planets at which their teeth fit [rad], from those of the file by pin errors at most.
 
     None if a planet is farther away from them than `LARGEST_ERROR` modules.
     """

@@ -60,7 +60,9 @@ def settle_profile_amounts(conversion: Conversion, model: Model) -> bool:
         one.values[one.key] = q(float(f"{amount * factor:.6g}"), "length")
         changed = True
         low, high = (f"{1e3 * d:.6g}" for d in sorted(one.diameters))
-        reason = f"{1e6 * amount:.4g} um between the diameters {low} and {high} mm, here over the usable flank"
+        reason = (
+            f"{1e6 * amount:.4g} um between the diameters {low} and {high} mm, here over the usable flank"
+        )
         target = f"{one.target}.{one.key}"
         if one.component is not None:
             conversion.changed(one.component, one.key, str(one.values[one.key]), target, reason)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rolling bearings by designation, by type and load ratings, or by their rolling elements; bearings of two rows."""
+"""Rolling bearings by designation, by load ratings, or by their rolling elements; bearings of two rows."""
 
 from __future__ import annotations
 
@@ -35,9 +35,7 @@ Row = tuple[float, dict[str, Any]]
 """Distance of a bearing from the place of the file along z [m], and its data for the model file."""
 
 
-def rolling_rows(
-    conversion: Conversion, bearing: RexsComponent, path: str, sign: float = 1.0
-) -> list[Row]:
+def rolling_rows(conversion: Conversion, bearing: RexsComponent, path: str, sign: float = 1.0) -> list[Row]:
     """Data of a rolling bearing for the model file, without its place; empty if they are not sufficient.
 
     By designation if the catalogue has it, else by type, dimensions and load ratings, else by elements. A

@@ -137,6 +137,7 @@ class Conversion:
         self.names: dict[int, str] = {}
         self.given: set[tuple[str, str]] = set()
         self.frames: dict[int, Frame] = {}
+        self.held: list[str] = []
         self.seats: dict[int, Seat] = {}
         self.meshings: list[Meshing] = []
         self.own = source.application.startswith("pitchpoint")

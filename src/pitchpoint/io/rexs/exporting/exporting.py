@@ -17,7 +17,7 @@ from pitchpoint.io.rexs.exporting.draft import MILLI, Draft, Omission, uvw
 from pitchpoint.io.rexs.exporting.gears import MeshStiffness, add_gears, add_meshes
 from pitchpoint.io.rexs.exporting.keys import WRITTEN, list_keys
 from pitchpoint.io.rexs.exporting.loads import Values, add_loads, load_spectra
-from pitchpoint.io.rexs.exporting.operating import add_housing, add_lubricant
+from pitchpoint.io.rexs.exporting.operating import SeatStiffness, add_housing, add_lubricant
 from pitchpoint.io.rexs.exporting.shafts import add_planetary_stages, add_shafts
 from pitchpoint.io.rexs.exporting.supports import add_supports
 from pitchpoint.model.stand_ins import own_parts
@@ -50,6 +50,7 @@ def export_rexs(
     version: str = tables.NEWEST,
     *,
     stiffness: Mapping[str, MeshStiffness] | None = None,
+    housing: SeatStiffness | None = None,
     results: Callable[[Draft], Mapping[str, Values]] | None = None,
 ) -> Exported:
     """Contents of a REXS file with the gear unit of a model.
@@ -62,6 +63,8 @@ def export_rexs(
         Version of REXS.
     stiffness
         Attributes of the stiffness of meshes, by mesh.
+    housing
+        Nodes and matrix of `system.housing_matrices.supported_stiffness` of a housing matrix.
     results
         Function that returns the results of scenarios, by scenario and component of the draft.
     """
@@ -77,7 +80,7 @@ def export_rexs(
     add_bevels(draft)
     add_supports(draft)
     add_lubricant(draft)
-    add_housing(draft)
+    add_housing(draft, housing)
     loads = add_loads(draft)
     spectra = load_spectra(draft, loads, results(draft) if results is not None else {})
     list_keys(draft, model)

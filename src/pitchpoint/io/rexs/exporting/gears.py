@@ -111,11 +111,11 @@ def _add_modifications(
         _modify(draft, flank, "helix_slope", {"helix_slope": -found.helix_slope, **places})
         reason = "REXS does not define its sign: written as positive towards the non-datum face"
         draft.omit(f"{path}.helix_slope", reason)
-    relief = found.end_relief
-    if relief is not None:
+    both = found.end_relief
+    if both is not None:
         for kind, end in ENDS.items():
-            values = {f"end_relief_depth_{end}": relief.amount, f"end_relief_length_{end}": relief.length}
-            _modify(draft, flank, kind, {"shape_of_relief": relief.shape, **values})
+            values = {f"end_relief_depth_{end}": both.amount, f"end_relief_length_{end}": both.length}
+            _modify(draft, flank, kind, {"shape_of_relief": both.shape, **values})
 
 
 def _modify(draft: Draft, flank: int, kind: str, values: Mapping[str, float | str]) -> None:

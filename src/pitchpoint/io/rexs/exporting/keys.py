@@ -30,7 +30,16 @@ WRITTEN: dict[str, tuple[str, ...]] = {
     ),
     "shafts": ("sections", "material", "gears", "bevel_gears", "largest_piece", *_PLACE),
     "bodies": (
-        *("gears", "bevel_gears", "motion", "mass", "inertia", "transverse_inertia", "inertia_tensor", "center_of_mass"),
+        *(
+            "gears",
+            "bevel_gears",
+            "motion",
+            "mass",
+            "inertia",
+            "transverse_inertia",
+            "inertia_tensor",
+            "center_of_mass",
+        ),
         *("solid", *_PLACE),
     ),
     "planetary_stages": (
@@ -78,7 +87,14 @@ REASONS = {
     "faults": "REXS has no damaged parts",
     "tooth_thickness_allowance": "not written; the backlash of the mesh contains it",
 }
-_INSIDE = {"planet": "gears", "gear": "gears", "sun_mesh": "meshes", "ring_mesh": "meshes", "planet_mesh": "meshes", "bearing": "bearings"}
+_INSIDE = {
+    "planet": "gears",
+    "gear": "gears",
+    "sun_mesh": "meshes",
+    "ring_mesh": "meshes",
+    "planet_mesh": "meshes",
+    "bearing": "bearings",
+}
 """Keys of planetary stages with the keys of another section."""
 
 

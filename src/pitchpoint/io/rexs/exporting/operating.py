@@ -9,6 +9,7 @@ import numpy as np
 
 from pitchpoint.io.rexs.conversion.casing import FIXED, MATRIX, MILLI, condensed
 from pitchpoint.io.rexs.conversion.frames import TO_MODEL
+from pitchpoint.io.rexs.document import Value
 from pitchpoint.io.rexs.exporting.draft import Draft, attribute, placed
 from pitchpoint.model.components.housing import HousingBody, HousingMatrix, RigidHousing
 from pitchpoint.model.load_cases import oil_of
@@ -45,14 +46,18 @@ def add_lubricant(draft: Draft) -> None:
         draft.omit("lubricant.pressure_viscosity", "REXS has it at 38 degrees Celsius: not written")
 
 
-def _set(draft: Draft, id: int, name: str, value: float | str) -> None:
+def _set(draft: Draft, id: int, name: str, value: Value) -> None:
     """Give a component a further value."""
     one = draft.components[id]
     found = attribute(name, value, one.type)
     draft.components[id] = replace(one, attributes={**one.attributes, name: found})
 
 
-def add_housing(draft: Draft) -> None:
+SeatStiffness = tuple[tuple[str, ...], np.ndarray]
+"""Nodes of a housing matrix, and the matrix with the springs of its feet, in SI units along its axes."""
+
+
+def add_housing(draft: Draft, stiffness: SeatStiffness | None) -> None:
     """Add the stiffness matrix of the housing, or its mass."""
     held = draft.model.housing
     if isinstance(held, RigidHousing):
@@ -63,16 +68,17 @@ def add_housing(draft: Draft) -> None:
             draft.omit("housing.parts", "not written")
     elif isinstance(held, HousingBody):
         draft.omit("housing", f"is the body {held.body}, which is not written: the casing is rigid")
-    elif isinstance(held, HousingMatrix):
-        _add_matrix(draft, held)
+    elif isinstance(held, HousingMatrix) and stiffness is None:
+        draft.omit("housing", "its matrix is not given: the casing is rigid")
+    elif isinstance(held, HousingMatrix) and stiffness is not None:
+        _add_matrix(draft, held, stiffness)
 
 
-def _add_matrix(draft: Draft, held: HousingMatrix) -> None:
-    """Add the stiffness matrix between the bearings, with the feet on ground and without load on other nodes."""
+def _add_matrix(draft: Draft, held: HousingMatrix, stiffness: SeatStiffness) -> None:
+    """Add the stiffness matrix between the bearings; the feet are on ground or without load."""
     from pitchpoint.model.frames import frame
-    from pitchpoint.system.housing_matrices import supported_stiffness
 
-    nodes, K = supported_stiffness(draft.model)
+    nodes, K = stiffness
     if held.rows_per_node != 6 or held.parts:
         reason = "the matrix has bodies of parts" if held.parts else "the matrix has no rotations"
         draft.omit("housing", f"{reason}: not written, the casing is rigid")
@@ -88,12 +94,9 @@ def _add_matrix(draft: Draft, held: HousingMatrix) -> None:
     meter = np.kron(np.tile([MILLI, 1.0], len(kept)), np.ones(3))  # displacements in mm, rotations in rad
     newton = np.kron(np.tile([1.0, 1.0 / MILLI], len(kept)), np.ones(3))  # forces in N, moments in N mm
     K = newton[:, None] * K * meter[None, :]
-    group = draft.add(
-        "assembly_group",
-        "housing",
-        **placed(np.zeros(3), np.eye(3), draft.unit),
-        **{FIXED: True, MATRIX: tuple(tuple(float(x) for x in row) for row in 0.5 * (K + K.T))},
-    )
+    group = draft.add("assembly_group", "housing", **placed(np.zeros(3), np.eye(3), draft.unit))
+    _set(draft, group, FIXED, True)
+    _set(draft, group, MATRIX, tuple(tuple(float(x) for x in row) for row in 0.5 * (K + K.T)))
     draft.relate("reference", origin=draft.casing, referenced=group)
     for order, k in enumerate(kept, 1):
         support = draft.supports[nodes[k]]

@@ -6,8 +6,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from pitchpoint.geometry.materials import Material
 from pitchpoint.io.rexs.exporting.draft import Draft, placed
 
