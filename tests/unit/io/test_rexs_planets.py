@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import pitchpoint as pp
+from pitchpoint.core.errors import ModelError
 from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.rexs.importing import import_rexs
 from pitchpoint.io.rexs.writing.text import rexs_bytes
@@ -94,6 +95,15 @@ def test_steps_that_do_not_fit_are_oriented_at_their_assembly(tmp_path):
     (stage,) = found.model.planetary_stages.values()
     assert stage.steps["step_2"].fitted
     assert any("oriented at its assembly" in item.reason for item in found.of("changed"))
+
+
+def test_a_planet_in_mesh_with_a_gear_outside_its_stage_is_refused(tmp_path):
+    """The file of another program has lost the relation of the planets to their stage."""
+    path = tmp_path / "gear_unit.rexs"
+    text = rexs_bytes(export_rexs(stepped(["0 deg", "120 deg", "240 deg"])).rexs, "xml").decode()
+    path.write_text(text.replace('type="planet_shaft"', 'type="central_shaft"'), encoding="utf-8")
+    with pytest.raises(ModelError, match="has no planets"):
+        import_rexs(path)
 
 
 def test_pins_beside_their_places_have_errors(tmp_path):

@@ -90,6 +90,14 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     if None in names:
         conversion.done.add(stage.id)
         return
+    missing = [g for g, n in zip(gears, names, strict=True) if n not in conversion.data.get("gears", {})]
+    if missing:
+        conversion.problem(
+            stage,
+            f"has the gear {missing[0]}, which is not a gear of its own in the model",
+            remedy="give planets in mesh with each other in one planetary_stage",
+        )
+        return
     values: dict[str, Any] = {"gears": names, "damping": {"ratio": MESH_DAMPING}}
     name = conversion.name(stage)
     distance = conversion.number(stage, "center_distance", f"meshes.{name}.center_distance")

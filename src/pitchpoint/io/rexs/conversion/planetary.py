@@ -26,7 +26,6 @@ from pitchpoint.io.rexs.conversion.shafts import sections_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, Seat, q
 from pitchpoint.io.rexs.document import RexsComponent
 
-
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 """Names of the planets of several circles: planet_a_1, planet_b_1."""
 
@@ -51,6 +50,9 @@ def convert_planetary_stage(conversion: Conversion, stage: RexsComponent, carrie
     for mate in central:
         if mate.gear.id not in conversion.done:
             seat_gear(conversion, mate.gear)
+    for mate in central:
+        if conversion.names.get(mate.gear.id) not in conversion.data.get("gears", {}):
+            conversion.problem(mate.gear, "is on no shaft of the model", remedy="correct its relations")
     if len(conversion.problems) > before or not central:
         return
     owner = shaft_of(conversion, central[0].gear)
