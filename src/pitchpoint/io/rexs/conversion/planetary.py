@@ -197,7 +197,7 @@ def _check_distances(conversion: Conversion, circle: Circle, mate: Mate, distanc
 
 
 def _by_inner(conversion: Conversion, stage: RexsComponent, circle: Circle, values: dict[str, Any]) -> None:
-    """Add the place of planets beside their inner planets, which is the same for all of them."""
+    """Add the place of planets next to their inner planets, which is the same for all of them."""
     inner = circle.inner
     assert inner is not None
     leads = [

@@ -125,7 +125,7 @@ def sections_of(conversion: Conversion, shaft: RexsComponent) -> list[Section]:
         apart = abs(begin - result[-1][1]) if result else 0.0
         if GAP < apart <= SMALL:
             target = f"shafts.{conversion.name(shaft)}.sections"
-            text = f"it is {q(apart, 'length')} beside the end of the section before"
+            text = f"it is {q(apart, 'length')} from the end of the section before"
             conversion.changed(part, "u_coordinate_on_shaft", "at its end", target, text)
         elif result and apart > GAP:
             what = "leaves a gap after" if begin > result[-1][1] else "overlaps"

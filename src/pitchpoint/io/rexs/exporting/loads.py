@@ -66,8 +66,8 @@ def add_loads(draft: Draft) -> Values:
 def load_spectra(draft: Draft, loads: Values, results: Mapping[str, Values]) -> tuple[RexsLoadSpectrum, ...]:
     """One load case for each scenario with speeds, with the results of its run, and for each load case.
 
-    Scenarios with the speeds and loads of a load case are no further ones. Without any of both, the loads are
-    one load case.
+    A scenario with the speeds and loads of a load case is not written twice. Without scenarios and load
+    cases, the loads are one load case.
 
     Parameters
     ----------
