@@ -16,7 +16,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.rexs.importing import import_rexs
 from pitchpoint.io.rexs.reading import read_rexs
 from pitchpoint.io.yaml_model import loads_model
-from tests.support.rexs_files import GEARBOX, as_json, rexs, unit
+from tests.support.rexs_files import GEARBOX, as_json, bevel_unit, rexs, unit
 from tests.support.rexs_samples import samples
 
 JSON = as_json(GEARBOX)
@@ -84,7 +84,7 @@ NUMBERS = st.one_of(
 @st.composite
 def odd_units(draw: st.DrawFn) -> str:
     """A gear unit with values replaced or removed, and with relations removed or between other parts."""
-    parts, relations, cases = unit()
+    parts, relations, cases = draw(st.sampled_from([unit, bevel_unit]))()
     for _ in range(draw(st.integers(1, 3))):
         number = draw(st.sampled_from(sorted(parts)))
         kind, values = parts[number]

@@ -4,12 +4,16 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 UNITS = {
-    "deg": ("helix_angle_reference_diameter", "normal_pressure_angle", "pressure_angle"),
+    "deg": (
+        *("helix_angle_reference_diameter", "normal_pressure_angle", "pressure_angle", "mean_spiral_angle"),
+        *("shaft_angle", "generated_pressure_angle_on_drive_side", "generated_pressure_angle_on_coast_side"),
+    ),
     "none": (
         *("number_of_teeth", "addendum_modification_coefficient", "axial_force_absorption", "poisson_ratio"),
         *(
@@ -28,13 +32,21 @@ UNITS = {
             "direction_vector_gravity_w",
         ),
         *("addendum_coefficient_reference_profile", "tip_corner_radius_factor_reference_profile"),
+        *("datum_face_orientation", "bevel_cone_orientation", "spiral_angle_pitch_direction", "basis"),
+        *("reduced_static_stiffness_matrix", "matrix_with_inertial_environment_boundary"),
+        *("profile_shift_coefficient", "lubricant_type_iso_6336_2006", "number_of_bearing_rows"),
+        "catalogue_value_e",
     ),
+    "C": ("temperature_lubricant",),
+    "mm^2 / s": ("viscosity_at_40_degree_celsius", "viscosity_at_100_degree_celsius"),
+    "%": ("operating_time_fraction",),
+    "h": ("operating_time",),
     "N m": ("torque_around_u_axis",),
     "N": ("force_u_direction", "force_v_direction", "force_w_direction"),
     "1 / min": ("rotational_speed",),
     "kN": ("radial_dynamic_load_rating", "radial_static_load_rating"),
     "N / mm^2": ("elastic_modulus",),
-    "kg / dm^3": ("density",),
+    "kg / dm^3": ("density", "density_at_15_degree_celsius"),
     "kg": ("mass_of_component",),
     "kW": ("power",),
     "kg m^2": ("moment_of_inertia_u_axis", "moment_of_inertia_v_axis", "moment_of_inertia_w_axis"),
@@ -52,6 +64,9 @@ Relation = tuple[str, Mapping[str, int]]
 
 
 def _cells(value: Any) -> str:
+    if isinstance(value, Sequence) and not isinstance(value, str) and isinstance(value[0], Sequence):
+        rows = ("<r>" + "".join(f"<c>{_cells(v)}</c>" for v in row) + "</r>" for row in value)
+        return f"<matrix>{''.join(rows)}</matrix>"
     if isinstance(value, Sequence) and not isinstance(value, str):
         return "<array>" + "".join(f"<c>{_cells(v)}</c>" for v in value) + "</array>"
     return str(value).lower() if isinstance(value, bool) else escape(str(value))
@@ -159,6 +174,59 @@ def unit() -> tuple[dict[int, Part], list[Relation], list[dict[int, dict[str, An
 _GEAR = {"u_coordinate_on_shaft": 60, "normal_module": 2, "helix_angle_reference_diameter": 12}
 _FLANK = {"normal_pressure_angle": 20, "addendum_modification_coefficient": 0.3}
 GEARBOX = rexs(*unit())
+
+
+CONCEPT = {
+    "radial_stiffness": 1e8,
+    "axial_stiffness": 1e8,
+    "axial_force_absorption": "both_directions",
+}
+"""Values of a concept bearing without tilting stiffness."""
+
+
+def bevel_unit(**stage):
+    """Text of a bevel gear unit 17/31, m_mn = 3 mm, 35 deg, shaft angle 90 deg; axes along u and w."""
+    z, m, beta = (17, 31), 3.0, 35.0
+    tan = z[0] / z[1]
+    middle = [
+        n * m / (2.0 * math.cos(math.radians(beta)) * t) for n, t in zip(z, (tan, 1.0 / tan), strict=True)
+    ]
+    shaft = {"length": 100, "outer_diameter_begin": 30, "outer_diameter_end": 30, "u_coordinate_on_shaft": 0}
+    across = {"support_vector": [0, 0, 10], "u_axis_vector": [0, 0, 1], "w_axis_vector": [-1, 0, 0],
+              "reference_component_for_position": 1}  # fmt: skip
+    teeth = {"mean_normal_module": m, "face_width": 20}
+    parts = {
+        1: ("gear_unit", place(0, 0, 0)),
+        2: ("gear_casing", {}),
+        # the pinion shaft ends before the apex at u = 0, the wheel shaft begins beyond it
+        3: ("shaft", {**place(-middle[0] - 60, 0, 0), "defines_speed": True}),
+        4: ("shaft", across),
+        5: ("shaft_section", shaft),
+        6: ("shaft_section", shaft),
+        7: ("bevel_gear", {**teeth, "number_of_teeth": z[0], "mean_spiral_angle": -beta,
+                           "u_coordinate_on_shaft": 60, "bevel_cone_orientation": "positive",
+                           "profile_shift_coefficient": 0.3}),
+        8: ("bevel_gear", {**teeth, "number_of_teeth": z[1], "mean_spiral_angle": beta,
+                           "u_coordinate_on_shaft": middle[1] - 10, "bevel_cone_orientation": "negative",
+                           "profile_shift_coefficient": -0.3}),
+        9: ("bevel_stage", {"shaft_angle": 90, "generated_pressure_angle_on_drive_side": 21,
+                            "generated_pressure_angle_on_coast_side": 19,
+                            "mean_normal_backlash": 0.1, **stage}),
+        10: ("external_load", {"u_coordinate_on_shaft": 0, "transmits_torque": True}),
+        11: ("external_load", {"u_coordinate_on_shaft": 90, "transmits_torque": True}),
+    }  # fmt: skip
+    relations = [
+        *(("assembly", {"assembly": 1, "part": n}) for n in (2, 3, 4, 9)),
+        *(
+            ("assembly", {"assembly": a, "part": b})
+            for a, b in ((3, 5), (4, 6), (3, 7), (4, 8), (3, 10), (4, 11))
+        ),
+        ("stage", {"stage": 9, "gear_1": 7, "gear_2": 8}),
+    ]
+    for number, owner, u in ((12, 3, 10), (13, 3, 80), (14, 4, 10), (15, 4, 80)):
+        parts[number] = ("concept_bearing", {**CONCEPT, "u_coordinate_on_shaft_inner_side": u})
+        relations.append(("side", {"assembly": number, "inner_part": owner, "outer_part": 2}))
+    return parts, relations, [{3: {"rotational_speed": 1000}, 10: {"torque_around_u_axis": 50}}]
 
 
 def as_json(text: str) -> str:

@@ -40,8 +40,11 @@ def import_(file: str, output: str | None, load_case: int | None, as_json: bool,
     from pitchpoint.io.target import MODEL_MARK, check_target, write_file
 
     target = None if output is None else check_target(output, "model", [file])
-    found = import_rexs(file, load_case)
+    found = import_rexs(file, load_case, name=None if target is None else target.stem)
     if target is not None:
+        others = {name: check_target(target.with_name(name), "housing", [file]) for name in found.files}
+        for name, text in found.files.items():
+            write_file(others[name], text)
         write_file(target, MODEL_MARK + found.text())
     if as_json:
         emit_json(_data(found, output))
@@ -49,6 +52,8 @@ def import_(file: str, output: str | None, load_case: int | None, as_json: bool,
     if not quiet:
         _show(found)
     if target is not None:
+        for name in found.files:
+            show(f"written to {target.with_name(name)}")
         show(f"written to {target}")
         show(f"  pitchpoint check {target}")
         for name in found.model.scenarios:
@@ -65,6 +70,7 @@ def _data(found: Imported, output: str | None) -> dict[str, object]:
         "date": source.date,
         "load_case": found.load_case,
         "output": output,
+        "files": list(found.files),
         "remarks": [remark.parts for remark in source.remarks],
         "items": [asdict(item) for item in found.items],
     }
@@ -91,7 +97,8 @@ def _show(found: Imported) -> None:
             table(title, ["in the model", "value", "attribute in the file", "reason"], rows)
     ignored: dict[tuple[str, str], list[str]] = {}
     for item in found.of("ignored"):
-        ignored.setdefault((item.component, item.reason), []).append(item.attribute)
+        text = f"{item.attribute} {item.value}" if item.value else item.attribute
+        ignored.setdefault((item.component, item.reason), []).append(text)
     rows = [[component, ", ".join(names), reason] for (component, reason), names in ignored.items()]
     if rows:
         table("ignored", ["component", "attributes", "reason"], rows)

@@ -99,7 +99,7 @@ def write(
     The list shows what is not in the file, or not as in the model. Scenarios with speeds become load cases.
     """
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.rexs_values import results_of, stiffness_of
+    from pitchpoint.cli.rexs_values import housing_of, results_of, stiffness_of
     from pitchpoint.io.rexs.exporting.exporting import export_rexs
     from pitchpoint.io.rexs.writing.text import FORMATS, omitted, rexs_bytes
     from pitchpoint.io.target import check_target, write_file
@@ -113,7 +113,11 @@ def write(
     target = check_target(output, "rexs", [file, *results])
     model = read_model(file, allow_code, quiet)
     found = export_rexs(
-        model, rexs_version, stiffness=stiffness_of(model), results=lambda draft: results_of(draft, results)
+        model,
+        rexs_version,
+        stiffness=stiffness_of(model),
+        housing=housing_of(model),
+        results=lambda draft: results_of(draft, results),
     )
     write_file(target, rexs_bytes(found.rexs, format))
     missing = omitted(found.rexs)
@@ -136,12 +140,12 @@ def write(
 def _read(file: str) -> RexsModel:
     """Gear unit of a REXS file, or of a model file."""
     if Path(file).suffix.lower() in (".yaml", ".yml"):
-        from pitchpoint.cli.rexs_values import stiffness_of
+        from pitchpoint.cli.rexs_values import housing_of, stiffness_of
         from pitchpoint.io.rexs.exporting.exporting import export_rexs
         from pitchpoint.io.yaml_model import load_model
 
         model = load_model(file)
-        return export_rexs(model, stiffness=stiffness_of(model)).rexs
+        return export_rexs(model, stiffness=stiffness_of(model), housing=housing_of(model)).rexs
     from pitchpoint.io.rexs.reading import read_rexs
 
     return read_rexs(file)

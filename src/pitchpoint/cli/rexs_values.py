@@ -11,10 +11,19 @@ if TYPE_CHECKING:
 
     from pitchpoint.io.rexs.document import RexsAttribute
     from pitchpoint.io.rexs.exporting.draft import Draft
+    from pitchpoint.io.rexs.exporting.operating import SeatStiffness
     from pitchpoint.model.model import Model
 
 POINTS = 65
 """Positions of the mesh cycle, the first and the last one with the same stiffness."""
+
+
+def housing_of(model: Model) -> SeatStiffness | None:
+    """Nodes and stiffness matrix of the housing; None without a matrix."""
+    from pitchpoint.model.components.housing import HousingMatrix
+    from pitchpoint.system.housing_matrices import supported_stiffness
+
+    return supported_stiffness(model) if isinstance(model.housing, HousingMatrix) else None
 
 
 def stiffness_of(model: Model) -> dict[str, dict[str, Any]]:

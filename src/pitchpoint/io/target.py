@@ -99,6 +99,7 @@ PNG_MARK = b"Software\x00pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
 SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
+HOUSING_MARK = "# housing matrix written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
 CONTACT_TABLE = "gear-contact-potential-"
@@ -118,6 +119,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
+    "housing": ("a housing matrix of pitchpoint (CSV)", _begins(HOUSING_MARK.encode())),
     "rexs": ("a REXS file of pitchpoint", _is_rexs),
     "stiffness": ("a table of stiffness of pitchpoint (CSV)", _begins(STIFFNESS_HEAD.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),

@@ -71,7 +71,7 @@ def test_a_model_is_written_with_its_mesh_stiffness(model, tmp_path, capsys):
     assert run_command(["rexs", "write", model, "-o", str(target)]) == 0
     out = capsys.readouterr().out
     assert "REXS has no damping" in out
-    assert out.rstrip().endswith(f"written to {target}: REXS 2.0.0, 24 components, 1 load case")
+    assert out.rstrip().endswith(f"written to {target}: REXS 2.0.0, 24 components, 2 load cases")
     (stage,) = read_rexs(target).of_type("cylindrical_stage")
     curve = stage.get("meshing_stiffness_characteristic")
     found = json_of(["mesh", model], capsys)["meshes"]["cylindrical_stage_13"]
@@ -93,7 +93,8 @@ def test_results_of_a_run_are_values_of_a_load_case(model, tmp_path, capsys):
     assert run_command(["run", model, "-s", "slow", "-o", str(result), "-q"]) == 0
     assert run_command(["rexs", "write", model, "-o", str(target), "--result", str(result), "-q"]) == 0
     found = read_rexs(target)
-    steady, slow = found.load_spectra[0].cases
+    steady, backwards, slow = found.load_spectra[0].cases
+    assert len(backwards.components) == 3
     (shaft,) = [c.id for c in found.of_type("shaft") if c.name == "shaft_3"]
     assert steady.components[shaft]["rotational_speed"].value == pytest.approx(157.0796, rel=1e-6)
     assert shaft not in slow.components

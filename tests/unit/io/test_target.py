@@ -24,6 +24,7 @@ from pitchpoint.io.dataset_store import DatasetFolder
 from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.rexs.exporting.exporting import export_rexs
+from pitchpoint.io.rexs.housing_file import matrix_text
 from pitchpoint.io.rexs.writing.text import rexs_bytes
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
@@ -51,6 +52,8 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "rexs":
         text = "bodies: {rotor: {mass: 1 kg, inertia: 1e-3 kg m^2, position: [0, 0, 0]}}\n"
         path.write_bytes(rexs_bytes(export_rexs(loads_model(text)).rexs))
+    elif kind == "housing":
+        path.write_text(matrix_text(np.eye(6), ["left"]), encoding="utf-8")
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":

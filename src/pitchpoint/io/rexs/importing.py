@@ -5,27 +5,33 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+
+import numpy as np
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.rexs.conversion.bearings import ROLLING, convert_bearing
+from pitchpoint.io.rexs.conversion.bevels import convert_bevel_stage
+from pitchpoint.io.rexs.conversion.casing import convert_casing
 from pitchpoint.io.rexs.conversion.couplings import COUPLINGS, convert_coupling, convert_held_shaft
 from pitchpoint.io.rexs.conversion.loads import (
     convert_gravity,
     convert_loads,
     convert_speeds,
-    load_cases,
     time_response,
     with_load_case,
 )
 from pitchpoint.io.rexs.conversion.masses import convert_mass
 from pitchpoint.io.rexs.conversion.meshes import convert_stage
+from pitchpoint.io.rexs.conversion.operating import active_loads, convert_load_cases, convert_lubricant
 from pitchpoint.io.rexs.conversion.planetary import convert_carriers, convert_planetary_stage
+from pitchpoint.io.rexs.conversion.profile_amounts import settle_profile_amounts
 from pitchpoint.io.rexs.conversion.profile_shifts import settle_shifts
 from pitchpoint.io.rexs.conversion.shafts import convert_shaft
-from pitchpoint.io.rexs.conversion.state import CHANGED, DEFAULT, IGNORED, TAKEN, Conversion, Item
+from pitchpoint.io.rexs.conversion.state import CHANGED, DEFAULT, IGNORED, TAKEN, Conversion, Item, shown
 from pitchpoint.io.rexs.document import RexsComponent, RexsModel
+from pitchpoint.io.rexs.housing_file import matrix_text, stored
 from pitchpoint.io.rexs.reading import read_rexs
 from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
@@ -34,13 +40,13 @@ from pitchpoint.model.reading.reader import Reader
 BY_HAND = "remove it, and write this part of the model by hand: "
 REFUSED = {
     "worm_stage": ("a model has no worm stages", "remove it with its gears and shafts"),
-    "bevel_stage": ("bevel stages are not converted", f"{BY_HAND}bevel_gears, bevel_meshes"),
-    "involute_spline_connection": ("splines are not converted", f"{BY_HAND}couplings"),
     "hydrodynamic_radial_plain_bearing": ("plain bearings are not converted", f"{BY_HAND}plain_bearings"),
     "slide_bearing": ("slide bearings are not converted", f"{BY_HAND}plain_bearings"),
     "general_stage": ("general stages are not converted", f"{BY_HAND}meshes"),
 }
 """Components without which a gear unit would be another one: reason and remedy."""
+MOST_VALUES = 3
+"""Number of different values of an attribute without effect that are listed."""
 FRAMEWORK = ("gear_unit", "gear_casing", "planet_carrier")
 
 
@@ -58,12 +64,23 @@ class Imported:
         The REXS model.
     load_case
         Number of the load case of the loads; None without load cases.
+    files
+        Texts of the files that the model needs in its folder, by name: the stiffness matrix of the housing.
     """
 
     model: Model
     items: tuple[Item, ...]
     source: RexsModel
     load_case: int | None = None
+    files: Mapping[str, str] = field(default_factory=dict)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the model file, and the files that it needs next to it; its path is returned."""
+        target = Path(path)
+        for name, text in self.files.items():
+            (target.parent / name).write_text(text, encoding="utf-8")
+        target.write_text(self.text(), encoding="utf-8")
+        return target
 
     def of(self, kind: str) -> tuple[Item, ...]:
         """Entries of one kind."""
@@ -109,7 +126,7 @@ def one_line(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
 
 
-def import_rexs(path: str | Path, load_case: int | None = None) -> Imported:
+def import_rexs(path: str | Path, load_case: int | None = None, *, name: str | None = None) -> Imported:
     """Import a REXS file as a model.
 
     Parameters
@@ -118,6 +135,8 @@ def import_rexs(path: str | Path, load_case: int | None = None) -> Imported:
         XML, JSON or ZIP file of versions 1.0 to 2.0.0.
     load_case
         Number of the load case for loads and speeds; by default the first one.
+    name
+        Beginning of the names of further files; by default that of the REXS file.
 
     Returns
     -------
@@ -131,22 +150,37 @@ def import_rexs(path: str | Path, load_case: int | None = None) -> Imported:
     """
     whole = read_rexs(path)
     source, case = with_load_case(whole, load_case)
+    number = case.id if case is not None else None
     conversion = Conversion(source)
-    _convert(conversion)
-    _list_the_rest(conversion, whole, case.id if case is not None else None)
+    matrix = _convert(conversion, whole)
+    _list_the_rest(conversion)
     if conversion.problems:
         raise ModelError([*conversion.problems, *_losses(whole)], str(path))
+    files, place = {}, None
+    if matrix is not None:
+        stem = name or Path(path).name.split(".")[0]
+        file = conversion.data["housing"]["stiffness_file"] = f"{stem}_housing.csv"
+        files[file] = matrix_text(matrix, conversion.data["housing"]["nodes"])
+        place = stored(file, files[file]).with_name(f"{stem}.yaml")
     try:
-        model = build_model(_ordered(conversion), Reader())
+        model = _built(conversion, place)
+        if settle_profile_amounts(conversion, model):
+            model = _built(conversion, place)
         steady = time_response(conversion, model)
         if steady is not None:
             conversion.data["scenarios"]["steady"] = steady
-            model = build_model(_ordered(conversion), Reader())
+            model = _built(conversion, place)
     except ModelError as error:
         raise ModelError(
             [*(_at_component(conversion, p) for p in error.problems), *_losses(whole)], str(path)
         ) from None
-    return Imported(model, tuple(conversion.items), whole, case.id if case is not None else None)
+    return Imported(model, tuple(conversion.items), whole, number, files)
+
+
+def _built(conversion: Conversion, place: Path | None) -> Model:
+    """Model of the data, as if its file were at a place."""
+    reader = Reader() if place is None else Reader(directory=str(place.parent))
+    return build_model(_ordered(conversion), reader, None if place is None else str(place))
 
 
 def _losses(source: RexsModel) -> list[Message]:
@@ -154,8 +188,11 @@ def _losses(source: RexsModel) -> list[Message]:
     return [remark for remark in source.remarks if "has lost" in str(remark)]
 
 
-def _convert(conversion: Conversion) -> None:
-    """Convert all parts; the order matters, because a seat must exist before what is on it."""
+def _convert(conversion: Conversion, whole: RexsModel) -> np.ndarray | None:
+    """Convert all parts; the order matters, because a seat must exist before what is on it.
+
+    The stiffness matrix of the housing is returned, None if it is rigid.
+    """
     source = conversion.source
     for component in source.of_type(*REFUSED):
         reason, remedy = REFUSED[component.type]
@@ -174,12 +211,17 @@ def _convert(conversion: Conversion) -> None:
         if stage.id in carriers:
             convert_planetary_stage(conversion, stage, carriers[stage.id])
     _each(conversion, ("cylindrical_stage",), convert_stage)
+    _each(conversion, ("bevel_stage",), convert_bevel_stage)
     settle_shifts(conversion)
     _each(conversion, ("concept_bearing", *ROLLING), convert_bearing)
     _each(conversion, COUPLINGS, convert_coupling)
     _each(conversion, ("additional_mass",), convert_mass)
-    convert_loads(conversion)
+    matrix = convert_casing(conversion)
+    convert_lubricant(conversion)
+    convert_loads(conversion, active_loads(whole))
     convert_speeds(conversion)
+    convert_load_cases(conversion, whole)
+    return matrix
 
 
 def _each(
@@ -208,30 +250,28 @@ def _at_component(conversion: Conversion, problem: Message) -> Message:
     return problem.changed(where=f"{origin.where}, {origin}, {problem.where}", line=None)
 
 
-def _list_the_rest(conversion: Conversion, whole: RexsModel, case: int | None) -> None:
+def _list_the_rest(conversion: Conversion) -> None:
     """List the components and values that no converter used."""
     source = conversion.source
     parts: Counter[str] = Counter()
-    values: Counter[tuple[str, str]] = Counter()
+    values: dict[tuple[str, str], list[str]] = {}
     for component in source.components.values():
         if component.id not in conversion.done and component.type not in FRAMEWORK:
             parts[component.type] += 1
             continue
-        for name in component.attributes:
+        for name, attribute in component.attributes.items():
             if (component.id, name) not in conversion.used:
-                values[component.type, name] += 1
+                values.setdefault((component.type, name), []).append(shown(attribute))
     for kind, count in parts.items():
         what = f"{kind} ({count})" if count > 1 else kind
         conversion.items.append(
             Item(IGNORED, what, "all", reason="not part of a model, or not connected to one")
         )
-    for (kind, name), count in values.items():
-        what = f"{kind} ({count})" if count > 1 else kind
-        conversion.items.append(Item(IGNORED, what, name, reason="without effect in a model"))
-    for other in load_cases(whole):
-        if other.id != case:
-            reason = f"one load case at a time: --load-case {other.id}"
-            conversion.items.append(Item(IGNORED, f"load case {other.id}", "all", reason=reason))
+    for (kind, name), found in values.items():
+        what = f"{kind} ({len(found)})" if len(found) > 1 else kind
+        different = list(dict.fromkeys(found))
+        value = ", ".join(different[:MOST_VALUES]) + (", ..." if len(different) > MOST_VALUES else "")
+        conversion.items.append(Item(IGNORED, what, name, value, reason="without effect in a model"))
 
 
 __all__ = ["CHANGED", "DEFAULT", "IGNORED", "TAKEN", "Imported", "Item", "import_rexs"]

@@ -165,8 +165,9 @@ class _Reader:
             self.problem(where, f"has several values: {', '.join(kinds)}", remedy="give one")
         if not kinds:
             others = [key for key in data if key not in ("id", "unit")]
-            what = f"has the unknown key {others[0][:40]!r}" if others else "has no value"
-            self.problem(where, what, remedy="give its value, such as floating_point: 1.0")
+            if others:  # without any key the value is missing, as in an empty element of an XML file
+                what = f"has the unknown key {others[0][:40]!r}"
+                self.problem(where, what, remedy="give its value, such as floating_point: 1.0")
             return RawAttribute(name, unit, None, None, at)
         value, kind = data[kinds[0]], kinds[0]
         if kind.endswith("_coded"):

@@ -3,35 +3,28 @@
 
 from __future__ import annotations
 
-import math
-import re
 from typing import Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.io.rexs.conversion.rolling import CONTACT_DAMPING, TYPES, rolling_rows
 from pitchpoint.io.rexs.conversion.state import Conversion, q
 from pitchpoint.io.rexs.document import RexsComponent
 
 ROLLING = ("rolling_bearing_with_catalog_geometry", "rolling_bearing_with_detailed_geometry")
-TYPES = {
-    "radial_grooved_ball_bearing": "deep_groove_ball",
-    "angular_contact_ball_bearing": "angular_contact_ball",
-    "radial_self_aligning_ball_bearing": "self_aligning_ball",
-    "axial_grooved_ball_bearing": "thrust_ball",
-    "radial_roller_bearing": "cylindrical_roller",
-    "radial_needle_roller_bearing": "needle_roller",
-    "radial_tapered_roller_bearing": "tapered_roller",
-    "radial_self_aligning_roller_bearing": "spherical_roller",
-}
-"""Type of the model file for each `bearing_type`; the others have no rolling elements in a model."""
 RIGID, RIGID_TILT = 1e11, 1e7
 """Stiffness [N/m], [N m/rad] of rigid supports, for which REXS files have 1e15 to 1e23."""
-LINEAR_DAMPING, CONTACT_DAMPING = 0.03, 2.0
-"""Defaults: damping ratio of linear bearings, damping over elastic force [s/m] of rolling bearings."""
+LINEAR_DAMPING = 0.03
+"""Default damping ratio of linear bearings."""
 SIDES = ("inner_part", "outer_part")
 CASING = ("gear_casing",)
-COUPLINGS = ("coupling", "switchable_coupling")
+HUBS = (
+    *("cylindrical_interference_fit", "tapered_interference_fit"),
+    *("feather_key_connection", "involute_spline_connection"),
+)
+"""Connections of shaft and hub."""
+COUPLINGS = ("coupling", "switchable_coupling", *HUBS)
 
 
 def sides_of(conversion: Conversion, part: RexsComponent) -> dict[str, RexsComponent]:
@@ -54,11 +47,19 @@ def convert_bearing(conversion: Conversion, bearing: RexsComponent) -> None:
         _linear(conversion, bearing, found)
         return
     name = conversion.name(bearing)
-    values = rolling_data(conversion, bearing, f"rolling_bearings.{name}", _sign(conversion, bearing))
-    if values is not None:
-        conversion.put("rolling_bearings", bearing, {**found, **values}, name)
-        _say_contact_damping(conversion, bearing, name)
-    elif bearing.get("radial_stiffness") is not None:
+    rows = rolling_rows(conversion, bearing, f"rolling_bearings.{name}", _sign(conversion, bearing))
+    for k, (offset, values) in enumerate(rows):
+        own = name if len(rows) == 1 else conversion.free(f"{name}_{k + 1}")
+        place = found if not offset else _beside(conversion, found, offset, own)
+        conversion.put("rolling_bearings", bearing, {**place, **values}, own)
+        _say_contact_damping(conversion, bearing, own)
+    if len(rows) > 1 and "housing" in found:
+        body, _, marker = str(found["housing"]).partition(".")
+        section = "shafts" if body in conversion.data.get("shafts", {}) else "bodies"
+        del conversion.data[section][body]["markers"][marker]
+    if rows:
+        return
+    if bearing.get("radial_stiffness") is not None:
         _linear(conversion, bearing, found)
         conversion.changed(
             bearing,
@@ -69,6 +70,24 @@ def convert_bearing(conversion: Conversion, bearing: RexsComponent) -> None:
         )
     else:
         _without_data(conversion, bearing)
+
+
+def _beside(conversion: Conversion, found: dict[str, Any], offset: float, name: str) -> dict[str, Any]:
+    """Place of a bearing at a distance along the axis from that of the file."""
+    place = dict(found)
+    place["position"] = [0, 0, _sum(found["position"][2], offset)]
+    body, _, marker = str(found.get("housing", "")).partition(".")
+    if marker:
+        section = "shafts" if body in conversion.data.get("shafts", {}) else "bodies"
+        markers = conversion.data[section][body]["markers"]
+        x, y, z = markers[marker]["position"]
+        markers[name] = {"position": [x, y, _sum(z, offset)]}
+        place["housing"] = f"{body}.{name}"
+    return place
+
+
+def _sum(length: Any, offset: float) -> Any:
+    return q(parse_quantity(length, "length") + offset, "length")
 
 
 def _say_contact_damping(conversion: Conversion, bearing: RexsComponent, name: str) -> None:
@@ -115,6 +134,16 @@ def place_of(conversion: Conversion, part: RexsComponent) -> dict[str, Any] | No
     markers[marker] = {"position": [0, 0, q(other.place(u_other), "length")]}
     values["housing"] = f"{other.body}.{marker}"
     return values
+
+
+def centre_of(conversion: Conversion, part: RexsComponent) -> np.ndarray | None:
+    """Centre of a bearing or coupling on its shaft in the world [m]; None if it has none."""
+    for role, side in sides_of(conversion, part).items():
+        seat = conversion.seats.get(side.id)
+        u = part.get(f"u_coordinate_on_shaft_{role.removesuffix('_part')}_side")
+        if seat is not None and isinstance(u, float):
+            return seat.point(u)
+    return None
 
 
 # --- linear bearings ----------------------------------------------------------------------------------------
@@ -175,153 +204,10 @@ def _linear(conversion: Conversion, part: RexsComponent, place: dict[str, Any]) 
     )
 
 
-# --- rolling bearings ---------------------------------------------------------------------------------------
 def _sign(conversion: Conversion, bearing: RexsComponent) -> float:
     """-1 for a bearing on a shaft whose u is opposite to the z axis of its body, else +1."""
     seats = [conversion.seats.get(part.id) for part in sides_of(conversion, bearing).values()]
     return next((seat.sign for seat in seats if seat is not None), 1.0)
-
-
-def rolling_data(
-    conversion: Conversion, bearing: RexsComponent, path: str, sign: float = 1.0
-) -> dict[str, Any] | None:
-    """Data of a rolling bearing for the model file, without its place; None if they are not sufficient.
-
-    By designation if the catalogue has it, else by type, dimensions and load ratings, else by elements.
-    """
-    values = (
-        _by_designation(conversion, bearing, path)
-        or _by_ratings(conversion, bearing, path)
-        or _by_elements(conversion, bearing, path, sign)
-    )
-    if values is None:
-        return None
-    absorption = conversion.word(bearing, "axial_force_absorption", f"{path}.axial_force_absorption")
-    if sign < 0.0:
-        absorption = _OPPOSITE.get(absorption or "", absorption)
-    if absorption is not None and _takes_absorption(values, absorption):
-        values["axial_force_absorption"] = absorption
-    elif absorption is not None:
-        target, reason = (
-            f"{path}.axial_force_absorption",
-            f"a bearing of this type does not support {absorption}",
-        )
-        conversion.changed(bearing, "axial_force_absorption", "that of its type", target, reason)
-    clearance = conversion.number(bearing, "operating_radial_bearing_clearance", f"{path}.clearance")
-    if clearance is not None:
-        values["clearance"] = q(clearance, "length")
-    preload = conversion.number(bearing, "preload_force", f"{path}.preload")
-    if preload:
-        values["preload"] = q(preload, "force")
-    values["damping"] = CONTACT_DAMPING
-    return values
-
-
-_OPPOSITE = {"positive": "negative", "negative": "positive"}
-
-
-def _takes_absorption(values: dict[str, Any], absorption: str) -> bool:
-    """Whether a bearing of these data can support axial forces as given; else its type determines it."""
-    from pitchpoint.model.components.rolling_bearing import RollingBearing
-
-    try:
-        RollingBearing(body="shaft", **values, axial_force_absorption=absorption).geometry  # noqa: B018
-    except PitchpointError:
-        return False
-    return True
-
-
-def _by_designation(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
-    text = bearing.get("catalogue_designation")
-    if not isinstance(text, str):
-        return None
-    from pitchpoint.geometry.bearings.designation import by_designation
-
-    plain = re.sub(r"\s+", " ", text).strip()
-    try:
-        by_designation(plain)
-    except PitchpointError:
-        return None
-    conversion.value(bearing, "catalogue_designation", f"{path}.designation")
-    return {"designation": plain}
-
-
-def _by_ratings(conversion: Conversion, bearing: RexsComponent, path: str) -> dict[str, Any] | None:
-    kind = TYPES.get(str(bearing.get("bearing_type")))
-    load = "axial" if kind == "thrust_ball" else "radial"
-    keys = {
-        "inner_diameter": ("inner_diameter", "length"),
-        "outer_diameter": ("outer_diameter", "length"),
-        "width": ("width", "length"),
-        "radial_dynamic_load_rating": (f"{load}_dynamic_load_rating", "force"),
-        "radial_static_load_rating": (f"{load}_static_load_rating", "force"),
-    }
-    if kind is None or any(not bearing.get(attribute) for attribute, _ in keys.values()):
-        return None
-    values: dict[str, Any] = {"type": kind}
-    conversion.value(bearing, "bearing_type", f"{path}.type")
-    for key, (attribute, dimension) in keys.items():
-        values[key] = q(conversion.number(bearing, attribute, f"{path}.{key}") or 0.0, dimension)
-    if kind in ("tapered_roller", "spherical_roller", "self_aligning_ball", "angular_contact_ball"):
-        angle = _angle(conversion, bearing, path)
-        if angle:
-            values["contact_angle"] = q(angle, "angle")
-    return values
-
-
-def _angle(conversion: Conversion, bearing: RexsComponent, path: str) -> float | None:
-    """Contact angle of the rows, else by the factor e of the catalogue: tan(alpha) = e/1.5 [rad]."""
-    for row in conversion.parts(bearing, "rolling_bearing_row"):
-        angle = conversion.number(row, "pressure_angle", f"{path}.contact_angle")
-        if angle is not None:
-            return abs(angle)
-    e = conversion.number(bearing, "catalogue_value_e", f"{path}.contact_angle")
-    return None if e is None else math.atan(e / 1.5)
-
-
-def _by_elements(
-    conversion: Conversion, bearing: RexsComponent, path: str, sign: float
-) -> dict[str, Any] | None:
-    rows = conversion.parts(bearing, "rolling_bearing_row")
-    if len(rows) != 1:
-        return None
-    row = rows[0]
-    elements = conversion.parts(row, "rolling_element")
-    number = row.get("number_of_rolling_elements") or len(elements)
-    diameter = next((e.get("diameter_of_rolling_element") for e in elements), None)
-    length = next((e.get("length_of_rolling_element") for e in elements), None)
-    bounds = [bearing.get(key) for key in ("inner_diameter", "outer_diameter")]
-    pitch = row.get("reference_diameter_rolling_bearing")
-    if pitch is None and None not in bounds:
-        pitch = 0.5 * (float(bounds[0]) + float(bounds[1]))  # type: ignore[arg-type]
-        conversion.default(
-            row,
-            "reference_diameter_rolling_bearing",
-            str(q(pitch, "length")),
-            f"{path}.pitch_diameter",
-            "(d + D)/2",
-        )
-    if not isinstance(number, int) or number < 2 or not diameter or not pitch:
-        return None
-    values: dict[str, Any] = {
-        "type": "roller" if length else "ball",
-        "elements": number,
-        "element_diameter": q(float(diameter), "length"),  # type: ignore[arg-type]
-        "pitch_diameter": q(float(pitch), "length"),  # type: ignore[arg-type]
-    }
-    if length:
-        values["effective_length"] = q(float(length), "length")  # type: ignore[arg-type]
-    else:
-        grooves = [row.get(f"raceway_radius_of_{ring}_ring") for ring in ("inner", "outer")]
-        values["grooves"] = [
-            float(g) / float(diameter) if g else default  # type: ignore[arg-type]
-            for g, default in zip(grooves, (0.52, 0.53), strict=True)
-        ]
-    angle = conversion.number(row, "pressure_angle", f"{path}.contact_angle")
-    if angle:
-        supports = -1.0 if bearing.get("axial_force_absorption") == "negative" else 1.0
-        values["contact_angle"] = q(sign * supports * abs(angle), "angle")
-    return values
 
 
 def _without_data(conversion: Conversion, bearing: RexsComponent) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from pitchpoint.io.rexs.conversion.bearings import RIGID_TILT, sides_of
 from pitchpoint.io.rexs.conversion.couplings import COUPLINGS, engaged
 from pitchpoint.io.rexs.conversion.frames import Frame, frame_of
+from pitchpoint.io.rexs.conversion.hubs import gears_on
 from pitchpoint.io.rexs.conversion.materials import density_of
 from pitchpoint.io.rexs.conversion.shafts import axes_of, sections_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Seat, counted, q, vector
@@ -51,7 +52,7 @@ def carrier_parts(conversion: Conversion, stage: RexsComponent) -> dict[int, Rex
         conversion.done.add(carrier.id)
         found.update({one.id: one for one in conversion.parts(carrier, "shaft", "side_plate")})
     for shaft in conversion.source.of_type("shaft"):
-        if shaft.id in found or conversion.parts(shaft, "cylindrical_gear", "ring_gear", "external_load"):
+        if shaft.id in found or gears_on(conversion, shaft) or conversion.parts(shaft, "external_load"):
             continue
         mates = [
             other.id

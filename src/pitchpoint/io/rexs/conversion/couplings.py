@@ -16,6 +16,7 @@ from pitchpoint.io.rexs.conversion.bearings import (
     stiffness_of,
 )
 from pitchpoint.io.rexs.conversion.frames import frame_of
+from pitchpoint.io.rexs.conversion.hubs import fixed_gear, frame_of_hub
 from pitchpoint.io.rexs.conversion.shafts import axes_of, sections_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Seat, q, vector
 from pitchpoint.io.rexs.document import RexsComponent
@@ -85,6 +86,8 @@ def convert_held_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
 
 def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
     """Add a coupling: between shafts as such, to the casing as a bearing that also holds the rotation."""
+    if fixed_gear(conversion, coupling):
+        return
     if not engaged(conversion, coupling):
         conversion.ignored(coupling, "all", "not engaged in the gear of the file")
         return
@@ -107,7 +110,7 @@ def convert_coupling(conversion: Conversion, coupling: RexsComponent) -> None:
         return
     u = conversion.number(coupling, key)
     if u is None:
-        frame = frame_of(conversion, coupling)
+        frame = frame_of_hub(conversion, coupling)
         u = 0.0 if frame is None else seat.coordinate(frame.origin)
         conversion.default(coupling, key, str(q(u, "length")), "", "from its position")
     grounded = outer.type in CASING

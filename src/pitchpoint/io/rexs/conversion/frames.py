@@ -104,6 +104,20 @@ def frame_of(conversion: Conversion, component: RexsComponent, depth: int = 0) -
     return frame
 
 
+def place_in_world(conversion: Conversion, point: RexsComponent) -> np.ndarray | None:
+    """Place of a component without axes in the world [m]; None if it has none."""
+    if SUPPORT not in point.attributes:
+        return None
+    support = _triple(conversion, point, SUPPORT)
+    reference = conversion.value(point, REFERENCE)
+    other = None if reference is None else conversion.source.components[int(reference)]  # type: ignore[arg-type]
+    base = None if other is None else frame_of(conversion, other)
+    if support is None:
+        return None
+    local = TO_MODEL @ np.array(support)
+    return local if base is None else base.origin + base.axes @ local
+
+
 def world(frame: Frame, uvw: Sequence[float]) -> np.ndarray:
     """Vector with the components u, v, w of a part in world axes."""
     found: np.ndarray = frame.axes @ TO_MODEL @ np.array(uvw)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from pitchpoint.io.rexs.conversion.hubs import shaft_of
 from pitchpoint.io.rexs.conversion.materials import material_of
 from pitchpoint.io.rexs.conversion.modifications import modifications_of
 from pitchpoint.io.rexs.conversion.state import Conversion, q
@@ -76,7 +77,7 @@ def gear_data(conversion: Conversion, gear: RexsComponent, path: str) -> dict[st
     bore = bore or _own_diameter(conversion, gear, f"{path}.bore_diameter")
     if bore:
         values["bore_diameter"] = q(bore, "length")
-    modifications = modifications_of(conversion, flanks_of(conversion, gear), path)
+    modifications = modifications_of(conversion, gear, flanks_of(conversion, gear), path)
     if modifications:
         values["modifications"] = modifications
     mass = conversion.number(gear, "mass_of_component", f"{path}.mass")
@@ -96,7 +97,7 @@ def _own_diameter(conversion: Conversion, gear: RexsComponent, target: str) -> f
 
 def add_material(conversion: Conversion, gear: RexsComponent, path: str, values: dict[str, Any]) -> None:
     """Add the material of a gear, by default that of its shaft."""
-    shaft = conversion.owner(gear, "shaft")
+    shaft = shaft_of(conversion, gear)
     part = gear if conversion.referenced(gear, "material") or shaft is None else shaft
     if part is not gear and conversion.referenced(part, "material"):
         conversion.default(gear, "material", f"that of {conversion.name(part)}", f"{path}.material")

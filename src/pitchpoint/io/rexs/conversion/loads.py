@@ -72,8 +72,16 @@ def convert_gravity(conversion: Conversion) -> None:
         conversion.data["gravity"] = vector(g / size * TO_MODEL @ np.array(direction), "acceleration")
 
 
-def convert_loads(conversion: Conversion) -> None:
-    """Add the external loads; the one that transmits torque without a value balances the others."""
+def convert_loads(conversion: Conversion, active: set[int]) -> None:
+    """Add the external loads; the one that transmits torque without a value balances the others.
+
+    Parameters
+    ----------
+    conversion
+        The conversion.
+    active
+        Loads that act in at least one load case of the file.
+    """
     free: list[tuple[RexsComponent, dict[str, Any]]] = []
     driven = False
     for load in conversion.source.of_type("external_load"):
@@ -100,14 +108,22 @@ def convert_loads(conversion: Conversion) -> None:
             values["force"] = vector(world(conversion.frames[shaft.id], forces), "force")
         if any(moments):
             values["moment"] = vector(world(conversion.frames[shaft.id], [0.0, *moments]), "torque")
-        values["position"] = [0, 0, q(seat.place(u), "length")]
+        place = [0, 0, q(seat.place(u), "length")]
+        if any(forces) or seat.body in conversion.data.get("shafts", {}):
+            values["position"] = place  # without effect on the torque of a rigid body
         if torque is None and conversion.flag(load, "transmits_torque"):
             free.append((load, values))
         elif torque or any(forces) or any(moments):
             conversion.put("loads", load, values)
+        elif load.id in active:
+            zero: dict[str, Any] = {"force": ["0 N"] * 3, "position": place}
+            zero = {"torque": "0 N m"} if torque is not None else zero
+            conversion.put("loads", load, {"body": seat.body, **zero})
         else:
             conversion.ignored(load, "all", "it has neither torque nor force in this load case")
-    if driven and len(free) == 1:
+    if len(free) > 1:
+        free = [one for one in free if not _held(conversion, one[0])]
+    if (driven or conversion.own) and len(free) == 1:
         load, values = free[0]
         values = {
             "body": values["body"],
@@ -124,6 +140,19 @@ def convert_loads(conversion: Conversion) -> None:
             conversion.ignored(load, "all", "its torque is not known" if driven else "no load has a torque")
 
 
+def _held(conversion: Conversion, load: RexsComponent) -> bool:
+    """Whether a load without torque holds a shaft whose speed is given as zero, such as a brake."""
+    shaft = conversion.owner(load, "shaft")
+    if shaft is None or shaft.get("defines_speed") is not True or shaft.get("rotational_speed") != 0.0:
+        return False
+    body = conversion.seats[shaft.id].body
+    conversion.held.append(body)
+    conversion.done.add(load.id)
+    reason = "its speed is 0, and its load has no torque"
+    conversion.changed(load, "transmits_torque", f"hold {body}", "scenarios.*.hold", reason)
+    return True
+
+
 def _torque(conversion: Conversion, load: RexsComponent, shaft: RexsComponent | None) -> float | None:
     """Torque of a load [N m], from its power if it has no torque."""
     torque = conversion.number(load, "torque_around_u_axis", f"loads.{conversion.name(load)}.torque")
@@ -136,36 +165,49 @@ def _torque(conversion: Conversion, load: RexsComponent, shaft: RexsComponent | 
     return power / speed
 
 
-def convert_speeds(conversion: Conversion) -> None:
-    """Add the scenarios: a slow roll through the first mesh, and a time response at the given speed."""
-    shafts = [
+def _with_speed(conversion: Conversion) -> list[RexsComponent]:
+    return [
         s
         for s in conversion.source.of_type("shaft")
         if s.get("rotational_speed") is not None and s.id in conversion.seats
     ]
-    chosen = [s for s in shafts if s.get("defines_speed") is True] or shafts[:1]
-    for shaft in shafts:
+
+
+def speed_shafts(conversion: Conversion) -> list[RexsComponent]:
+    """Shafts whose speeds are given: those that define the speed, else the first one with a speed."""
+    shafts = _with_speed(conversion)
+    return [s for s in shafts if s.get("defines_speed") is True] or shafts[:1]
+
+
+def convert_speeds(conversion: Conversion) -> None:
+    """Add the scenarios: a slow roll through the first mesh, and a time response at the given speed."""
+    chosen = speed_shafts(conversion)
+    for shaft in _with_speed(conversion):
         if shaft not in chosen:
             conversion.ignored(shaft, "rotational_speed", "the speed follows from the gear ratios")
     speeds = {}
     for shaft in chosen:
         conversion.flag(shaft, "defines_speed")
         value = conversion.number(shaft, "rotational_speed", "scenarios.steady.speed")
-        if value:
+        if value or (value is not None and shaft.get("defines_speed") is True):
             seat = conversion.seats[shaft.id]
             speeds[seat.body] = seat.sign * value
     scenarios: dict[str, Any] = {}
-    mesh = next(iter(conversion.data.get("meshes", {})), None) or _mesh_of_stage(conversion)
+    meshes = [*conversion.data.get("meshes", {}), *conversion.data.get("bevel_meshes", {})]
+    mesh = next(iter(meshes), None) or _mesh_of_stage(conversion)
     if mesh is not None:
         scenarios["slow"] = {"quasi_static": {"mesh": mesh, "points": 20}}
         conversion.default("scenario", "slow", f"mesh {mesh}, 20 points", "scenarios.slow", "slow roll")
-    if speeds:
+    if any(speeds.values()):
         named = {name: q(value, "angular_speed") for name, value in speeds.items()}
         scenarios["steady"] = {"speed": named, "duration": "1 s"}
     else:
         conversion.default(
             "shaft", "rotational_speed", "no time response", "scenarios", "no shaft has a speed"
         )
+    if conversion.held:
+        for scenario in scenarios.values():
+            scenario["hold"] = list(conversion.held)
     if scenarios:
         conversion.data["scenarios"] = scenarios
 
@@ -206,6 +248,10 @@ def _mesh_frequencies(model: Model) -> list[float]:
         carrier = speeds.get(stage.carrier, 0.0) if stage is not None else 0.0
         turning = speeds.get(body, 0.0) - carrier
         found.append(abs(turning) * model.gears[gear].number_of_teeth / math.tau)
+    for bevel in model.bevel_meshes.values():
+        gear = bevel.gears[0]
+        body = next((n for n, b in model.bodies.items() if gear in b.bevel_gears), "")
+        found.append(abs(speeds.get(body, 0.0)) * model.bevel_gears[gear].number_of_teeth / math.tau)
     return found
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
+from pitchpoint.io.rexs.conversion.hubs import shaft_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
 from pitchpoint.io.rexs.document import RexsComponent
 
@@ -18,6 +19,8 @@ BACKLASH = 0.04
 """Default circumferential backlash over module: without it both flanks would be in contact."""
 AGREE = 1e-6
 """Difference of centre distances that counts as rounding [m]."""
+ROUNDED = 2e-6
+"""Rounding of reference centre distances in files [m]."""
 PARALLEL = 1e-9
 
 
@@ -35,7 +38,7 @@ def seat_gear(conversion: Conversion, gear: RexsComponent) -> str | None:
     """Add a gear to its shaft or body; its name, None with a problem if it has no place."""
     name = conversion.name(gear)
     values = gear_data(conversion, gear, f"gears.{name}")
-    shaft = conversion.owner(gear, "shaft")
+    shaft = shaft_of(conversion, gear)
     if shaft is None:
         conversion.problem(
             gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
@@ -87,10 +90,27 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     if None in names:
         conversion.done.add(stage.id)
         return
+    missing = [g for g, n in zip(gears, names, strict=True) if n not in conversion.data.get("gears", {})]
+    if missing:
+        conversion.problem(
+            stage,
+            f"has the gear {missing[0]}, which is not a gear of its own in the model",
+            remedy="give planets in mesh with each other in one planetary_stage",
+        )
+        return
     values: dict[str, Any] = {"gears": names, "damping": {"ratio": MESH_DAMPING}}
     name = conversion.name(stage)
     distance = conversion.number(stage, "center_distance", f"meshes.{name}.center_distance")
     placed = _distance_of_places(conversion, gears)
+    if (
+        placed is not None
+        and distance is not None
+        and abs(distance - _reference(gears)) < ROUNDED < abs(placed - distance)
+    ):
+        reason = f"{_mm(distance)} is the reference centre distance, without profile shift"
+        target = f"meshes.{name}.center_distance"
+        conversion.changed(stage, "center_distance", _mm(placed), target, reason)
+        distance = placed
     if placed is not None and distance is not None and abs(placed - distance) > AGREE:
         conversion.problem(
             stage,
@@ -118,12 +138,21 @@ def convert_stage(conversion: Conversion, stage: RexsComponent) -> None:
     )
 
 
+def _reference(gears: list[RexsComponent]) -> float:
+    """Reference centre distance of two gears [m]."""
+    teeth = [float(g.get("number_of_teeth") or 0.0) for g in gears]  # type: ignore[arg-type]
+    signs = [-1.0 if g.type == "ring_gear" else 1.0 for g in gears]
+    m_n = float(gears[0].get("normal_module") or 0.0)  # type: ignore[arg-type]
+    beta = float(gears[0].get("helix_angle_reference_diameter") or 0.0)  # type: ignore[arg-type]
+    return abs(sum(s * z for s, z in zip(signs, teeth, strict=True))) * m_n / (2.0 * math.cos(beta))
+
+
 def backlash_of(conversion: Conversion, stage: RexsComponent, target: str) -> dict[str, Any]:
     """Backlash of a mesh: the mean of the limits of the file, else one that is usual."""
     for key, attribute in (("normal", "normal_backlash"), ("circumferential", "transverse_backlash")):
         ends = [conversion.number(stage, f"{end}_{attribute}", f"{target}.{key}") for end in _ENDS]
         given = [value for value in ends if value is not None]
-        if given and max(given) > 0.0:
+        if given and (max(given) > 0.0 or conversion.own):
             return {key: q(sum(given) / len(given), "length")}
     text = f"factor {BACKLASH}"
     conversion.default(stage, "minimum_normal_backlash", text, target, "circumferential, over the module")
@@ -137,7 +166,7 @@ def _distance_of_places(conversion: Conversion, gears: list[RexsComponent]) -> f
     """Distance of the axes of two gears by the positions of their shafts [m]; None if not parallel."""
     seats = []
     for gear in gears:
-        shaft = conversion.owner(gear, "shaft")
+        shaft = shaft_of(conversion, gear)
         seats.append(None if shaft is None else conversion.seats.get(shaft.id))
     one, two = seats
     if one is None or two is None:

@@ -1,53 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planetary stages: equal planets on the pins of a carrier, in mesh with a sun, a ring or both."""
+"""Planetary stages: circles of equal planets on the pins of a carrier, with suns, rings and inner planets."""
 
 from __future__ import annotations
 
 import math
-from typing import Any, TypeAlias
+from typing import Any
 
-import numpy as np
-
-from pitchpoint.io.rexs.conversion.bearings import (
-    CONTACT_DAMPING,
-    LINEAR_DAMPING,
-    ROLLING,
-    rolling_data,
-    sides_of,
-    stiffness_of,
-    sum_of_stiffness,
-)
 from pitchpoint.io.rexs.conversion.carriers import convert_carrier
-from pitchpoint.io.rexs.conversion.frames import frame_of
-from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
-from pitchpoint.io.rexs.conversion.meshes import (
-    MESH_DAMPING,
-    backlash_of,
-    gears_of_stage,
-    seat_gear,
+from pitchpoint.io.rexs.conversion.gears import add_material, gear_data
+from pitchpoint.io.rexs.conversion.hubs import shaft_of
+from pitchpoint.io.rexs.conversion.meshes import MESH_DAMPING, backlash_of, seat_gear
+from pitchpoint.io.rexs.conversion.planet_bearings import convert_planet_bearings
+from pitchpoint.io.rexs.conversion.planets import (
+    EQUAL,
+    Circle,
+    Mate,
+    check_equal,
+    circles_of,
+    fitting_angles,
+    places_on_turn,
+    planet_shafts,
+    settle_places,
 )
 from pitchpoint.io.rexs.conversion.shafts import sections_of
-from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
+from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, Seat, q
 from pitchpoint.io.rexs.document import RexsComponent
 
-EQUAL = 1e-6
-"""Largest difference of distances that count as equal [m]."""
-OF_TEETH = (
-    *("number_of_teeth", "normal_module", "helix_angle_reference_diameter", "face_width"),
-    *("tip_diameter", "root_diameter", "u_coordinate_on_shaft"),
-)
-"""Attributes in which planets must agree."""
-
-Planet: TypeAlias = tuple[RexsComponent, RexsComponent]
-"""Shaft and gear of a planet."""
-
-
-def planet_shafts(conversion: Conversion, stage: RexsComponent) -> list[RexsComponent]:
-    """Shafts of the planets of a stage."""
-    return [
-        conversion.source.components[r.roles["shaft"]]
-        for r in conversion.source.related("planet_shaft", planetary_stage=stage.id)
-    ]
+LETTERS = "abcdefghijklmnopqrstuvwxyz"
+"""Names of the planets of several circles: planet_a_1, planet_b_1."""
 
 
 def convert_carriers(conversion: Conversion) -> dict[int, str]:
@@ -62,168 +42,252 @@ def convert_carriers(conversion: Conversion) -> dict[int, str]:
 
 
 def convert_planetary_stage(conversion: Conversion, stage: RexsComponent, carrier: str) -> None:
-    """Add a planetary stage with its sun, its ring, its planets and their bearings."""
+    """Add a planetary stage: an entry of the model file for each circle of planets."""
     before = len(conversion.problems)
     conversion.done.add(stage.id)
+    circles = circles_of(conversion, stage)
+    central = [m for c in circles for mates in c.mates for m in mates if m.side != "planet"]
+    for mate in central:
+        if mate.gear.id not in conversion.done:
+            seat_gear(conversion, mate.gear)
+    for mate in central:
+        if conversion.names.get(mate.gear.id) not in conversion.data.get("gears", {}):
+            conversion.problem(mate.gear, "is on no shaft of the model", remedy="correct its relations")
+    if len(conversion.problems) > before or not central:
+        return
+    owner = shaft_of(conversion, central[0].gear)
+    axis = None if owner is None else conversion.seats.get(owner.id)
+    if axis is None or not settle_places(conversion, circles, axis):
+        return
     name = conversion.name(stage)
-    planets = _planets(conversion, stage)
-    mates = _mates(conversion, stage, [gear.id for _, gear in planets]) if planets else {}
-    for number in mates:
-        seat_gear(conversion, conversion.source.components[number])
-    if len(conversion.problems) > before or not mates:
-        return
-    axis = conversion.owner(conversion.source.components[next(iter(mates))], "shaft")
-    places = None if axis is None else _places(conversion, planets, axis)
-    if places is None:
-        return
-    planets, angles, distance = places
-    shaft, first = planets[0]
-    path = f"planetary_stages.{name}.planet"
-    data = gear_data(conversion, first, path)
-    if data is None:
-        return
-    add_material(conversion, first, path, data)
-    _same_planets(conversion, planets)
-    _bore(conversion, shaft, first, path, data)
-    values: dict[str, Any] = {}
-    meshes: dict[str, RexsComponent] = {}
-    for number, (mesh, sides) in mates.items():
-        _check_distances(conversion, stage, number, distance)
-        role = "ring" if conversion.source.components[number].type == "ring_gear" else "sun"
-        values[role], meshes[role] = conversion.names[number], mesh
-        entries = [
-            conversion.data["gears"][conversion.names[g.id]] if g.id == number else data for g in sides
-        ]
-        pair = [g if g.id == number else first for g in sides]
-        conversion.meshings.append(Meshing(mesh, pair, entries, distance))
-    values["carrier"] = carrier
-    values["planet"] = data
-    values["angles"] = [q(a, "angle") for a in angles]
-    values["center_distance"] = q(distance, "length")
-    planet_name = "planet"
-    if len(conversion.source.of_type("planetary_stage")) > 1:
-        values["planet_name"] = planet_name = f"{name}_planet"
-    _bearings(conversion, stage, planets, planet_name, carrier, values)
-    for role in ("sun", "ring"):
-        if role in values:
-            target = f"planetary_stages.{name}.{role}_mesh"
-            values[f"{role}_mesh"] = {
-                "damping": {"ratio": MESH_DAMPING},
-                "backlash": backlash_of(conversion, meshes[role], f"{target}.backlash"),
-            }
-            text = f"ratio {MESH_DAMPING}"
-            conversion.default(stage, "damping", text, f"{target}.damping", "REXS has no damping")
-            conversion.default(stage, "mesh stiffness", "law din3990", f"{target}.stiffness", "by geometry")
-    if len(conversion.problems) == before:
-        conversion.put("planetary_stages", stage, values, name)
+    several = len(circles) > 1 or len(conversion.source.of_type("planetary_stage")) > 1
+    for k, circle in enumerate(circles):
+        circle.name = name if k == 0 else conversion.free(f"{name}_{k + 1}")
+        number = len(conversion.data.get("planetary_stages", {})) + k
+        other = f"planet_{LETTERS[number % len(LETTERS)]}" if several else "planet"
+        circle.planet_name = _stem(conversion, circle) or other
+    data: dict[int, dict[str, Any]] = {}
+    for circle in circles:
+        _convert_circle(conversion, stage, circle, (carrier, axis), data)
+        if len(conversion.problems) > before:
+            return
 
 
-def _planets(conversion: Conversion, stage: RexsComponent) -> list[Planet]:
-    """Shaft and gear of every planet; empty with a problem."""
-    found = []
-    for shaft in planet_shafts(conversion, stage):
-        gears = conversion.parts(shaft, *CYLINDRICAL)
-        if len(gears) != 1:
-            what = "has no cylindrical gear" if not gears else "has several gears"
-            conversion.problem(shaft, what, remedy="planets of a stage have one gear each")
-            return []
-        found.append((shaft, gears[0]))
-    if not found:
-        conversion.problem(stage, "has no planets", remedy="give relations 'planet_shaft'")
-    return found
+def _stem(conversion: Conversion, circle: Circle) -> str:
+    """Common beginning of the names of planets in files of pitchpoint; else empty."""
+    names = [planet.shaft.name for planet in circle.planets]
+    stem = names[0].removesuffix("_1")
+    numbered = [f"{stem}_{k}" for k in range(1, len(names) + 1)]
+    return stem if conversion.own and sorted(names) == sorted(numbered) else ""
 
 
-def _mates(
-    conversion: Conversion, stage: RexsComponent, planets: list[int]
-) -> dict[int, tuple[RexsComponent, list[RexsComponent]]]:
-    """Sun and ring by their ids, each with one of its cylindrical stages and the gears of that."""
-    found: dict[int, tuple[RexsComponent, list[RexsComponent]]] = {}
-    for mesh in conversion.source.of_type("cylindrical_stage"):
-        gears = gears_of_stage(conversion, mesh)
-        inside = [g for g in gears if g.id in planets]
-        if not inside:
-            continue
-        conversion.done.add(mesh.id)
-        if len(inside) == 2:
-            conversion.problem(
-                mesh, "is between two planets", remedy="planets of a stage mesh with sun and ring"
-            )
-            return {}
-        mate = next(g for g in gears if g.id not in planets)
-        found.setdefault(mate.id, (mesh, gears))
-        conversion.number(mesh, "center_distance", f"planetary_stages.{conversion.name(stage)}")
-    kinds = [conversion.source.components[i].type for i in found]
-    if not found or len(set(kinds)) < len(kinds):
-        what = "has no meshes of its planets" if not found else "has several suns or rings"
-        conversion.problem(stage, what, remedy="a stage has one sun, one ring, or both")
-        return {}
-    return dict(sorted(found.items(), key=lambda one: conversion.source.components[one[0]].type))
+def _convert_circle(
+    conversion: Conversion,
+    stage: RexsComponent,
+    circle: Circle,
+    seat: tuple[str, Seat],
+    data: dict[int, dict[str, Any]],
+) -> None:
+    """Add one circle of planets.
 
-
-def _same_planets(conversion: Conversion, planets: list[Planet]) -> None:
-    """Check that all planets have the teeth of the first one."""
-    first = planets[0][1]
-    for _, gear in planets[1:]:
+    Parameters
+    ----------
+    conversion, stage, circle
+        The conversion, the planetary stage and the circle.
+    seat
+        Name of the carrier, and seat of the shaft on the axis.
+    data
+        Data of the gears of the first planets by their ids, to which those of this circle are added.
+    """
+    carrier, axis = seat
+    path = f"planetary_stages.{circle.name}"
+    first, main = circle.planets[0], circle.order[0]
+    for k in circle.order:
+        gear, at = first.gears[k], f"{path}.{'planet' if k == main else f'steps.step_{k + 1}.gear'}"
+        found = gear_data(conversion, gear, at)
+        if found is None:
+            return
+        add_material(conversion, gear, at, found)
+        _bore(conversion, first.shaft, gear, at, found)
+        data[gear.id] = found
         conversion.done.add(gear.id)
-        for key in OF_TEETH:
-            one, two = first.get(key), gear.get(key)
-            conversion.used.add((gear.id, key))
-            if one != two and abs(float(one or 0.0) - float(two or 0.0)) > EQUAL:  # type: ignore[arg-type]
-                conversion.problem(
-                    gear, f"differs from that of {first}", key, str(two), str(one), "planets are equal"
-                )
+    check_equal(conversion, circle.planets)
+    fitted = len(circle.order) > 1 and fitting_angles(circle, places_on_turn(circle, False)) is None
+    angles = fitting_angles(circle, places_on_turn(circle, fitted))
+    angles = [planet.angle for planet in circle.planets] if angles is None else angles
+    values: dict[str, Any] = {}
+    _add_mates(conversion, circle, main, values, data)
+    values |= {"carrier": carrier, "planet": data[first.gears[main].id]}
+    if circle.inner is None:
+        values["angles"] = [q(angle, "angle") for angle in angles]
+    else:
+        values["planets"] = len(circle.planets)
+        _by_inner(conversion, stage, circle, values)
+    values["center_distance"] = q(circle.distance, "length")
+    if circle.planet_name != "planet":
+        values["planet_name"] = circle.planet_name
+    _add_position(conversion, circle, axis, values)
+    _add_pin_errors(conversion, circle, angles, values)
+    _add_steps(conversion, circle, fitted, values, data)
+    convert_planet_bearings(conversion, stage, circle, carrier, values)
+    conversion.put("planetary_stages", stage, values, circle.name)
 
 
-def _places(
-    conversion: Conversion, planets: list[Planet], axis: RexsComponent
-) -> tuple[list[Planet], list[float], float] | None:
-    """Planets in the order of their angles, the angles [rad], and the distance of their axes [m]."""
-    base = conversion.seats[axis.id].frame
-    found = []
-    for shaft, gear in planets:
-        frame = frame_of(conversion, shaft)
-        if frame is None:
-            conversion.problem(
-                shaft, "has no position", "support_vector", remedy="give support_vector and axes"
-            )
-            return None
-        offset = base.axes.T @ (frame.origin - base.origin)
-        found.append(
-            (math.atan2(offset[1], offset[0]) % math.tau, math.hypot(offset[0], offset[1]), shaft, gear)
-        )
-    # an angle of 360 deg less rounding is 0
-    found = [(0.0 if math.tau - a < 1e-9 else a, d, s, g) for a, d, s, g in found]
-    found.sort(key=lambda one: one[0])
-    distances = [d for _, d, *_ in found]
-    if max(distances) - min(distances) > EQUAL:
-        far = max(found, key=lambda one: abs(one[1] - np.median(distances)))
-        conversion.problem(
-            far[2],
-            "is at another distance from the axis than the other planets",
-            "support_vector",
-            f"{1e3 * far[1]:.6g} mm",
-            f"{1e3 * float(np.median(distances)):.6g} mm",
-            "give pin errors in the model file",
-        )
-        return None
-    return [(s, g) for _, _, s, g in found], [a for a, *_ in found], float(np.median(distances))
+def _add_mates(
+    conversion: Conversion,
+    circle: Circle,
+    wheel: int,
+    values: dict[str, Any],
+    data: dict[int, dict[str, Any]],
+) -> None:
+    """Add sun, ring and inner planets of a gear of the planets, with the settings of the meshes."""
+    own = circle.planets[0].gears[wheel]
+    for mate in sorted(circle.mates[wheel], key=lambda m: ("sun", "ring", "planet").index(m.side)):
+        key = "inner_planets" if mate.side == "planet" else mate.side
+        inner = circle.inner if mate.side == "planet" else None
+        values[key] = conversion.names.get(mate.gear.id) if inner is None else inner.planet_name
+        distance = _distance_of(circle, inner)
+        _check_distances(conversion, circle, mate, distance)
+        mesh, gears = _first(mate, own)
+        entries = [
+            data[g.id] if g.id in data else conversion.data["gears"][conversion.names[g.id]] for g in gears
+        ]
+        conversion.meshings.append(Meshing(mesh, gears, entries, distance))
+        target = f"planetary_stages.{circle.name}.{mate.side}_mesh"
+        values[f"{mate.side}_mesh"] = {
+            "damping": {"ratio": MESH_DAMPING},
+            "backlash": backlash_of(conversion, mesh, f"{target}.backlash"),
+        }
+        text = f"ratio {MESH_DAMPING}"
+        conversion.default(mesh, "damping", text, f"{target}.damping", "REXS has no damping")
+        conversion.default(mesh, "mesh stiffness", "law din3990", f"{target}.stiffness", "by geometry")
 
 
-def _check_distances(conversion: Conversion, stage: RexsComponent, mate: int, distance: float) -> None:
-    """Check that the centre distances of the meshes with a sun or ring are that of the pins."""
-    for mesh in conversion.source.of_type("cylindrical_stage"):
-        if mate not in [g.id for g in gears_of_stage(conversion, mesh)]:
-            continue
-        given = conversion.number(mesh, "center_distance")
-        if given is not None and abs(abs(given) - distance) > EQUAL:
+def _first(mate: Mate, own: RexsComponent) -> tuple[RexsComponent, list[RexsComponent]]:
+    """Mesh of a gear of the first planet with a mate."""
+    return next(((m, pair) for m, pair in mate.meshes if own in pair), mate.meshes[0])
+
+
+def _distance_of(circle: Circle, inner: Circle | None) -> float:
+    """Distance of the pins from the axis, or between the first planets of two circles [m]."""
+    if inner is None:
+        return circle.distance
+    one, two = circle.planets[0], inner.planets[0]
+    angle = one.angle - two.angle
+    return math.sqrt(one.distance**2 + two.distance**2 - 2.0 * one.distance * two.distance * math.cos(angle))
+
+
+def _check_distances(conversion: Conversion, circle: Circle, mate: Mate, distance: float) -> None:
+    """Check that the centre distances of the meshes with a mate are those of the planets."""
+    own = {gear.id: planet for planet in circle.planets for gear in planet.gears}
+    for mesh, pair in mate.meshes:
+        given = conversion.number(mesh, "center_distance", f"planetary_stages.{circle.name}.center_distance")
+        planet = next(own[gear.id] for gear in pair if gear.id in own)
+        right = distance if mate.side == "planet" else planet.distance
+        if given is not None and abs(abs(given) - right) > EQUAL:
+            what = "of two planets" if mate.side == "planet" else f"of {planet.shaft} from the axis"
             conversion.problem(
                 mesh,
-                f"differs from the distance of the planets of {stage} from the axis",
+                f"differs from the distance {what}",
                 "center_distance",
                 f"{1e3 * given:.6g} mm",
-                f"{1e3 * distance:.6g} mm by support_vector",
+                f"{1e3 * right:.6g} mm by support_vector",
                 "correct one of the two",
             )
+
+
+def _by_inner(conversion: Conversion, stage: RexsComponent, circle: Circle, values: dict[str, Any]) -> None:
+    """Add the place of planets next to their inner planets, which is the same for all of them."""
+    inner = circle.inner
+    assert inner is not None
+    leads = [
+        math.remainder(outer.angle - one.angle, math.tau)
+        for outer, one in zip(circle.planets, inner.planets, strict=True)
+    ]
+    values["planet_center_distance"] = q(_distance_of(circle, inner), "length")
+    if leads[0] < 0.0:
+        values["planet_side"] = "clockwise"
+    for lead, planet in zip(leads, circle.planets, strict=True):
+        if abs(math.remainder(lead - leads[0], math.tau)) * planet.distance > EQUAL:
+            conversion.problem(
+                planet.shaft,
+                "is at another angle from its inner planet than the first one",
+                "support_vector",
+                f"{math.degrees(lead):.6g} deg",
+                f"{math.degrees(leads[0]):.6g} deg",
+                "planets of a stage are equal",
+            )
+
+
+def _add_position(conversion: Conversion, circle: Circle, axis: Seat, values: dict[str, Any]) -> None:
+    """Add the axial position of the planets from the mid-face of their sun or ring."""
+    main = circle.order[0]
+    order = {"sun": 0, "ring": 1}
+    central = sorted((m for m in circle.mates[main] if m.side in order), key=lambda m: order[m.side])
+    if not central:
+        return
+    gear = central[0].gear
+    shaft = shaft_of(conversion, gear)
+    u = conversion.number(gear, "u_coordinate_on_shaft")
+    seat = None if shaft is None else conversion.seats.get(shaft.id)
+    if seat is None or u is None:
+        return
+    middle = float((seat.point(u) - axis.frame.origin) @ axis.frame.z)
+    offset = circle.planets[0].middle(main) - middle
+    if abs(offset) > EQUAL:
+        values["position"] = q(offset, "length")
+
+
+def _add_pin_errors(
+    conversion: Conversion, circle: Circle, angles: list[float], values: dict[str, Any]
+) -> None:
+    """Add the errors of pins that are not at the distance of the others or not at a fitting angle."""
+    nominal = circle.distance
+    errors = {}
+    for k, (planet, angle) in enumerate(zip(circle.planets, angles, strict=True)):
+        off = math.remainder(planet.angle - angle, math.tau)
+        found = {
+            "tangential": planet.distance * math.sin(off),
+            "radial": planet.distance * math.cos(off) - nominal,
+        }
+        given = {key: q(value, "length") for key, value in found.items() if abs(value) > EQUAL}
+        if given:
+            name = f"{circle.planet_name}_{k + 1}"
+            errors[name] = given
+            target = f"planetary_stages.{circle.name}.pin_errors.{name}"
+            text = ", ".join(f"{key} {value}" for key, value in given.items())
+            reason = f"from the place at {1e3 * nominal:.6g} mm and {math.degrees(angle):.6g} deg"
+            conversion.changed(planet.shaft, "support_vector", text, target, reason)
+    if errors:
+        values["pin_errors"] = errors
+
+
+def _add_steps(
+    conversion: Conversion,
+    circle: Circle,
+    fitted: bool,
+    values: dict[str, Any],
+    data: dict[int, dict[str, Any]],
+) -> None:
+    """Add the further gears of stepped planets."""
+    main, *others = circle.order
+    if not others:
+        return
+    first = circle.planets[0]
+    steps = {}
+    for k in others:
+        step: dict[str, Any] = {}
+        _add_mates(conversion, circle, k, step, data)
+        step["gear"] = data[first.gears[k].id]
+        step["position"] = q(first.middle(k) - first.middle(main), "length")
+        name = f"step_{k + 1}"
+        if fitted:
+            step["fitted"] = True
+            target = f"planetary_stages.{circle.name}.steps.{name}.fitted"
+            text = "equal planets do not fit at these angles: the teeth of each are oriented at its assembly"
+            conversion.changed(first.gears[k], "w_axis_vector", "true", target, text)
+        steps[name] = step
+    values["steps"] = steps
 
 
 def _bore(
@@ -236,72 +300,3 @@ def _bore(
         data["bore_diameter"] = q(inner, "length")
         reason = "bore of the planet shaft, whose mass is part of the gear"
         conversion.default(gear, "inner_diameter", str(q(inner, "length")), f"{path}.bore_diameter", reason)
-
-
-def _bearings(
-    conversion: Conversion,
-    stage: RexsComponent,
-    planets: list[Planet],
-    planet_name: str,
-    carrier: str,
-    values: dict[str, Any],
-) -> None:
-    """Bearings of the planets: the sum of linear ones, or rolling bearings one by one."""
-    shafts = {shaft.id: k for k, (shaft, _) in enumerate(planets)}
-    linear: list[list[tuple[dict[str, float], float]]] = [[] for _ in planets]
-    rolling = False
-    for bearing in conversion.source.of_type("concept_bearing", *ROLLING):
-        sides = {role: part.id for role, part in sides_of(conversion, bearing).items()}
-        inner = sides.get("inner_part") in shafts
-        number = sides.get("inner_part" if inner else "outer_part")
-        if number not in shafts:
-            continue
-        conversion.done.add(bearing.id)
-        k = shafts[number]
-        u = conversion.need(bearing, f"u_coordinate_on_shaft_{'inner' if inner else 'outer'}_side", "mm")
-        middle = conversion.need(planets[k][1], "u_coordinate_on_shaft", "mm")
-        if u is None or middle is None:
-            return
-        name = conversion.name(bearing)
-        frame = frame_of(conversion, planets[k][0])
-        sign = 1.0 if frame is None else conversion.aligned(frame)[1]
-        path = f"rolling_bearings.{name}"
-        data = rolling_data(conversion, bearing, path, sign) if bearing.type in ROLLING else None
-        if data is None:
-            target = f"planetary_stages.{conversion.name(stage)}.bearing.stiffness"
-            linear[k].append((stiffness_of(conversion, bearing, target), sign * (u - middle)))
-            continue
-        rolling = True
-        planet = f"{planet_name}_{k + 1}"
-        ends = [planet, carrier] if inner else [carrier, planet]
-        entry = {"ends": ends, "position": [0, 0, q(sign * (u - middle), "length")], **data}
-        conversion.put("rolling_bearings", bearing, entry, name)
-        text = f"{CONTACT_DAMPING:g} s/m"
-        conversion.default(
-            bearing, "damping", text, f"rolling_bearings.{name}.damping", "REXS has no damping"
-        )
-    values["motion"] = "free"
-    if rolling:
-        return
-    matrices = [sum_of_stiffness(parts) for parts in linear]
-    if not matrices[0].any():
-        values["motion"] = "torsion"
-        text = "planets turn on rigid pins"
-        conversion.default(stage, "bearings of the planets", text, f"{conversion.name(stage)}.motion")
-        return
-    if any(not np.allclose(m, matrices[0], rtol=1e-9) for m in matrices[1:]):
-        conversion.changed(stage, "bearings", "those of the first planet", "", "planets of a stage are equal")
-    values["bearing"] = {"stiffness": _entry(matrices[0]), "damping": {"ratio": LINEAR_DAMPING}}
-    text = f"ratio {LINEAR_DAMPING}"
-    conversion.default(
-        stage, "damping of the planet bearings", text, "bearing.damping", "REXS has no damping"
-    )
-
-
-def _entry(matrix: np.ndarray) -> dict[str, Any]:
-    """Stiffness by direction of bearings that are symmetric about the middle of the planet, else a matrix."""
-    coupled = abs(matrix[0, 4]) > 1e-9 * math.sqrt(matrix[0, 0] * matrix[4, 4] or 1.0)
-    if coupled:
-        return {"matrix": [[float(x) for x in row] for row in matrix]}
-    keys = {"radial": (0, "stiffness"), "axial": (2, "stiffness"), "tilt": (3, "torsional_stiffness")}
-    return {key: q(matrix[i, i], unit) for key, (i, unit) in keys.items() if matrix[i, i] > 0.0}

@@ -24,7 +24,7 @@ def settle_shifts(conversion: Conversion) -> None:
     """
     follows: set[int] = set()
     """Gears whose profile shift follows from a mesh, by the identity of their data."""
-    for meshing in conversion.meshings:
+    for meshing in () if conversion.own else conversion.meshings:
         _check_given(conversion, meshing, follows)
     left = list(conversion.meshings)
     while left:

@@ -13,8 +13,8 @@ from pitchpoint.io.rexs.conversion.materials import material_of
 from pitchpoint.io.rexs.conversion.state import Conversion, Seat, q, vector
 from pitchpoint.io.rexs.document import RexsComponent
 
-GAP = 1e-6
-"""Largest gap or overlap of two sections that is closed [m]."""
+GAP, SMALL = 1e-6, 2e-4
+"""Largest gap or overlap of two sections that is rounding, and that is closed [m]."""
 STEP = 0.05
 """Largest relative change of diameter between the cylinders that replace a cone."""
 MOST_STEPS = 20
@@ -36,6 +36,7 @@ def convert_shaft(conversion: Conversion, shaft: RexsComponent) -> None:
     name = conversion.name(shaft)
     frame, sign = conversion.aligned(frame)
     if not sections:
+        conversion.done.add(shaft.id)
         if not conversion.parts(shaft, "shaft_section"):
             values: dict[str, Any] = {"motion": "free", "position": vector(frame.origin), **axes_of(frame)}
             conversion.put("bodies", shaft, values)
@@ -121,7 +122,12 @@ def sections_of(conversion: Conversion, shaft: RexsComponent) -> list[Section]:
     found.sort(key=lambda one: one[0])
     result: list[Section] = []
     for begin, part, (_, stop, d, a), e, b in found:
-        if result and abs(begin - result[-1][1]) > GAP:
+        apart = abs(begin - result[-1][1]) if result else 0.0
+        if GAP < apart <= SMALL:
+            target = f"shafts.{conversion.name(shaft)}.sections"
+            text = f"it is {q(apart, 'length')} from the end of the section before"
+            conversion.changed(part, "u_coordinate_on_shaft", "at its end", target, text)
+        elif result and apart > GAP:
             what = "leaves a gap after" if begin > result[-1][1] else "overlaps"
             conversion.problem(
                 part,

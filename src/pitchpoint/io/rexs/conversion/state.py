@@ -7,7 +7,7 @@ import re
 import unicodedata
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from pitchpoint.io.rexs.conversion.frames import Frame
 from pitchpoint.io.rexs.document import RexsAttribute, RexsComponent, RexsModel, Value
 from pitchpoint.io.rexs.units import RexsUnit, unit_of
 from pitchpoint.model.write import quantity_text
+
+if TYPE_CHECKING:
+    from pitchpoint.io.rexs.conversion.profile_amounts import ProfileAmount
 
 TAKEN, DEFAULT, CHANGED, IGNORED = "taken", "default", "changed", "ignored"
 """Kinds of entries: value of the file; default for a missing one; value of the file that was replaced or
@@ -132,10 +135,14 @@ class Conversion:
         self.done: set[int] = set()
         """Components that are in the model, or in the list."""
         self.names: dict[int, str] = {}
-        self.given: set[str] = set()
+        self.given: set[tuple[str, str]] = set()
         self.frames: dict[int, Frame] = {}
+        self.held: list[str] = []
         self.seats: dict[int, Seat] = {}
         self.meshings: list[Meshing] = []
+        self.own = source.application.startswith("pitchpoint")
+        """Whether pitchpoint wrote the file: names, directions and zeros are then those of a model."""
+        self.profile_amounts: list[ProfileAmount] = []
         self.directions: list[np.ndarray] = [np.array([0.0, 0.0, 1.0])]
         self.origins: dict[tuple[str, str], RexsComponent] = {}
         """Component of each entry of the model file."""
@@ -153,15 +160,16 @@ class Conversion:
         """Name of a component in the model file: its own, without characters that names must not have."""
         if component.id not in self.names:
             text = component.name or f"{component.type} {component.id}"
-            self.names[component.id] = self.free(plain_name(text), component.id)
+            name = text if self.own and re.fullmatch(r"[A-Za-z][\w-]*", text) else plain_name(text)
+            self.names[component.id] = self.free(name, component.id, component.type if self.own else "")
         return self.names[component.id]
 
-    def free(self, name: str, number: int | None = None) -> str:
-        """A name that no other component has."""
+    def free(self, name: str, number: int | None = None, group: str = "") -> str:
+        """A name that no other component has; in files of pitchpoint none of the same type."""
         found, k = name, number if number is not None else 2
-        while found in self.given:
+        while (group, found) in self.given:
             found, k = f"{name}_{k}", k + 1
-        self.given.add(found)
+        self.given.add((group, found))
         return found
 
     def aligned(self, frame: Frame) -> tuple[Frame, float]:
@@ -169,7 +177,7 @@ class Conversion:
 
         Gears of a model mesh on shafts with equal directions of z.
         """
-        for direction in self.directions:
+        for direction in () if self.own else self.directions:
             if abs(abs(float(frame.z @ direction)) - 1.0) < 1e-9:
                 found = frame.along(direction)
                 return found, 1.0 if found is frame else -1.0
@@ -222,12 +230,20 @@ class Conversion:
         """List a value that was replaced or simplified."""
         self._add(Item(CHANGED, str(component), attribute, value, target, reason))
 
-    def ignored(self, component: RexsComponent | str, attribute: str, reason: str) -> None:
-        """List a component or value without effect in the model."""
+    def ignored(
+        self, component: RexsComponent | str, attribute: str, reason: str, *, values: bool = False
+    ) -> None:
+        """List a component or value without effect in the model; `values`: each with its value."""
+        names = [attribute]
         if isinstance(component, RexsComponent):
             self.done.add(component.id)
-            self.used |= {(component.id, name) for name in component.attributes if attribute in (name, "all")}
-        self._add(Item(IGNORED, str(component), attribute, reason=reason))
+            found = component.attributes
+            self.used |= {(component.id, name) for name in found if attribute in (name, "all")}
+            names = list(found) if values and attribute == "all" and found else names
+        for name in names:
+            known = component.attributes.get(name) if isinstance(component, RexsComponent) else None
+            text = "" if known is None else shown(known)
+            self._add(Item(IGNORED, str(component), name, text, reason=reason))
 
     def _add(self, item: Item) -> None:
         """Add an entry once."""

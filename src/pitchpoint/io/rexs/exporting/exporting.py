@@ -12,10 +12,12 @@ import numpy as np
 
 from pitchpoint.io.rexs import tables
 from pitchpoint.io.rexs.document import RexsModel
+from pitchpoint.io.rexs.exporting.bevels import add_bevels
 from pitchpoint.io.rexs.exporting.draft import MILLI, Draft, Omission, uvw
 from pitchpoint.io.rexs.exporting.gears import MeshStiffness, add_gears, add_meshes
 from pitchpoint.io.rexs.exporting.keys import WRITTEN, list_keys
 from pitchpoint.io.rexs.exporting.loads import Values, add_loads, load_spectra
+from pitchpoint.io.rexs.exporting.operating import SeatStiffness, add_housing, add_lubricant
 from pitchpoint.io.rexs.exporting.shafts import add_planetary_stages, add_shafts
 from pitchpoint.io.rexs.exporting.supports import add_supports
 from pitchpoint.model.stand_ins import own_parts
@@ -23,7 +25,7 @@ from pitchpoint.model.stand_ins import own_parts
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-SECTIONS = (*WRITTEN, "scenarios", "elastic_bodies")
+SECTIONS = (*WRITTEN, "scenarios", "elastic_bodies", "load_cases", "materials")
 """Sections of a model that are written."""
 
 
@@ -48,6 +50,7 @@ def export_rexs(
     version: str = tables.NEWEST,
     *,
     stiffness: Mapping[str, MeshStiffness] | None = None,
+    housing: SeatStiffness | None = None,
     results: Callable[[Draft], Mapping[str, Values]] | None = None,
 ) -> Exported:
     """Contents of a REXS file with the gear unit of a model.
@@ -60,6 +63,8 @@ def export_rexs(
         Version of REXS.
     stiffness
         Attributes of the stiffness of meshes, by mesh.
+    housing
+        Nodes and matrix of `system.housing_matrices.supported_stiffness` of a housing matrix.
     results
         Function that returns the results of scenarios, by scenario and component of the draft.
     """
@@ -72,7 +77,10 @@ def export_rexs(
     add_gears(draft)
     add_planetary_stages(draft)
     add_meshes(draft, stiffness)
+    add_bevels(draft)
     add_supports(draft)
+    add_lubricant(draft)
+    add_housing(draft, housing)
     loads = add_loads(draft)
     spectra = load_spectra(draft, loads, results(draft) if results is not None else {})
     list_keys(draft, model)

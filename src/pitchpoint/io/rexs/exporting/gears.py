@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from pitchpoint.io.rexs.conversion.modifications import CROWNINGS
+from pitchpoint.io.rexs.conversion.modifications import CROWNINGS, ENDS
 from pitchpoint.io.rexs.exporting.draft import Draft
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ def _add_gear(draft: Draft, name: str, gear: Gear, body: str, z: float) -> None:
         root_diameter=gear.root_diameter,
         mass_of_component=gear.mass,
         inner_diameter=None if internal else gear.bore_diameter or None,
+        datum_face_orientation=None if gear.modifications is None else "positive",
     )
     draft.gears[name] = id
     if internal and gear.bore_diameter:
@@ -86,14 +87,41 @@ def _add_modifications(
         values = {f"{kind}_depth": relief.amount, f"{kind}_datum_diameter": start}
         one = draft.add(kind, "", shape_of_relief=relief.shape, **values)
         draft.relate("reference", origin=flank, referenced=one)
+    half = 0.5 * geometry.b
+    root, tip = (abs(d) for d in (geometry.d_Ff, geometry.d_Fa))
+    ends = {
+        "profile_crowning": {f"diameter_where_profile_crowning_{end}_is_specified": d for end, d in
+                             (("root", root), ("tip", tip))},
+        "helix_crowning": {
+            f"coordinate_where_helix_crowning_is_specified_{end}": s
+            for end, s in (("datum_face", -half), ("non_datum_face", half))
+        },
+    }  # fmt: skip
     for kind, (first, second, key) in CROWNINGS.items():
         amount = getattr(found, key)
         if amount:
-            one = draft.add(kind, "", **{first: amount, second: amount})
-            draft.relate("reference", origin=flank, referenced=one)
-    for key in ("profile_slope", "helix_slope", "end_relief"):
-        if getattr(found, key):
-            draft.omit(f"{path}.{key}", "not written")
+            _modify(draft, flank, kind, {first: amount, second: amount, **ends[kind]})
+    if found.profile_slope:
+        slope = {"profile_slope": found.profile_slope}
+        _modify(draft, flank, "profile_slope", {
+            **slope, "profile_evaluation_start": root, "profile_evaluation_end": tip,
+        })  # fmt: skip
+    if found.helix_slope:  # the datum face is at the end of the largest z
+        places = {"helix_evaluation_start": -half, "helix_evaluation_end": half}
+        _modify(draft, flank, "helix_slope", {"helix_slope": -found.helix_slope, **places})
+        reason = "REXS does not define its sign: written as positive towards the non-datum face"
+        draft.omit(f"{path}.helix_slope", reason)
+    both = found.end_relief
+    if both is not None:
+        for kind, end in ENDS.items():
+            values = {f"end_relief_depth_{end}": both.amount, f"end_relief_length_{end}": both.length}
+            _modify(draft, flank, kind, {"shape_of_relief": both.shape, **values})
+
+
+def _modify(draft: Draft, flank: int, kind: str, values: Mapping[str, float | str]) -> None:
+    """Add a modification of a flank."""
+    one = draft.add(kind, "", **values)
+    draft.relate("reference", origin=flank, referenced=one)
 
 
 def _start_of(relief: Relief, gear: CylindricalGear, kind: str) -> float | None:

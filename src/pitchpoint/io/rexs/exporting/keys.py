@@ -28,9 +28,18 @@ WRITTEN: dict[str, tuple[str, ...]] = {
         ),
         *("rack", "cutter", "bore_diameter", "material", "modifications"),
     ),
-    "shafts": ("sections", "material", "gears", "largest_piece", *_PLACE),
+    "shafts": ("sections", "material", "gears", "bevel_gears", "largest_piece", *_PLACE),
     "bodies": (
-        *("gears", "motion", "mass", "inertia", "transverse_inertia", "inertia_tensor", "center_of_mass"),
+        *(
+            "gears",
+            "bevel_gears",
+            "motion",
+            "mass",
+            "inertia",
+            "transverse_inertia",
+            "inertia_tensor",
+            "center_of_mass",
+        ),
         *("solid", *_PLACE),
     ),
     "planetary_stages": (
@@ -45,8 +54,16 @@ WRITTEN: dict[str, tuple[str, ...]] = {
             "center_distance",
             "position",
         ),
-        *("motion", "bearing", "sun_mesh", "ring_mesh"),
+        *("motion", "bearing", "sun_mesh", "ring_mesh", "planet_mesh", "steps", "inner_planets"),
+        *("planet_center_distance", "planet_side", "pin_errors"),
     ),
+    "bevel_gears": (
+        *("number_of_teeth", "mean_normal_module", "outer_transverse_module", "pitch_cone_angle"),
+        *("mate_teeth", "shaft_angle", "normal_pressure_angle", "spiral_angle", "hand", "face_width"),
+        *("profile_shift_coefficient", "thickness_modification_coefficient", "rack", "opens", "material"),
+        "mass",
+    ),
+    "bevel_meshes": ("gears", "shaft_angle", "backlash"),
     "meshes": ("gears", "center_distance", "direction", "backlash", "stiffness", "width", "slices"),
     "bearings": ("body", "housing", *_STIFFNESS),
     "rolling_bearings": (
@@ -59,6 +76,8 @@ WRITTEN: dict[str, tuple[str, ...]] = {
     "loads": ("body", "torque", "force", "moment", "position", "marker", "reaction", "along"),
 }
 """Keys by section of the model file."""
+STEP = ("gear", "position", "sun", "ring", "inner_planets", "sun_mesh", "ring_mesh", "planet_mesh", "fitted")
+"""Keys of the steps of planets."""
 REASONS = {
     "damping": "REXS has no damping",
     "damper": "REXS has no damping",
@@ -68,7 +87,14 @@ REASONS = {
     "faults": "REXS has no damaged parts",
     "tooth_thickness_allowance": "not written; the backlash of the mesh contains it",
 }
-_INSIDE = {"planet": "gears", "sun_mesh": "meshes", "ring_mesh": "meshes", "bearing": "bearings"}
+_INSIDE = {
+    "planet": "gears",
+    "gear": "gears",
+    "sun_mesh": "meshes",
+    "ring_mesh": "meshes",
+    "planet_mesh": "meshes",
+    "bearing": "bearings",
+}
 """Keys of planetary stages with the keys of another section."""
 
 
@@ -83,5 +109,8 @@ def _list(draft: Draft, path: str, given: Mapping[str, Any], written: tuple[str,
     for key, value in given.items():
         if key not in written:
             draft.omit(f"{path}.{key}", REASONS.get(key, "not written"))
+        elif key == "steps":
+            for step, data in value.items():
+                _list(draft, f"{path}.steps.{step}", data, STEP)
         elif key in _INSIDE and isinstance(value, Mapping):
             _list(draft, f"{path}.{key}", value, WRITTEN[_INSIDE[key]])

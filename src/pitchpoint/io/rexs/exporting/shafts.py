@@ -6,8 +6,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from pitchpoint.geometry.materials import Material
 from pitchpoint.io.rexs.exporting.draft import Draft, placed
 
@@ -22,6 +20,8 @@ def add_shafts(draft: Draft) -> None:
     """Add all bodies: elastic shafts with sections, carriers, and rigid bodies as shafts without sections."""
     carriers = {stage.carrier for stage in draft.model.planetary_stages.values()}
     for name, body in draft.model.bodies.items():
+        if body.of_housing:
+            continue
         if body.elastic is not None:
             draft.omit(f"elastic_bodies.{name}", "reduced elastic bodies are not written")
         elif body.shaft is not None:
@@ -57,8 +57,6 @@ def _add_shaft(draft: Draft, name: str, body: Body) -> None:
 def _add_rigid(draft: Draft, name: str, body: Body) -> None:
     """Add a rigid body: a shaft without sections, with its mass as an additional one."""
     origin, axes = draft.frame(name)
-    if body.stage is not None:
-        origin = _on_pin(draft, name, body.stage, origin, axes)
     id = draft.part("shaft", name, draft.unit, **placed(origin, axes, draft.unit))
     draft.shafts[name] = id
     if body.motion == "fixed":
@@ -70,7 +68,7 @@ def _add_rigid(draft: Draft, name: str, body: Body) -> None:
     own = [body.mass, body.inertia, body.transverse_inertia, body.inertia_tensor, body.solid]
     if all(value is None for value in own):
         return
-    if body.gears:
+    if body.gears or body.bevel_gears:
         draft.omit(f"bodies.{name}", "has the mass and the inertia of its gears in the file")
         return
     _add_mass(draft, name, id)
@@ -94,21 +92,6 @@ def _add_mass(draft: Draft, name: str, id: int) -> None:
         moment_of_inertia_v_axis=float(tensor[1, 1]) or None,
         moment_of_inertia_w_axis=float(tensor[0, 0]) or None,
     )
-
-
-def _on_pin(draft: Draft, name: str, stage: str, origin: np.ndarray, axes: np.ndarray) -> np.ndarray:
-    """Origin of a planet without the error of its pin [m]: planets of REXS have equal distances."""
-    found = draft.model.planetary_stages.get(stage)
-    error = None if found is None else found.pin_errors.get(name)
-    if found is None or error is None:
-        return origin
-    axis, frame = draft.frame(found.carrier)
-    x, y, z = frame.T @ (origin - axis)
-    distance = math.sqrt(x * x + y * y - error.tangential**2) - error.radial
-    angle = math.atan2(y, x) - math.atan2(error.tangential, distance + error.radial)
-    place = np.array([distance * math.cos(angle), distance * math.sin(angle), z])
-    nominal: np.ndarray = axis + frame @ place
-    return nominal
 
 
 def _add_carrier(draft: Draft, name: str, body: Body) -> None:
@@ -156,17 +139,42 @@ def _add_cylinder(draft: Draft, name: str, id: int) -> None:
 
 
 def add_planetary_stages(draft: Draft) -> None:
-    """Add planetary stages with their carriers; shafts, gears and meshes are there already."""
+    """Add planetary stages with their carriers; shafts, gears and meshes are there already.
+
+    Stages whose planets are in mesh are one planetary stage of the file.
+    """
     for name, stage in draft.model.planetary_stages.items():
-        id = draft.part("planetary_stage", name, draft.unit)
-        draft.stages[name] = id
-        carrier = draft.part("planet_carrier", stage.carrier, id)
-        draft.relate("assembly", assembly=carrier, part=draft.shafts[stage.carrier])
-        draft.relate("planet_carrier_shaft", planetary_stage=id, shaft=draft.shafts[stage.carrier])
+        root = _innermost(draft, name)
+        if root in draft.stages:
+            id = draft.stages[name] = draft.stages[root]
+        else:
+            id = draft.stages[name] = draft.stages[root] = _add_stage(draft, root, stage.carrier)
+        if root != name:
+            draft.omit(f"planetary_stages.{name}", f"is a part of the planetary stage {root} of the file")
         for body, found in draft.model.bodies.items():
             if found.stage == name:
                 draft.relate("planet_shaft", planetary_stage=id, shaft=draft.shafts[body])
-        for gear in (stage.sun, stage.ring):
-            owner = None if gear is None else draft.model.body_of(gear)
+        for gear in dict.fromkeys(m.mate for m in stage.groups if m.side != "planet"):
+            owner = draft.model.body_of(gear)
             if owner in draft.shafts:
                 draft.relate("central_shaft", planetary_stage=id, shaft=draft.shafts[str(owner)])
+
+
+def _innermost(draft: Draft, name: str) -> str:
+    """Stage of the innermost planets with which those of a stage are in mesh."""
+    stages = draft.model.planetary_stages
+    for _ in stages:
+        mates = [group.mate for group in stages[name].groups if group.side == "planet"]
+        inner = next((n for n, s in stages.items() if mates and s.planet_name == mates[0]), None)
+        if inner is None:
+            break
+        name = inner
+    return name
+
+
+def _add_stage(draft: Draft, name: str, of: str) -> int:
+    id = draft.part("planetary_stage", name, draft.unit)
+    carrier = draft.part("planet_carrier", of, id)
+    draft.relate("assembly", assembly=carrier, part=draft.shafts[of])
+    draft.relate("planet_carrier_shaft", planetary_stage=id, shaft=draft.shafts[of])
+    return id

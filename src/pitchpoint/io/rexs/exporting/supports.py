@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.io.rexs.conversion.bearings import TYPES
+from pitchpoint.io.rexs.conversion.rolling import TYPES
 from pitchpoint.io.rexs.exporting.draft import Draft
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ COAXIAL = 1e-6
 def add_supports(draft: Draft) -> None:
     """Add linear bearings, rolling bearings and couplings."""
     for name, bearing in draft.model.bearings.items():
-        inner, outer = bearing.body, bearing.housing or GROUND
+        inner, outer = bearing.body, (bearing.given or bearing).housing or GROUND
         path = f"bearings.{name}"
         if bearing.stage is not None:
             path = f"planetary_stages.{bearing.stage}.bearing"
@@ -114,7 +114,7 @@ def _seen(draft: Draft, bodies: list[str], z: float) -> tuple[float, float, floa
 def _add_rolling(draft: Draft, name: str, bearing: RollingBearing) -> None:
     """Add a rolling bearing: by designation, by its load ratings, or by its elements."""
     path = f"rolling_bearings.{name}"
-    ends = bearing.ends or (str(bearing.body), bearing.housing or GROUND)
+    ends = bearing.ends or (str(bearing.body), (bearing.given or bearing).housing or GROUND)
     geometry = bearing.geometry
     values: dict[str, Any] = {
         "axial_force_absorption": bearing.axial_force_absorption,
