@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any
 
-from pitchpoint.core.errors import UnitError
+from pitchpoint.core.errors import ModelError, UnitError
 from pitchpoint.core.formula.dimension import of_number, readable, si_unit
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import natural_quantity, parse_quantity
@@ -75,6 +75,25 @@ def amount_at(model: Model, path: str, written: str) -> float:
 def has_path(model: Model, path: str) -> bool:
     """Whether a path names a key or a component of a model."""
     return _walk(model, path) is not None
+
+
+def with_defaults(model: Model, paths: Sequence[str]) -> Model:
+    """Model with the components that some paths name but that it does not give, with their default values.
+
+    Paths that do not exist, or whose default is not a number, are ignored.
+    """
+    for path in paths:
+        if has_path(model, path):
+            continue
+        whole, _, name = path.rpartition(".")
+        try:
+            above = _walk(model.replace_all({path: 0.0}), whole)
+            default = getattr(type(above[0]), name, None) if above is not None else None
+            if isinstance(default, float):
+                model = model.replace_all({path: default})
+        except ModelError:
+            continue
+    return model
 
 
 def is_name(model: Model, path: str) -> bool:

@@ -66,7 +66,13 @@ def test_a_whole_study_and_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
         assert data["variance_share"].dims == ("result", "factor")
         assert len(pp.plot(data, "sensitivities[damping]").data) == 1
         assert pp.plot(data).data[0].type == "bar"  # the distribution of the first result
+        pp.write_report(str(tmp_path / "model.yaml"), tmp_path / "shown.html", data)
     assert (out / "study.html").read_text("utf-8").startswith("<!DOCTYPE html>")
+    report = ["report", str(tmp_path / "model.yaml"), str(out / "study.h5"), "-q", "-o"]
+    assert run_command([*report, str(tmp_path / "report.html")]) == 0
+    for name in ("report", "shown"):
+        text = (tmp_path / f"{name}.html").read_text("utf-8")
+        assert 'id="studies"' in text and "Spread of the results" in text and "94.16" in text
     before = {
         p: p.read_bytes() for p in out.rglob("*") if p.is_file() and p.suffix != ".h5"
     }  # with wall time

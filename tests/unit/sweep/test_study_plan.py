@@ -128,6 +128,54 @@ def test_pitch_deviations_close_and_differ(tmp_path: Path) -> None:
     assert np.ptp(sums, axis=1).mean() == pytest.approx(expected * 4e-6, abs=3.0 * 0.14 * 4e-6)
 
 
+def test_pitch_deviations_of_single_flanks(tmp_path: Path) -> None:
+    """Independent flanks have uncorrelated deviations; the left ones are those of equal flanks."""
+    text = (
+        "model: model.yaml\nevaluate: equilibrium\nsamples: 100\nfactors:\n"
+        "  pitch: {{type: pitch_deviations, gears: [g1], deviation: 4 um, flanks: {}}}\n"
+        "results:\n  force: {{channel: 'mesh_force[stage]'}}\n"
+    )
+    found = {}
+    for flanks in ("equal", "independent", "left", "right"):
+        cases = cases_of(study_of(tmp_path, text.format(flanks), TORSIONAL_PAIR))
+        found[flanks] = [case.changes["gears.g1.deviations.pitch"] for case in cases]
+    left, right = (np.array([c[side] for c in found["independent"]]) for side in ("left", "right"))
+    assert np.array_equal(left, np.array(found["equal"]))
+    assert abs(np.corrcoef(left.ravel(), right.ravel())[0, 1]) < 0.05
+    assert right.std() == pytest.approx(4e-6, rel=0.03) and np.abs(right.sum(axis=1)).max() < 1e-12
+    assert found["left"][0] == {"left": found["equal"][0], "right": []}
+    assert found["right"][0] == {"left": [], "right": found["equal"][0]}
+
+
+PLANETS = """\
+model: model.yaml
+scenario: slow
+samples: 4
+factors:
+  pin: {type: uniform, path: planetary_stages.set.pin_errors.planet_2.tangential, plus_minus: 20 um}
+  pitch: {type: pitch_deviations, gears: [planet_3], deviation: 4 um}
+results:
+  force: {channel: "mesh_force[sun-planet_1]", statistic: mean}
+"""
+
+
+def test_factors_of_single_planets(tmp_path: Path) -> None:
+    """A pin without an error has the error 0; pitch deviations of a planet are those of the single planet."""
+    model = Path(__file__).parents[3] / "examples" / "planetary-set" / "model.yaml"
+    study = study_of(tmp_path, PLANETS, model.read_text("utf-8"))
+    cases = cases_of(study)
+    paths = {path for case in cases for path in case.changes}
+    assert paths == {
+        "planetary_stages.set.pin_errors.planet_2.tangential",
+        "planetary_stages.set.single_planets.planet_3.deviations.pitch",
+    }
+    assert [f.nominal for f in study.factors] == [0.0, 0.0]
+    changed = study.model.replace_all(cases[0].changes)
+    deviations = changed.gears["planet_3"].deviations
+    assert deviations is not None and len(deviations.pitch_of("left")) == 39
+    assert changed.gears["planet_1"].deviations is None
+
+
 def test_all_problems_of_a_plan_at_once(tmp_path: Path) -> None:
     text = """\
 model: model.yaml

@@ -14,6 +14,8 @@ from pitchpoint.analysis.study.bootstrap import Array
 from pitchpoint.analysis.study.sensitivity import Indices, Regression, regression, sobol_indices
 from pitchpoint.analysis.study.statistics import Estimate, Spread, share_with_interval, spread_of
 
+ROUNDING = 1e-12
+"""Range over the magnitude up to which values are equal."""
 POOR = 0.7
 """Share of the variance explained by the regression below which its coefficients do not describe a result."""
 
@@ -195,6 +197,10 @@ def _notes(summary: StudySummary) -> tuple[str, ...]:
             notes.append(
                 f"{one.sample.name}: {absent} finished cases have no such number and are not counted"
             )
+    for one in summary.results:
+        values = one.sample.values[summary.counted & np.isfinite(one.sample.values)]
+        if values.size > 1 and np.ptp(values) <= ROUNDING * np.abs(values).max():
+            notes.append(f"{one.sample.name} is equal in all cases: no factor has an influence on it")
     poor = [
         f"{one.sample.name} {100.0 * one.linear.determination:.0f} %"
         for one in summary.results
