@@ -33,6 +33,14 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
     return (float(part), unit or "1") if known else None
 
 
+def unit_without_number(model: Model, path: str) -> str | None:
+    """SI unit of a number that the model may have at a path, but does not give; else None."""
+    found = _walk(model, path)
+    if found is None or found[0] is not None or found[1] is None or not found[1].dimension:
+        return None
+    return DIMENSIONS[found[1].dimension].si or "1"
+
+
 def key_at(model: Model, path: str) -> Key | None:
     """Key of the number at a path, with its permitted range; None for a parameter or an unknown path."""
     found = _walk(model, path)

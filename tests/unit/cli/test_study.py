@@ -140,6 +140,13 @@ def test_shards_and_levels(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert whole["results"]["twist"]["determination"] == pytest.approx(1.0, abs=1e-6)
 
 
+def test_a_result_that_does_not_vary_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The first frequency is that of the rigid rotation: 0 Hz, or rounding."""
+    rigid = FREQUENCY.replace("samples: 32", "samples: 4").replace("damping_ratio[2]", "natural_frequency[1]")
+    assert run_command(["study", written(tmp_path, rigid), "-o", str(tmp_path / "out")]) == 0
+    assert "damping is equal in all cases: no factor has an influence on it" in capsys.readouterr().out
+
+
 def test_failed_cases_are_counted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The model accepts the middle of the distribution and refuses teeth that are too thin at its ends."""
     plan = """\

@@ -58,6 +58,7 @@ BOTH = "paths: [loads.outer.torque, loads.inner.torque]"
         (f"{{type: triangular, {TORQUE}, low: 10 N m, high: 16 N m}}", 13.0, np.sqrt(1.5), 13.0),
         (f"{{type: tolerance, {BOTH}, limits: [0 N m, 3 N m], capability: 1}}", 1.5, 0.5, 21.5),
         (f"{{type: lognormal, {TORQUE}, deviation: 0.1}}", 20.0 * np.exp(0.005), None, 20.0),
+        ("{type: normal, path: bodies.one.mass, mean: 2 kg, deviation: 100 g}", 2.0, 0.1, 2.0),  # not given
     ],
 )
 def test_distributions(
@@ -68,7 +69,8 @@ def test_distributions(
     if deviation is not None:
         assert factor.distribution.std() == pytest.approx(deviation)
     middle = float(factor.values(np.array([0.5]))[0])
-    assert factor.changes(0.5, middle)["loads.outer.torque"] == pytest.approx(change)
+    changes = factor.changes(0.5, middle)
+    assert changes[next(iter(factor.numbers))] == pytest.approx(change)
 
 
 def test_limits_truncate(tmp_path: Path) -> None:
@@ -275,6 +277,11 @@ results:
         ),
         ("{type: pitch_deviations, gears: [g1], deviation: 1 um}", "", "there is no cylindrical gear 'g1'"),
         ("{type: normal, path: loads.outer, deviation: 1}", "", "loads.outer is not a number of the model"),
+        (
+            "{type: normal, path: bodies.one.mass, deviation: 100 g}",
+            "",
+            "the model does not give bodies.one.mass; give it in the model, or write absolute values",
+        ),
     ],
 )
 def test_bad_factors(tmp_path: Path, entry: str, more: str, words: str) -> None:

@@ -15,7 +15,14 @@ from pitchpoint.core.units import natural_quantity
 from pitchpoint.geometry.flank_tolerances import single_pitch_tolerance
 from pitchpoint.model.keys import BAD, Place
 from pitchpoint.model.model import Model
-from pitchpoint.model.numbers import amount_at, has_path, key_at, number_at, with_defaults
+from pitchpoint.model.numbers import (
+    amount_at,
+    has_path,
+    key_at,
+    number_at,
+    unit_without_number,
+    with_defaults,
+)
 from pitchpoint.model.planetary_stages import place_of_gear
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import limit_text, shown
@@ -50,6 +57,8 @@ def made_factor(name: str, factor: Any, model: Model, report: Reader) -> Any:
             report.problem(
                 _at(name, factor, path), "is a whole number of the model", value=path, remedy=remedy
             )
+        elif found is None and factor.apply == "absolute" and (unit := unit_without_number(model, path)):
+            numbers[path], units[path] = math.nan, unit
         elif found is None and not free:
             _no_number(name, factor, path, model, report)
         elif found is not None:
