@@ -49,10 +49,10 @@ def rows() -> list[Row]:
         folder = StudyFolder(here / "study")
         folder.begin("", "")
         known: dict[str, Record] = {}
-        begun = time.perf_counter()
+        begun, used = time.perf_counter(), time.process_time()
         compute_cases(study, cases, known.__setitem__, keep=folder.write, jobs=CORES)
         study_dataset(study, cases, known)
-        wall = time.perf_counter() - begun
+        wall, cpu = time.perf_counter() - begun, time.process_time() - used
     assert {record["status"] for record in known.values()} == {OK} and len(known) == 201
-    text = f"slow rolls of 16 positions on {CORES} cores, files and sensitivities included"
+    text = f"slow rolls of 16 points on {CORES} cores, files and sensitivities included; CPU time {cpu:.0f} s"
     return [Row("tolerance study, 200 variants of a two-stage gearbox", wall, "s", "<= 60", text)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -123,6 +124,7 @@ def _ring(outer: float, inner: float) -> np.ndarray:
     return np.array([math.pi * (outer**2 - inner**2), 0.5 * math.pi * (outer**4 - inner**4)])
 
 
+@lru_cache(maxsize=256)
 def _toothed(gear: CylindricalGear, profile: str) -> tuple[np.ndarray, float]:
     """Area and polar second moment inside the outline by the chosen rule, and the root radius."""
     d_f = gear.sign * gear.d_fE

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any
 
-from pitchpoint.core.errors import UnitError
+from pitchpoint.core.errors import ModelError, UnitError
 from pitchpoint.core.formula.dimension import of_number, readable, si_unit
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import natural_quantity, parse_quantity
@@ -31,6 +31,14 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
         part = part.value
     known = isinstance(part, int | float) and not isinstance(part, bool)
     return (float(part), unit or "1") if known else None
+
+
+def unit_without_number(model: Model, path: str) -> str | None:
+    """SI unit of a number that the model may have at a path, but does not give; else None."""
+    found = _walk(model, path)
+    if found is None or found[0] is not None or found[1] is None or not found[1].dimension:
+        return None
+    return DIMENSIONS[found[1].dimension].si or "1"
 
 
 def key_at(model: Model, path: str) -> Key | None:
@@ -75,6 +83,25 @@ def amount_at(model: Model, path: str, written: str) -> float:
 def has_path(model: Model, path: str) -> bool:
     """Whether a path names a key or a component of a model."""
     return _walk(model, path) is not None
+
+
+def with_defaults(model: Model, paths: Sequence[str]) -> Model:
+    """Model with the components that some paths name but that it does not give, with their default values.
+
+    Paths that do not exist, or whose default is not a number, are ignored.
+    """
+    for path in paths:
+        if has_path(model, path):
+            continue
+        whole, _, name = path.rpartition(".")
+        try:
+            above = _walk(model.replace_all({path: 0.0}), whole)
+            default = getattr(type(above[0]), name, None) if above is not None else None
+            if isinstance(default, float):
+                model = model.replace_all({path: default})
+        except ModelError:
+            continue
+    return model
 
 
 def is_name(model: Model, path: str) -> bool:

@@ -253,6 +253,16 @@ def places_in_file(name: str, stage: PlanetaryStage) -> dict[Place, Place]:
     return found
 
 
+def place_of_gear(model: Any, gear: str) -> tuple[str, ...]:
+    """Path of a gear in the file: of planets that of the single planet."""
+    for name, stage in model.planetary_stages.items():
+        for wheel in stage.wheels:
+            for planet in stage.names:
+                if wheel.of(planet) == gear:
+                    return (SECTION, name, "single_planets", planet, *map(str, wheel.key))
+    return ("gears", gear)
+
+
 def single_step(stage: PlanetaryStage, planet: str, step: str) -> SingleStep:
     """Data of one planet, or of one of its steps, that replace the common ones."""
     own = stage.single_planets.get(planet, SinglePlanet())

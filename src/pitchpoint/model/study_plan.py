@@ -18,6 +18,8 @@ STATISTICS = ("mean", "rms", "min", "max", "magnitude", "peak_to_peak")
 """Statistics of a channel: mean, rms of the alternating part, extremes, their magnitude, range."""
 LATIN, SOBOL, RANDOM, FACTORIAL = SAMPLINGS = ("latin_hypercube", "sobol", "random", "full_factorial")
 RUN, EQUILIBRIUM, MODES = EVALUATIONS = ("run", "equilibrium", "modes")
+EQUAL, INDEPENDENT, LEFT, RIGHT = FLANKS = ("equal", "independent", "left", "right")
+"""Flanks with random pitch deviations."""
 REGRESSION, INDICES = SENSITIVITIES = ("regression", "sobol_indices")
 
 
@@ -126,7 +128,7 @@ class Levels(Varied):
 class PitchDeviations:
     """Random single pitch deviations of all teeth of gears, different in each case and for each gear.
 
-    They are normal, their sum over a gear is zero, and both flanks have the same.
+    They are normal, and their sum over a gear is zero.
     """
 
     form: ClassVar[str] = "pitch_deviations"
@@ -141,6 +143,12 @@ class PitchDeviations:
         minimum=1,
         maximum=11,
         one_of="size",
+    )
+    flanks: str = choice(
+        FLANKS,
+        "equal: both flanks have the same deviations; independent: each flank has its own; left, right: this "
+        "flank has deviations, the other one keeps those of the model",
+        EQUAL,
     )
 
 

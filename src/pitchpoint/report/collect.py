@@ -19,6 +19,7 @@ from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.report.study_data import case_table, sweep_of
+from pitchpoint.report.study_result import study_summary
 from pitchpoint.report.variants import change_words, variant_words
 from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
@@ -34,6 +35,7 @@ from pitchpoint.viz.report.contact import ContactData, contact_result
 if TYPE_CHECKING:
     import xarray as xr
 
+    from pitchpoint.analysis.study.summary import StudySummary
     from pitchpoint.model.model import Model
 
 RESPONSES = ("frequency_response", "mesh_response")
@@ -52,6 +54,7 @@ class _Found:
     reliefs: dict[str, xr.Dataset] = field(default_factory=dict)
     campbells: dict[str, xr.Dataset] = field(default_factory=dict)
     responses: dict[str, xr.Dataset] = field(default_factory=dict)
+    studies: dict[str, StudySummary] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     notes: list[tuple[str, list[str]]] = field(default_factory=list)
@@ -126,6 +129,7 @@ def collect(
         contacts=found.contacts,
         reliefs=found.reliefs,
         responses=found.responses,
+        studies=found.studies,
         powers=power_part(model, found.runs),
         scene=scene_part(model, found.runs),
         compared=compared,
@@ -196,6 +200,9 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     elif header["kind"] in RESPONSES:
         with open_result(file) as data:
             found.responses[take(found.responses)] = data.load()
+    elif header["kind"] == "study":
+        with open_result(file) as data:
+            found.studies[take(found.studies)] = study_summary(data.load())
     elif header["kind"] == "relief":
         name = str(header["options"].get("mesh", name))
         with open_result(file) as data:
@@ -231,7 +238,6 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     else:
         kind = str(header["kind"]).replace("_", "-")
         words = f"a report recomputes {kind} results from the model; those of the file are not shown."
-        words = "its pictures are in the page of the study, study.html." if kind == "study" else words
         found.remarks.append(f"{own}: {words}")
 
 
@@ -303,6 +309,9 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     elif kind == "cases":
         name = found.name("cases", str(len(found.cases) + 1))
         found.cases[name] = case_table(data)
+    elif kind == "study":
+        name = found.name("study", str(len(found.studies) + 1))
+        found.studies[name] = study_summary(data)
     elif kind == "campbell":
         name = found.name("Campbell diagram", str(len(found.campbells) + 1))
         found.campbells[name] = data
@@ -325,8 +334,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
             "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_frequency_response, "
-            "solve_mesh_response, solve_contact, design_relief, sweep_speed or cases_dataset, or the name of "
-            "a result file"
+            "solve_mesh_response, solve_contact, design_relief, sweep_speed, cases_dataset or run_study, "
+            "or the name of a result file"
         )
     scenario = str(data.attrs.get("scenario", ""))
     if kind in ("time", "sweep"):

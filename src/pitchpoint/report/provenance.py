@@ -20,6 +20,7 @@ KINDS = {
     "contact": "contact analysis",
     "campbell": "Campbell diagram",
     "relief": "relief design",
+    "study": "study",
 }
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
 UNITS |= {"operating_speed": "rad/s", "mesh_frequency": "Hz", "misalignment": "rad"}

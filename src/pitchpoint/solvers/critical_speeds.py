@@ -51,7 +51,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.campbell import Campbell
-from pitchpoint.solvers.cycle_means import nearest, observed_phases
+from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.modes.energies import (
@@ -75,8 +75,6 @@ TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
 BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
 ROTATION = WAYS.index("rotation")
-AHEAD = 1e-3
-"""Rotation of the reference body that shows in which direction the phases move [rad]."""
 ROUNDING = 1e-12
 """Share of the energy up to which nothing is excited."""
 ROUNDS, EXACT = 6, 1e-9
@@ -173,7 +171,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     _, _, speeds, values, shapes, slopes = zip(*solved, strict=True)
     z, spins = np.array(shapes), spins_of(found.motions, found.rates)
     turning = np.zeros(z.shape)
-    phases = mesh_phases(found)
+    phases = moving_phases(found.motions.system, found.motions.state, found.rates)
     sources = {order: _source(found, order, phases) for order in orders}
     by_teeth: list[ByTeeth | None] = []
     for k, (order, _, speed, value, shape, _) in enumerate(solved):
@@ -209,19 +207,6 @@ def _source(found: Campbell, order: Order, phases: Phases) -> Source | None:
         return errors_of(own.values())
     at_rest = known.whole or (known.omega, known.shapes)
     return teeth_of(own, order.harmonic, at_rest, phases if order.kind == MESH else None)
-
-
-def mesh_phases(found: Campbell) -> Phases:
-    """Phase of the loaded flank of each mesh at the operating point, and whether it grows with the angle."""
-    system, state = found.motions.system, found.motions.state
-    moved = state.copy()
-    moved.q += AHEAD * found.rates
-    names = list(found.motions.laws)
-    seen = []
-    for at in (state, moved):
-        observed = observed_phases(system, at, range(len(names)))
-        seen.append({m: phase[-1 if contact < 0.0 else 1] for m, (contact, phase) in observed})
-    return {name: (seen[0][m], nearest(seen[1][m] - seen[0][m]) > 0.0) for m, name in enumerate(names)}
 
 
 def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: int) -> list[tuple[int, int]]:

@@ -36,6 +36,8 @@ Array = NDArray[np.float64]
 GAUSS = 3
 """Quadrature phases between two kinks."""
 _GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(GAUSS)
+AHEAD = 1e-3
+"""Rotation that shows in which direction the phases move [rad]."""
 _MOVED = ("xi_0", "xi_b", "u0")
 """Fields of a mesh record that define its position in the cycle."""
 
@@ -145,7 +147,12 @@ class CycleMean:
 
 
 def cycle_means(
-    system: System, state: State, held: tuple[int, ...], loose: Collection[str], rates: Array
+    system: System,
+    state: State,
+    held: tuple[int, ...],
+    loose: Collection[str],
+    rates: Array,
+    settled: bool = True,
 ) -> dict[int, CycleMean]:
     """Every mesh over its cycle, by index of the mesh; the other meshes stay at their phase.
 
@@ -159,6 +166,9 @@ def cycle_means(
         Names of the unloaded meshes, which are set to first contact.
     rates
         Rates of the speed-dependent loads of the meshes.
+    settled
+        Find the equilibrium at every phase; without it all bodies stay, correct to first order in the
+        variation of the stiffness.
     """
     names, places = mesh_names(system), mesh_places(system)
     free = [m for m in range(len(names)) if names[m] in loose]
@@ -170,14 +180,21 @@ def cycle_means(
     )
     found: dict[int, CycleMean] = {}
     for batch in batches:
-        found |= _means_together(system, state, held, batch, names[batch[0]] in loose, rates)
+        found |= _means_together(
+            system, state, held, batch, names[batch[0]] in loose, rates if settled else None
+        )
     return found
 
 
 def _means_together(
-    system: System, state: State, held: tuple[int, ...], batch: Sequence[int], loose: bool, rates: Array
+    system: System,
+    state: State,
+    held: tuple[int, ...],
+    batch: Sequence[int],
+    loose: bool,
+    rates: Array | None,
 ) -> dict[int, CycleMean]:
-    """Cycles of independent meshes, evaluated simultaneously."""
+    """Cycles of independent meshes, evaluated simultaneously; without rates the bodies stay."""
     cycles = {m: _cycle(system, m, values) for m, values in observed_phases(system, state, batch)}
     records = mesh_records(system)
     kept = {m: records[m].copy() for m in batch}
@@ -192,7 +209,9 @@ def _means_together(
                 shift(records[m], cycle.flank * (float(cycle.phases[step]) - cycle.now))
             if loose:
                 shift_into_contact(system, at, {m: c.flank for m, c in active.items()})
-            for _ in range(0 if loose else 2):  # the new deflection changes the phase slightly
+            for _ in range(2):  # the new deflection changes the phase slightly
+                if loose or rates is None:
+                    break
                 at = _rest_at(system, at, held, state, rates)
                 for m, (_, phase) in observed_phases(system, at, [*active]):
                     ahead = nearest(float(active[m].phases[step]) - phase[active[m].flank])
@@ -248,6 +267,18 @@ def observed_phases(
             float(values[system.layout.channel(f"{c}[{names[m]}]")]) for c in ("contact_state", "mesh_phase")
         )
         yield m, (contact, {1: front, -1: float(records[m]["now"]["psi"])})
+
+
+def moving_phases(system: System, state: State, rates: Array) -> dict[str, tuple[float, bool]]:
+    """Phase of the loaded flank of every mesh, and whether it grows along rates of the coordinates (nd,)."""
+    names = mesh_names(system)
+    moved = state.copy()
+    moved.q += AHEAD * rates / max(float(np.abs(rates).max(initial=0.0)), 1e-300)
+    seen = []
+    for at in (state, moved):
+        observed = observed_phases(system, at, range(len(names)))
+        seen.append([phase[-1 if contact < 0.0 else 1] for _, (contact, phase) in observed])
+    return {name: (a, nearest(b - a) > 0.0) for name, a, b in zip(names, *seen, strict=True)}
 
 
 def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> _Cycle:

@@ -130,10 +130,12 @@ def linearise(
     start: State | None = None,
     turning: str | None = None,
     progress: Progress = silent,
+    settled: bool = True,
 ) -> Linearised:
     """Linearize about the loaded state of a scenario; arguments as in `modal.find_modes`.
 
-    `turning`: the body that rotates in an analysis over the speed, if the scenario is at rest.
+    `turning`: the body that rotates in an analysis over the speed, if the scenario is at rest; `settled`: as
+    in `cycle_means`.
     """
     if (count := system.sizes["nd"]) == 0:
         raise SolverError(
@@ -158,7 +160,7 @@ def linearise(
         notes += _of_arbitrary_stiffness(own, loose)
     stopped = state.copy()
     stopped.v[:] = 0.0
-    at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v)
+    at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v, settled)
     D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, stopped, 0.0, 1.0, 0.0)
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, stopped, 0.0, 0.0, 1.0)
     states = tuple(int(s) for s in own.states)

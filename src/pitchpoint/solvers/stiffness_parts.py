@@ -93,6 +93,7 @@ def split(
     touched: Collection[str] = (),
     progress: Callable[..., None] | None = None,
     rates: Array | None = None,
+    settled: bool = True,
 ) -> Parts:
     """Linearise about a state, with the stiffness by element.
 
@@ -113,6 +114,8 @@ def split(
     rates
         Rates of the speed-dependent loads (bearing drag, motors) during the mesh cycles; default those of
         `state`.
+    settled
+        Whether bodies find their equilibrium at every phase of the cycles, see `cycle_means`.
     """
     under = state.v if rates is None else rates
     M, D, K = (
@@ -122,7 +125,7 @@ def split(
     least = NONE * float(np.abs(K).max(initial=0.0))
     found: list[tuple[str, str, tuple[int, int], Share]] = []
     listed = element_list(system)
-    means = cycle_means(system, state, held, touched, under) if mean else {}
+    means = cycle_means(system, state, held, touched, under, settled) if mean else {}
     numbers = {place: m for m, place in enumerate(mesh_places(system))}
     damping: dict[str, Share] = {}
     waves: dict[str, ToothWave] = {}

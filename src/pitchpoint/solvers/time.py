@@ -33,6 +33,7 @@ from pitchpoint.solvers.step_choice import (
     next_chunk,
     whole_steps,
 )
+from pitchpoint.solvers.step_error import step_notes
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
 from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system import evaluate
@@ -316,11 +317,11 @@ class _Loop:
         rattle = read_counts(self.system, self.sums.counts)
         channels = channel_statistics(self.system, found, rattle)
         t, state = float(self.run_.t), self.run_.state()
-        length = max(t - self.window, 0.0)
-        windows = window_notes(self.system.model, channels, length)
+        windows = window_notes(self.system.model, channels, max(t - self.window, 0.0))
         remarks = (*run_remarks(self.system, channels), *windows)
         if status == OK:
             remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
+            remarks = (*remarks, *step_notes(self.start, self.scenario, self.h, state))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
         remarks = (*remarks, *self._divisions())

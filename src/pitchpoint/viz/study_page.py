@@ -57,9 +57,14 @@ def study_page(summary: StudySummary, title: str, options: Mapping[str, Any], ve
         ("seed", str(options["seed"])),
         ("confidence level", f"{100.0 * summary.confidence:g} %"),
     ]
-    sections = [_overview(summary), _factors(summary), *result_sections(summary)]
+    sections = study_sections(summary)
     footer = f"pitchpoint {version}. Intervals are those of independent random samples."
     return page(title, facts, sections, footer, summary.notes)
+
+
+def study_sections(summary: StudySummary) -> list[Section]:
+    """Spread of all results, factors, and the pictures of each result."""
+    return [_overview(summary), _factors(summary), *result_sections(summary)]
 
 
 def result_sections(summary: StudySummary) -> list[Section]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.analysis.study.sensitivity import Indices, sobol_indices
-from pitchpoint.analysis.study.summary import FactorSample, ResultSummary, StudySummary
+from pitchpoint.analysis.study.summary import FactorSample, ResultSummary, StudySummary, is_constant
 from pitchpoint.viz import theme
 from pitchpoint.viz.quantities import Array, Scale, channel_scale
 
@@ -52,7 +52,7 @@ def plot_distribution(summary: StudySummary, one: ResultSummary) -> go.Figure:
     """Histogram of a result with the value without changes and the limits."""
     shown, values = result_scale(one), _known(summary, one)
     figure = theme.figure(shown.title(one.sample.name), "number of cases", height=330)
-    if values.size and np.ptp(values) > 0.0:
+    if not is_constant(values):
         edges = np.histogram_bin_edges(values, bins="auto")
         count = min(max(len(edges) - 1, 5), MAX_BINS)
         heights, edges = np.histogram(values, bins=count)
@@ -75,7 +75,7 @@ def plot_cumulative(summary: StudySummary, one: ResultSummary) -> go.Figure:
 
     shown, values = result_scale(one), np.sort(_known(summary, one))
     figure = theme.figure(shown.title(one.sample.name), "share of the cases below [%]", height=330)
-    if values.size and np.ptp(values) > 0.0:
+    if not is_constant(values):
         share = 100.0 * np.arange(1, values.size + 1) / values.size
         x = np.linspace(values[0], values[-1], STEPS)
         normal = 100.0 * ndtr((x - one.spread.mean.value) / one.spread.deviation.value)

@@ -66,7 +66,13 @@ def test_a_whole_study_and_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
         assert data["variance_share"].dims == ("result", "factor")
         assert len(pp.plot(data, "sensitivities[damping]").data) == 1
         assert pp.plot(data).data[0].type == "bar"  # the distribution of the first result
+        pp.write_report(str(tmp_path / "model.yaml"), tmp_path / "shown.html", data)
     assert (out / "study.html").read_text("utf-8").startswith("<!DOCTYPE html>")
+    report = ["report", str(tmp_path / "model.yaml"), str(out / "study.h5"), "-q", "-o"]
+    assert run_command([*report, str(tmp_path / "report.html")]) == 0
+    for name in ("report", "shown"):
+        text = (tmp_path / f"{name}.html").read_text("utf-8")
+        assert 'id="studies"' in text and "Spread of the results" in text and "94.16" in text
     before = {
         p: p.read_bytes() for p in out.rglob("*") if p.is_file() and p.suffix != ".h5"
     }  # with wall time
@@ -132,6 +138,13 @@ def test_shards_and_levels(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert whole["known"] == 9 and whole["finished"] == 16
     assert {r["outer [N m]"] for r in rows(out)} == {"10.0", "20.0", "25.0"}
     assert whole["results"]["twist"]["determination"] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_result_that_does_not_vary_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The first frequency is that of the rigid rotation: 0 Hz, or rounding."""
+    rigid = FREQUENCY.replace("samples: 32", "samples: 4").replace("damping_ratio[2]", "natural_frequency[1]")
+    assert run_command(["study", written(tmp_path, rigid), "-o", str(tmp_path / "out")]) == 0
+    assert "damping is equal in all cases: no factor has an influence on it" in capsys.readouterr().out
 
 
 def test_failed_cases_are_counted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,8 @@ from pitchpoint.analysis.planet_frequencies import excited_motion
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.campbell import Campbell, at_speeds, follow_modes
 from pitchpoint.solvers.campbell_dataset import campbell_dataset
-from pitchpoint.solvers.critical_speeds import CriticalSpeed, critical_speeds, mesh_phases
+from pitchpoint.solvers.critical_speeds import CriticalSpeed, critical_speeds
+from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.excitation_orders import excitation_orders
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
@@ -117,7 +118,8 @@ def excited(found: Campbell, c: CriticalSpeed) -> Source:
     laws = {name: found.motions.laws[name] for name in c.order.meshes}
     at_rest = found.modes.modes.whole
     assert at_rest is not None
-    source = teeth_of(laws, c.order.harmonic, at_rest, mesh_phases(found))
+    phases = moving_phases(found.motions.system, found.motions.state, found.rates)
+    source = teeth_of(laws, c.order.harmonic, at_rest, phases)
     assert source is not None
     return source
 

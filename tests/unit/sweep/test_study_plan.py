@@ -58,6 +58,7 @@ BOTH = "paths: [loads.outer.torque, loads.inner.torque]"
         (f"{{type: triangular, {TORQUE}, low: 10 N m, high: 16 N m}}", 13.0, np.sqrt(1.5), 13.0),
         (f"{{type: tolerance, {BOTH}, limits: [0 N m, 3 N m], capability: 1}}", 1.5, 0.5, 21.5),
         (f"{{type: lognormal, {TORQUE}, deviation: 0.1}}", 20.0 * np.exp(0.005), None, 20.0),
+        ("{type: normal, path: bodies.one.mass, mean: 2 kg, deviation: 100 g}", 2.0, 0.1, 2.0),  # not given
     ],
 )
 def test_distributions(
@@ -68,7 +69,8 @@ def test_distributions(
     if deviation is not None:
         assert factor.distribution.std() == pytest.approx(deviation)
     middle = float(factor.values(np.array([0.5]))[0])
-    assert factor.changes(0.5, middle)["loads.outer.torque"] == pytest.approx(change)
+    changes = factor.changes(0.5, middle)
+    assert changes[next(iter(factor.numbers))] == pytest.approx(change)
 
 
 def test_limits_truncate(tmp_path: Path) -> None:
@@ -126,6 +128,54 @@ def test_pitch_deviations_close_and_differ(tmp_path: Path) -> None:
     # Sequential Analysis, 1985, 10.2); deviation of the range 0.272 sqrt(50), of the mean of 200 0.14
     expected = np.sqrt(0.5 * np.pi * 50) - 2.0 * 0.5826
     assert np.ptp(sums, axis=1).mean() == pytest.approx(expected * 4e-6, abs=3.0 * 0.14 * 4e-6)
+
+
+def test_pitch_deviations_of_single_flanks(tmp_path: Path) -> None:
+    """Independent flanks have uncorrelated deviations; the left ones are those of equal flanks."""
+    text = (
+        "model: model.yaml\nevaluate: equilibrium\nsamples: 100\nfactors:\n"
+        "  pitch: {{type: pitch_deviations, gears: [g1], deviation: 4 um, flanks: {}}}\n"
+        "results:\n  force: {{channel: 'mesh_force[stage]'}}\n"
+    )
+    found = {}
+    for flanks in ("equal", "independent", "left", "right"):
+        cases = cases_of(study_of(tmp_path, text.format(flanks), TORSIONAL_PAIR))
+        found[flanks] = [case.changes["gears.g1.deviations.pitch"] for case in cases]
+    left, right = (np.array([c[side] for c in found["independent"]]) for side in ("left", "right"))
+    assert np.array_equal(left, np.array(found["equal"]))
+    assert abs(np.corrcoef(left.ravel(), right.ravel())[0, 1]) < 0.05
+    assert right.std() == pytest.approx(4e-6, rel=0.03) and np.abs(right.sum(axis=1)).max() < 1e-12
+    assert found["left"][0] == {"left": found["equal"][0], "right": []}
+    assert found["right"][0] == {"left": [], "right": found["equal"][0]}
+
+
+PLANETS = """\
+model: model.yaml
+scenario: slow
+samples: 4
+factors:
+  pin: {type: uniform, path: planetary_stages.set.pin_errors.planet_2.tangential, plus_minus: 20 um}
+  pitch: {type: pitch_deviations, gears: [planet_3], deviation: 4 um}
+results:
+  force: {channel: "mesh_force[sun-planet_1]", statistic: mean}
+"""
+
+
+def test_factors_of_single_planets(tmp_path: Path) -> None:
+    """A pin without an error has the error 0; pitch deviations of a planet are those of the single planet."""
+    model = Path(__file__).parents[3] / "examples" / "planetary-set" / "model.yaml"
+    study = study_of(tmp_path, PLANETS, model.read_text("utf-8"))
+    cases = cases_of(study)
+    paths = {path for case in cases for path in case.changes}
+    assert paths == {
+        "planetary_stages.set.pin_errors.planet_2.tangential",
+        "planetary_stages.set.single_planets.planet_3.deviations.pitch",
+    }
+    assert [f.nominal for f in study.factors] == [0.0, 0.0]
+    changed = study.model.replace_all(cases[0].changes)
+    deviations = changed.gears["planet_3"].deviations
+    assert deviations is not None and len(deviations.pitch_of("left")) == 39
+    assert changed.gears["planet_1"].deviations is None
 
 
 def test_all_problems_of_a_plan_at_once(tmp_path: Path) -> None:
@@ -227,6 +277,11 @@ results:
         ),
         ("{type: pitch_deviations, gears: [g1], deviation: 1 um}", "", "there is no cylindrical gear 'g1'"),
         ("{type: normal, path: loads.outer, deviation: 1}", "", "loads.outer is not a number of the model"),
+        (
+            "{type: normal, path: bodies.one.mass, deviation: 100 g}",
+            "",
+            "the model does not give bodies.one.mass; give it in the model, or write absolute values",
+        ),
     ],
 )
 def test_bad_factors(tmp_path: Path, entry: str, more: str, words: str) -> None:

@@ -14,6 +14,8 @@ from pitchpoint.analysis.study.bootstrap import Array
 from pitchpoint.analysis.study.sensitivity import Indices, Regression, regression, sobol_indices
 from pitchpoint.analysis.study.statistics import Estimate, Spread, share_with_interval, spread_of
 
+ROUNDING = 1e-12
+"""Range over the magnitude up to which values are equal."""
 POOR = 0.7
 """Share of the variance explained by the regression below which its coefficients do not describe a result."""
 
@@ -181,6 +183,17 @@ def summary_of(
     return StudySummary(made.factors, made.results, counted, finished, confidence, _notes(made))
 
 
+def is_constant(values: NDArray[np.float64]) -> bool:
+    """Whether values are equal up to rounding.
+
+    Examples
+    --------
+    >>> is_constant(np.array([0.3, 0.1 + 0.2])), is_constant(np.array([1.0, 1.001]))
+    (True, False)
+    """
+    return not values.size or bool(np.ptp(values) <= ROUNDING * np.abs(values).max())
+
+
 def _notes(summary: StudySummary) -> tuple[str, ...]:
     """Remarks on failed cases, missing numbers and poor regressions."""
     notes = []
@@ -195,6 +208,10 @@ def _notes(summary: StudySummary) -> tuple[str, ...]:
             notes.append(
                 f"{one.sample.name}: {absent} finished cases have no such number and are not counted"
             )
+    for one in summary.results:
+        values = one.sample.values[summary.counted & np.isfinite(one.sample.values)]
+        if values.size > 1 and is_constant(values):
+            notes.append(f"{one.sample.name} is equal in all cases: no factor has an influence on it")
     poor = [
         f"{one.sample.name} {100.0 * one.linear.determination:.0f} %"
         for one in summary.results

@@ -8,6 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.multibody.beam_section import Beam
 
+_RULE = np.polynomial.legendre.leggauss(4)
+"""Gauss points and weights of the mass matrix, exact."""
+
 #: The vectors that describe a beam: positions of both nodes, direction of the chord, normals of both end
 #: sections, and the first transverse axes of both.
 XI, XJ, E, TI, TJ, PI, PJ = range(7)
@@ -158,7 +161,7 @@ def _inertia(beam: Beam) -> tuple[NDArray[np.float64], NDArray[np.float64], NDAr
     """
     s, h = beam.section, beam.length
     p = 0.5 * (beam.phi(1) + beam.phi(2))
-    points, weights = np.polynomial.legendre.leggauss(4)
+    points, weights = _RULE
     M, gyro, polar = np.zeros((5, 5)), np.zeros((3, 3)), np.zeros((2, 2))
     for xi, weight in zip(0.5 * (1.0 + points), 0.5 * h * weights, strict=True):
         shear = 0.5 * p * (xi - xi**2)

@@ -38,6 +38,8 @@ from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
+RHO_INF = 0.8
+"""Spectral radius at infinite frequency."""
 MAX_MATRICES = 12
 """Maximum number of full Newton iterations of the stabilised form."""
 ROUND_OFF = 4e-15
@@ -124,7 +126,7 @@ class Run:
 
     system: System
     h: float
-    rho_inf: float = 0.8
+    rho_inf: float = RHO_INF
     tolerance: float = 1e-11
     t0: float = 0.0
     steps: int = 0
@@ -223,7 +225,7 @@ def start(
     state: State,
     h: float,
     *,
-    rho_inf: float = 0.8,
+    rho_inf: float = RHO_INF,
     tolerance: float = 1e-11,
     form: str = "I3",
 ) -> Run:

@@ -15,7 +15,15 @@ from pitchpoint.core.units import natural_quantity
 from pitchpoint.geometry.flank_tolerances import single_pitch_tolerance
 from pitchpoint.model.keys import BAD, Place
 from pitchpoint.model.model import Model
-from pitchpoint.model.numbers import amount_at, has_path, key_at, number_at
+from pitchpoint.model.numbers import (
+    amount_at,
+    has_path,
+    key_at,
+    number_at,
+    unit_without_number,
+    with_defaults,
+)
+from pitchpoint.model.planetary_stages import place_of_gear
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import limit_text, shown
 from pitchpoint.model.study_plan import Levels, PitchDeviations, Varied
@@ -37,6 +45,7 @@ def made_factor(name: str, factor: Any, model: Model, report: Reader) -> Any:
     """
     if isinstance(factor, PitchDeviations):
         return _pitch(name, factor, model, report)
+    model = with_defaults(model, factor.every_path)
     free = isinstance(factor, Levels) and factor.apply == "absolute"
     numbers: dict[str, float] = {}
     units: dict[str, str] = {}
@@ -48,6 +57,8 @@ def made_factor(name: str, factor: Any, model: Model, report: Reader) -> Any:
             report.problem(
                 _at(name, factor, path), "is a whole number of the model", value=path, remedy=remedy
             )
+        elif found is None and factor.apply == "absolute" and (unit := unit_without_number(model, path)):
+            numbers[path], units[path] = math.nan, unit
         elif found is None and not free:
             _no_number(name, factor, path, model, report)
         elif found is not None:
@@ -90,7 +101,7 @@ def _no_number(name: str, factor: Varied, path: str, model: Model, report: Reade
             first = error.problems[0]
             report.problem(at, f"{first.where} {first.text}", remedy=first.remedy)
             return
-    remedy = "name a key with one number, which the model gives"
+    remedy = "name a key with one number, which the model gives; a number in a formula can be a parameter"
     report.problem(at, "is not a number of the model", value=path, remedy=remedy)
 
 
@@ -168,6 +179,8 @@ def _pitch(name: str, factor: PitchDeviations, model: Model, report: Reader) -> 
     """Random pitch deviations of gears of the model."""
     teeth: dict[str, int] = {}
     deviation: dict[str, float] = {}
+    paths: dict[str, str] = {}
+    kept: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {}
     for k, gear in enumerate(factor.gears):
         at: Place = ("factors", name, "gears", k)
         own = model.gears.get(gear)
@@ -179,6 +192,8 @@ def _pitch(name: str, factor: PitchDeviations, model: Model, report: Reader) -> 
         deviation[gear] = factor.deviation or (
             single_pitch_tolerance(geometry.d, geometry.m_n, factor.tolerance_class or 1) / 3.0
         )
-        changes = {f"gears.{gear}.deviations.pitch": [0.0] * teeth[gear]}
-        _accepted(factor, changes, at, model, report)
-    return Pitch(name, teeth, deviation)
+        paths[gear] = ".".join((*place_of_gear(model, gear), "deviations", "pitch"))
+        given = own.deviations
+        kept[gear] = (given.pitch_of("left"), given.pitch_of("right")) if given is not None else ((), ())
+        _accepted(factor, {paths[gear]: [0.0] * teeth[gear]}, at, model, report)
+    return Pitch(name, teeth, deviation, factor.flanks, paths, kept)

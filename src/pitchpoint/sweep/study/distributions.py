@@ -11,7 +11,7 @@ from pitchpoint.core.errors import UnitError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.keys import BAD, Key
 from pitchpoint.model.model import Model
-from pitchpoint.model.numbers import amount_at
+from pitchpoint.model.numbers import amount_at, unit_without_number
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.study_plan import Lognormal, Normal, Tolerance, Triangular, Uniform
 
@@ -95,6 +95,9 @@ def _one_number(nominal: float, amounts: Amounts) -> None:
     if math.isnan(nominal):
         what = "varies about the number of the model, but the numbers at its paths differ"
         remedy = "write apply: add or apply: multiply, or absolute values"
+        if unit_without_number(amounts.model, amounts.path) is not None:
+            what = f"varies about the number of the model, but the model does not give {amounts.path}"
+            remedy = "give it in the model, or write absolute values"
         amounts.report.problem(amounts.at, what, remedy=remedy)
 
 

@@ -14,6 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.model.study_plan import EQUAL, INDEPENDENT, LEFT, RIGHT
+
 Array: TypeAlias = NDArray[np.float64]
 LAST = 2.0**-32
 """Distance of probabilities from 0 and 1, where normal values are infinite."""
@@ -122,32 +124,55 @@ class Pitch:
         Name.
     teeth, deviation
         Number of teeth, and standard deviation of the single pitch deviations [m], of each gear.
+    flanks
+        As in `model.study_plan`.
+    paths, kept
+        Path of the pitch deviations of each gear, and those of its left and right flanks in the model [m].
     """
 
     name: str
     teeth: Mapping[str, int]
     deviation: Mapping[str, float]
+    flanks: str
+    paths: Mapping[str, str]
+    kept: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
     unit: str = "m"
     nominal: float = 0.0
 
     def values(self, u: Array) -> Array:
         """Largest total cumulative pitch deviation F_p of the gears at probabilities [m]."""
-        return np.array([max(map(cumulative_range, self.patterns(float(one)).values())) for one in u])
+        return np.array([max(cumulative_range(p) for p in self._all_patterns(float(one))) for one in u])
 
-    def patterns(self, u: float) -> dict[str, Array]:
-        """Single pitch deviations of each gear [m], shape (z,)."""
+    def patterns(self, u: float) -> dict[str, tuple[Array, ...]]:
+        """Single pitch deviations of each gear [m], shape (z,): equal ones, or those of its random flanks."""
         seed = int(u * 2.0**53)
+        count = 2 if self.flanks == INDEPENDENT else 1
         return {
-            gear: self.deviation[gear] * closed_pattern(z, np.random.default_rng([seed, k]))
+            gear: tuple(
+                self.deviation[gear]
+                * closed_pattern(z, np.random.default_rng([seed, k] if flank == 0 else [seed, k, flank]))
+                for flank in range(count)
+            )
             for k, (gear, z) in enumerate(self.teeth.items())
         }
 
+    def _all_patterns(self, u: float) -> list[Array]:
+        return [pattern for own in self.patterns(u).values() for pattern in own]
+
     def changes(self, u: float, value: float) -> dict[str, Any]:
         """New values of the model by path."""
-        return {
-            f"gears.{gear}.deviations.pitch": [rounded(f) for f in pattern.tolist()]
-            for gear, pattern in self.patterns(u).items()
-        }
+        found: dict[str, Any] = {}
+        for gear, own in self.patterns(u).items():
+            lists = [[rounded(f) for f in pattern.tolist()] for pattern in own]
+            if self.flanks == EQUAL:
+                found[self.paths[gear]] = lists[0]
+                continue
+            left, right = self.kept[gear]
+            found[self.paths[gear]] = {
+                "left": list(left) if self.flanks == RIGHT else lists[0],
+                "right": list(right) if self.flanks == LEFT else lists[-1],
+            }
+        return found
 
     def label(self, value: float) -> str:
         """Value as text."""

@@ -45,9 +45,10 @@ def _on_sampling(study: Study) -> list[Message]:
     if plan.sensitivity == INDICES and n < ENOUGH:
         text = "gives wide intervals of Sobol' indices"
         found.append(_remark(study, at, text, f"write {ENOUGH} or more", str(n)))
-    least = len(study.factors) + 3
+    count = len(study.factors)
+    least = count + 3
     if plan.sensitivity != INDICES and plan.sampling in (LATIN, SOBOL) and n < 2 * least:
-        text = f"is a small number for a regression over {len(study.factors)} factors"
+        text = f"is a small number for a regression over {count} factor{'s' * (count > 1)}"
         found.append(_remark(study, at, text, f"write {2 * least} or more", str(n)))
     return found
 

@@ -29,6 +29,7 @@ from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.responses import response_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
+from pitchpoint.viz.report.studies import study_section
 from pitchpoint.viz.report.summary import summary_section
 from pitchpoint.viz.report.sweeps import sweep_section
 from pitchpoint.viz.report.tables import mode_section, parameter_section, signal_section
@@ -37,6 +38,8 @@ from pitchpoint.viz.scene.content import Scene
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from pitchpoint.analysis.study.summary import StudySummary
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -308,6 +311,8 @@ class ReportResults:
         Relief designs by the name of the mesh: datasets of `design_relief`.
     responses
         By name: datasets of `solve_frequency_response` and `solve_mesh_response`.
+    studies
+        Summaries of studies by name.
     powers
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
@@ -328,6 +333,7 @@ class ReportResults:
     contacts: Mapping[str, ContactData] = field(default_factory=dict)
     reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)
     responses: Mapping[str, xr.Dataset] = field(default_factory=dict)
+    studies: Mapping[str, StudySummary] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
     compared: Sequence[tuple[str, Mapping[str, str]]] = ()
@@ -350,6 +356,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         time_section(results.runs, seen, overlaid),
         sweep_section(results.sweeps),
         case_section(results.cases),
+        study_section(results.studies),
         spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
         campbell_section(results.campbells),
         mode_section(results.modes),
