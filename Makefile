@@ -76,9 +76,10 @@ lint: $(STAMP)
 pytest: warmup
 	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint --ignore=src/pitchpoint/geometry --ignore=src/pitchpoint/contact
 
-# the same kernels as plain Python: what the compiler accepts must also be right without it
+# the same kernels as plain Python: what the compiler accepts must also be right without it; some parameter sets
+# of each test, all of them in validate
 nojit: $(STAMP)
-	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m nojit tests
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m nojit --thin 8 tests
 
 # the same through the public interface of Numba alone, which untested versions of Numba get
 stock: $(STAMP)
@@ -98,6 +99,7 @@ bench: $(STAMP)
 validate: $(STAMP)
 	$(BIN)/python tests/validation/render.py --output docs/validation.md
 	$(BIN)/python -m pytest -q -n $(JOBS) -m "study and not validation" tests
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m nojit tests
 
 # the built script is in the repository: nobody who does not change it needs Node.js
 viewer:

@@ -96,7 +96,10 @@ def test_the_table_names_all_laws_and_all_faults():
     assert set(OWN) == {*FAULTS, *SEAT_FAULTS}
 
 
-@pytest.mark.parametrize("kind", KINDS)
+# spur and helical, external and internal gears are all among the quick ones
+@pytest.mark.parametrize(
+    "kind", [k if k in ("spur", "helical ring") else pytest.param(k, marks=pytest.mark.study) for k in KINDS]
+)
 @pytest.mark.parametrize("fault", OWN)
 @pytest.mark.parametrize("law", LAWS)
 def test_every_fault_in_every_law(law, fault, kind, folder):

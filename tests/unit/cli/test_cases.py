@@ -152,10 +152,8 @@ def entries(target: Path) -> int:
 
 
 @pytest.mark.parametrize("command", ["cases", "sweep"])
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_stopped_by_ctrl_c_or_killed_it_keeps_what_was_computed(
-    command: str, how: signal.Signals, tmp_path: Path
-) -> None:
+def test_stopped_by_ctrl_c_it_keeps_what_was_computed(command: str, tmp_path: Path) -> None:
+    """Kills are in `test_kills`."""
     target = tmp_path / "out.h5"
     if command == "sweep":
         arguments = ["sweep", written(tmp_path, TORSION.replace("points: 81", "points: 8001"))]
@@ -165,12 +163,9 @@ def test_stopped_by_ctrl_c_or_killed_it_keeps_what_was_computed(
         arguments += ["--vary", f"meshes.stage.damper.ratio={many}", "-j", "2"]
     child = start(arguments, target, 3)
     begun = time.monotonic()
-    child.send_signal(how)
+    child.send_signal(signal.SIGINT)
     out, err = child.communicate(timeout=60)
     assert entries(target) >= 3
-    if how == signal.SIGKILL:
-        assert read_header(target)["status"] == "running"
-        return
     assert time.monotonic() - begun < 5.0  # one second on an idle machine
     assert child.returncode == 130
     assert json.loads(out)["status"] == "interrupted"

@@ -219,18 +219,6 @@ def test_ctrl_c_stops_within_a_second_and_keeps_the_result(tmp_path: Path) -> No
     assert head["steps"] > 1000
 
 
-def test_a_killed_run_leaves_a_readable_file(tmp_path: Path) -> None:
-    target = tmp_path / "out.h5"
-    child = start(written(tmp_path, LONG), target)
-    assert read_header(target)["status"] == "running"
-    child.kill()
-    child.communicate()
-    with open_result(target) as ds:
-        assert ds.attrs["status"] == "running"
-        assert ds.sizes["time"] > 1000
-        assert bool(np.isfinite(ds["mesh_force[stage]"]).all())
-
-
 @pytest.mark.parametrize(
     ("beta", "driven", "words"),
     [

@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import pickle
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,12 @@ loads:
 scenarios:
   steady: {speed: {input: 1500 rpm}, duration: 0.1 s}
 """
+
+
+@cache
+def read(path: Path) -> pp.Model:
+    """The model of a file."""
+    return load_model(path, allow_code=True)
 
 
 def made() -> pp.Model:
@@ -132,7 +139,7 @@ def test_every_file_is_rebuilt_from_its_sections(path: Path, monkeypatch: pytest
 
     monkeypatch.chdir(path.parent)
     data = Tree(path.read_text()).data
-    model = load_model(path, allow_code=True)
+    model = read(path)
     own = {name: part for name, part in data.items() if name in keys_of(pp.Model)}
     again = pp.Model(**own, allow_code=True)
     assert content_hash(again) == content_hash(pp.Model.from_dict(data, allow_code=True))
@@ -310,7 +317,7 @@ def test_a_text_is_not_written_for_another_value() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: f"{p.parent.name}/{p.name}")
 def test_what_is_written_is_read_back(path: Path) -> None:
-    model = load_model(path, allow_code=True)
+    model = read(path)
     text = model.to_yaml()
     again = loads_model(text, allow_code=True, file=str(path))
     assert again == model
@@ -321,7 +328,7 @@ def test_what_is_written_is_read_back(path: Path) -> None:
 # --- representation --------------------------------------------------------------------------------------
 @pytest.mark.parametrize("path", FILES, ids=lambda p: f"{p.parent.name}/{p.name}")
 def test_the_representation_of_a_component_makes_it_again(path: Path) -> None:
-    model = load_model(path, allow_code=True)
+    model = read(path)
     for group in GROUPS:
         for part in own_parts(getattr(model, group)).values():
             text = repr(part)

@@ -67,7 +67,7 @@ def box():
     return compile_model(loads_model(text), "steady")
 
 
-@pytest.mark.parametrize("speed", [500, 800])
+@pytest.mark.parametrize("speed", [500, pytest.param(800, marks=pytest.mark.study)])
 def test_mesh_dampers_do_not_feel_the_deflection_of_the_teeth(speed: int):
     """The damper acts on the travel less the error of the flanks, d (u' - e'), across the radial direction.
 
@@ -84,7 +84,13 @@ def test_mesh_dampers_do_not_feel_the_deflection_of_the_teeth(speed: int):
 
 
 @pytest.mark.parametrize(
-    ("speed", "harmonics", "within"), [(500, 3, 0.6), (800, 3, 0.6), (1300, 3, 1.0), (3000, 1, 0.3)]
+    ("speed", "harmonics", "within"),
+    [
+        pytest.param(500, 3, 0.6, marks=pytest.mark.study),
+        (800, 3, 0.6),
+        pytest.param(1300, 3, 1.0, marks=pytest.mark.study),
+        (3000, 1, 0.3),
+    ],
 )
 def test_against_time_responses(box, speed: int, harmonics: int, within: float):
     """Bearing forces by mesh order, off and near the resonances.

@@ -101,6 +101,13 @@ FLAWS = {
     "modified": "modifications: {both: {tip_relief: {amount: 15 um, length: 1 mm}, helix_slope: 10 um}}, ",
     "next to perfect": "modifications: {both: {tip_relief: {amount: 1e-12, length: 1 mm}}}, ",
 }
+WITH_FINE_SAMPLES = [
+    "perfect",
+    pytest.param("pitch", marks=pytest.mark.study),
+    "runout",
+    "modified",
+    pytest.param("next to perfect", marks=pytest.mark.study),
+]
 STEP = "duration: 0.02 s, step: 2 us"
 SPARSE = "duration: 0.003 s, method: runge_kutta"
 FINE = f"{SPARSE}, sample_rate: 200 MHz"
@@ -147,14 +154,21 @@ def test_contact_events_are_where_the_real_flanks_meet_and_part(flaw: str, beta:
     assert compare_contacts(rattling(flaw, STEP, beta=beta, hertz=127.0)) > 10
 
 
-@pytest.mark.parametrize("flaw", FLAWS)
+@pytest.mark.parametrize("flaw", WITH_FINE_SAMPLES)
 def test_runge_kutta_finds_contact_events_to_rounding(flaw: str) -> None:
     """Samples 5 ns apart, hundreds within a step."""
     assert compare_contacts(rattling(flaw, FINE, hertz=1273.0)) >= 2
 
 
-@pytest.mark.parametrize("run", [STEP, FINE])
-@pytest.mark.parametrize("flaw", FLAWS)
+@pytest.mark.parametrize(
+    ("flaw", "run"),
+    [
+        *((flaw, STEP) for flaw in FLAWS),
+        ("perfect", FINE),
+        *(pytest.param(f, FINE, marks=pytest.mark.study) for f in ("pitch", "runout", "next to perfect")),
+        ("modified", FINE),
+    ],
+)
 def test_flanks_part_where_contact_damping_would_pull(flaw: str, run: str) -> None:
     """At a penetration still, on perfect flanks as on others: what counts is the contact state."""
     damping = "damping: {ratio: 0.3}"
