@@ -30,7 +30,7 @@ OTHERWISE = {
     "report/diagnosis/study.py": {"bearing": "class of evidence"},
     "report/diagnosis/tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
     "report/diagnosis/words.py": {"bearing": "class of evidence"},
-    "report/external_torques.py": {"drive": "key of a scenario"},
+    "report/external_torques.py": {"drive": "key of a scenario", "torque": "dimension"},
     "report/main_channels.py": {"torque": "quantity"},
     "report/power_flow.py": {
         "damping": "name of a loss",

@@ -189,6 +189,14 @@ class Scenario(Component):
         "equilibrium",
     )
     hold: tuple[str, ...] = key("names", "bodies whose speed is kept constant at its initial value", ())
+    engaged: tuple[str, ...] | None = key(
+        "names",
+        "clutches and brakes that are engaged, all others are open; their bodies start with the same speed, "
+        "those of brakes at rest",
+        None,
+        display="by their capacities",
+        later=True,
+    )
     duration: float | None = positive("time", "duration of the time response; required without sweep", None)
     sample_rate: float | None = positive(
         "frequency",

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.carried_trains import carried_speeds, has_carriers
+from pitchpoint.model.engagement import Engaged, engaged_brakes, engaged_links
 from pitchpoint.model.frames import bodies_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mechanism import coordinate, same_base
@@ -121,7 +122,7 @@ def fixed_bodies(parts: Parts) -> set[str]:
 
 
 def start_speeds(
-    parts: Parts, given: Mapping[str, float], held: Sequence[str] = ()
+    parts: Parts, given: Mapping[str, float], held: Sequence[str] = (), engaged: Engaged = None
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
     """Initial speeds of all bodies, and given speeds that contradict others.
 
@@ -133,6 +134,8 @@ def start_speeds(
         Speeds of some bodies [rad/s].
     held
         Bodies whose speed a scenario keeps constant.
+    engaged
+        Clutches and brakes that a scenario engages: bodies of equal speed, bodies at rest.
 
     Returns
     -------
@@ -141,11 +144,17 @@ def start_speeds(
         whose speed does not follow from the given ones; and (body, consistent speed) for each given speed
         that contradicts an earlier one.
     """
-    if has_carriers(parts, joined := links_of(parts)):
-        return carried_speeds(parts, joined, given, [*supported_bodies(parts), *held], SPEED_TOLERANCE)
+    if has_carriers(parts, joined := links_of(parts)) or engaged:
+        still = engaged_brakes(parts, engaged)
+        free = {body: speed for body, speed in given.items() if body not in still}
+        joined += engaged_links(parts, engaged)
+        resting = [*supported_bodies(parts, engaged), *held]
+        speeds, wrong = carried_speeds(
+            parts, joined, dict.fromkeys(still, 0.0) | free, resting, SPEED_TOLERANCE
+        )
+        return speeds, wrong + [(body, 0.0) for body in still if given.get(body)]
     links = ratios(parts)
-    speeds: dict[str, float] = {}
-    wrong = []
+    speeds, wrong = {}, []
     for name, value in given.items():
         if name in speeds:
             if abs(speeds[name] - value) > SPEED_TOLERANCE * max(abs(value), abs(speeds[name])):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,7 @@ from pitchpoint.solvers.load_orders import of_one_angle
 from pitchpoint.solvers.operating_point import OperatingPoint, scenario_named, steady_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
+from pitchpoint.solvers.sticking_clutches import with_sticking_clutches
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash, touches_at_one_end
 from pitchpoint.system import evaluate
@@ -77,6 +78,8 @@ class Linearised:
         Notes for the user.
     at
         Which state of a sweep this is, in words; else empty.
+    followers
+        Deflections of sticking clutches over the coordinates, (nd,) each, by their hidden coordinate.
     """
 
     system: System
@@ -91,6 +94,7 @@ class Linearised:
     flanks: Mapping[str, int]
     notes: tuple[str, ...]
     at: str = ""
+    followers: Mapping[int, Array] = field(default_factory=dict)
 
 
 def _frictionless_point(
@@ -166,8 +170,8 @@ def linearise(
     rigid = rigid_rotations(own)
     if state.v.any():
         at_rest = _turning(own, state, stopped, at_rest, rigid)
-    return Linearised(
-        own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at
+    return with_sticking_clutches(
+        Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at)
     )
 
 

@@ -59,7 +59,7 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader, other:
     names = parts.known(group)
     guess = did_you_mean(name, names | parts.known(other) if other else names)
     words = group.replace("_", " ")
-    single = {"bodies": "body", "meshes": "mesh"}.get(group, words.removesuffix("s"))
+    single = {"bodies": "body", "meshes": "mesh", "clutches": "clutch"}.get(group, words.removesuffix("s"))
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {words}"
     report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
     return False

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import UnitError
 from pitchpoint.core.units import format_quantity, in_unit, natural_quantity
+from pitchpoint.core.words import listed
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
 from pitchpoint.model.checks.references import known
@@ -25,6 +26,7 @@ from pitchpoint.model.speed_ratios import (
     sweep_meshes,
     train_of,
 )
+from pitchpoint.model.torsional_supports import closed_at_start
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -42,6 +44,7 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
             report.problem(at, "requires bodies, and the file has none", remedy="add bodies with the gears")
             continue
         _names(parts, scenario, at, report)
+        _engaged(parts, scenario, (*at, "engaged"), report)
         _speeds(parts, scenario, at, report)
         if at in report.tainted:
             continue
@@ -83,6 +86,24 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             f"is missing, and there are {count} meshes",
             remedy=f"name one of {', '.join(names) or 'them'}",
         )
+
+
+def _engaged(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    """Check the engaged clutches: their names, and that their capacity is not zero at the start."""
+    names = scenario.engaged or ()
+    for k, name in enumerate(names):
+        if not known(parts, "clutches", name, at, report) or name not in parts.clutches:
+            continue
+        if name in names[:k]:
+            report.problem(at, f"names {name} twice", remedy="name each clutch once")
+        elif not closed_at_start(parts.clutches[name].capacity):
+            report.problem(
+                at,
+                f"names {name}, whose capacity is zero at the start",
+                value="0 N m",
+                limit="> 0",
+                remedy=f"give clutches.{name}.capacity its value of the engaged clutch",
+            )
 
 
 def _ripple(drive: Drive, at: Place, report: Reader) -> None:
@@ -150,13 +171,18 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
                 remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
             )
-    for body, fitting in start_speeds(parts, free)[1]:
+    for body, fitting in start_speeds(parts, free, (), scenario.engaged)[1]:
+        with_clutches = f" with {listed(scenario.engaged)} engaged" if scenario.engaged else ""
         report.problem(
             (*at, "speed", body),
-            "does not match the gear ratio to the other given speeds",
+            f"does not match the gear ratio to the other given speeds{with_clutches}"
+            if len(free) > 1 or not with_clutches
+            else f"cannot be: the train is locked{with_clutches}",
             value=_as_written(free[body], (*at, "speed", body), report),
             limit=_as_written(fitting, (*at, "speed", body), report),
-            remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)",
+            remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)"
+            if not with_clutches
+            else "correct it, or the clutches of engaged",
         )
 
 
