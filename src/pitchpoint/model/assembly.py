@@ -79,6 +79,8 @@ def _places(parts: Parts, report: Reader) -> None:
     if not all_linked_known(parts, report):
         return
     for name, body in parts.bodies.items():
+        if body.of_housing and ("housing",) in report.tainted:
+            continue
         if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
@@ -189,6 +191,9 @@ def _widths(parts: Parts, report: Reader) -> None:
         low = max(m - h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
         high = min(m + h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
         if high <= low:
+            bodies = {parts.body_of(g) for g in mesh.gears}
+            if bodies & parts.placed.keys() and not all_linked_known(parts, report):
+                continue  # the link that locates them may be one of those that cannot be read
             report.problem(
                 ("meshes", name, "gears"),
                 f"do not overlap axially; the gap between their faces is {1e3 * (low - high):.6g} mm",

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.references import speed_as_written
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
@@ -38,7 +39,7 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
     if total > 1.0 + ROUNDING:
         report.problem(
             (SECTION,),
-            "have shares of the time of more than 100 % together",
+            "is the sum of the shares of the time",
             value=f"{100.0 * total:.6g} %",
             limit="100 %",
             remedy="correct load_duration_fraction",
@@ -93,8 +94,8 @@ def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:
         report.problem(
             (*at, "speed", body),
             "contradicts the other speeds and the gear ratios",
-            value=f"{case.speed[body]:.6g} rad/s",
-            limit=f"{right:.6g} rad/s",
+            value=speed_as_written(case.speed[body], (*at, "speed", body), report),
+            limit=speed_as_written(right, (*at, "speed", body), report),
             remedy="give one speed of each gear train",
         )
     for load, change in case.loads.items():
@@ -108,7 +109,7 @@ def _check_load(parts: Parts, at: Place, change: CaseLoad, speeds: dict[str, flo
     elif change.torque is None and change.power is None and change.force is None:
         report.problem(at, "gives neither torque nor power nor force", remedy="give one, or remove it")
     part = parts.loads.get(str(at[-1]))
-    if change.power is None or part is None:
+    if change.power is None or part is None or split(part.body)[0] not in parts.bodies:
         return
     if not speeds.get(split(part.body)[0]):
         report.problem(

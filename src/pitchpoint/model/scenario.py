@@ -122,7 +122,7 @@ class Drive(Component):
 class Sweep(Component):
     """Speed sweep: each point starts from the final state of the previous one; give one of the two ranges."""
 
-    body: str = text("body whose speed is swept")
+    body: str = text("body whose speed is swept; one without gears has the meshes of the body coupled to it")
     mesh_frequency: tuple[float, float] | None = quantities(
         "frequency",
         "lowest and highest mesh frequency, in positive rotation",

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 SPEED_TOLERANCE = 1e-6
 """Relative tolerance of given speeds from the gear ratio."""
 
+AXIAL = ("couplings", "torsion_springs", "bushings")
+"""Sections with links of equal mean speeds."""
+
 Link = tuple[Place, str, str, float]
 """Path of a mesh or coupling, its two bodies, speed of the second over speed of the first."""
 
@@ -172,8 +175,29 @@ def start_speeds(
     return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
+def geared_body(parts: Parts, body: str) -> str | None:
+    """The body if it has a gear in mesh, else the nearest one through couplings; None without one."""
+    found, queue = {body}, deque([body])
+    joints = [(one, two) for place, one, two, _ in links_of(parts) if place[0] in AXIAL]
+    while queue:
+        here = queue.popleft()
+        if _own_meshes(parts, here):
+            return here
+        for ends in joints:
+            if here in ends and (there := ends[1 - ends.index(here)]) not in found:
+                found.add(there)
+                queue.append(there)
+    return None
+
+
 def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
-    """Meshes of a body with its number of teeth in each of them."""
+    """Meshes of a body with its number of teeth in each of them; without gears those of its coupled body."""
+    geared = geared_body(parts, body)
+    return {} if geared is None else _own_meshes(parts, geared)
+
+
+def _own_meshes(parts: Parts, body: str) -> dict[str, int]:
+    """Meshes of the gears of a body with their numbers of teeth."""
     return {
         name: gears[g].number_of_teeth
         for meshes, gears, own in (

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.core.words import ranges
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
@@ -162,6 +163,10 @@ def find_mesh_response(
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
     outs = find_outputs(linear, displacements)
     excitations, notes = [], list(linear.notes)
+    loaded = {mesh: order for mesh, order in orders.items() if mesh not in linear.flanks}
+    if loaded and len(loaded) < len(orders):  # such as idle pairs of a gearbox with several gears
+        notes.append(f"{ranges([m for m in orders if m not in loaded])}: without load, not an excitation")
+        orders = loaded
     for mesh in orders:
         excitations.append(mesh_excitation(system, scenario, linear, mesh, harmonics, points, along=rates))
         notes += [n for n in excitations[-1].notes if n not in notes]

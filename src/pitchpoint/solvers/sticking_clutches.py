@@ -104,9 +104,9 @@ def _without_slip(rigid: Array, slips: Array) -> Array:
     slips
         Slip of the clutches over the coordinates, shape (k, nd).
     """
-    slip = rigid @ slips.T
-    size = np.abs(rigid).max(axis=1, initial=0.0)[:, None] * np.abs(slips).max(axis=1, initial=0.0)
-    slip = np.divide(slip, size, out=np.zeros_like(slip), where=size > 0.0)
+    size = np.abs(rigid).max(axis=1, initial=0.0, keepdims=True)
+    rigid = np.divide(rigid, size, out=np.zeros_like(rigid), where=size > 0.0)
+    slip = rigid @ (slips / np.abs(slips).max(axis=1, initial=0.0, keepdims=True)).T
     moved = np.abs(slip).max(axis=1, initial=0.0) > SAME
     if not moved.any():
         return rigid

@@ -116,3 +116,19 @@ def test_a_sticking_clutch_is_a_spring_of_the_linear_system():
     np.testing.assert_allclose(found[:, 1], b, rtol=1e-6)
     np.testing.assert_allclose(found[:, 0], w**2 * b, rtol=1e-6)  # torque on a = -(torque on b) = w^2 x_b
     assert np.count_nonzero(find_modes(compile_model(model, "open")).frequency == 0.0) == 2
+
+
+def test_a_train_beyond_a_sticking_clutch_rotates_with_it():
+    """One free rotation of engine and vehicle with the gear ratio, whatever the scale of that of each train."""
+    from pitchpoint.solvers.modal import find_modes
+
+    text = MODEL.format(road="balance", capacity=160.0, disc=1500, drive="")
+    first = "  output: {gears: [wheel], motion: torsion, inertia: 0.64 kg m^2"
+    text = text.replace(first + "}\n", "").replace(
+        "bodies:\n", f"bodies:\n{first}, position: [127.6 mm, 0, 0]}}\n"
+    )
+    modes = find_modes(compile_model(loads_model(text), "cruise"))
+    (rigid,) = np.flatnonzero(modes.frequency == 0.0)
+    names = list(modes.coordinates)
+    spins = [modes.shape[rigid, names.index(f"{b}.spin")] for b in ("engine", "disc", "output", "vehicle")]
+    np.testing.assert_allclose(np.array(spins) / spins[0], [1.0, 1.0, -0.25, -0.25], rtol=1e-9)

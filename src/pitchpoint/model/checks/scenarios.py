@@ -3,15 +3,13 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import UnitError
-from pitchpoint.core.units import format_quantity, in_unit, natural_quantity
+from pitchpoint.core.units import format_quantity
 from pitchpoint.core.words import listed
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
-from pitchpoint.model.checks.references import known
+from pitchpoint.model.checks.references import known, speed_as_written
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.locked_loops import locked_loops, loop_with
@@ -20,6 +18,7 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import (
     SPEED_TOLERANCE,
     fixed_bodies,
+    geared_body,
     links_of,
     locked_links,
     start_speeds,
@@ -160,8 +159,8 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 report.problem(
                     (*at, "speed", body),
                     "differs from the speed of the drive",
-                    value=_as_written(given, (*at, "speed", body), report),
-                    limit=_as_written(driven, (*at, "speed", body), report),
+                    value=speed_as_written(given, (*at, "speed", body), report),
+                    limit=speed_as_written(driven, (*at, "speed", body), report),
                     remedy="remove it: a driven body starts at the speed of its drive",
                 )
         if isinstance(drive.value, PythonLaw):
@@ -178,21 +177,12 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             f"does not match the gear ratio to the other given speeds{with_clutches}"
             if len(free) > 1 or not with_clutches
             else f"cannot be: the train is locked{with_clutches}",
-            value=_as_written(free[body], (*at, "speed", body), report),
-            limit=_as_written(fitting, (*at, "speed", body), report),
+            value=speed_as_written(free[body], (*at, "speed", body), report),
+            limit=speed_as_written(fitting, (*at, "speed", body), report),
             remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)"
             if not with_clutches
             else "correct it, or the clutches of engaged",
         )
-
-
-def _as_written(speed: float, at: Place, report: Reader) -> str:
-    """A speed [rad/s] in the unit in which that at a path is written."""
-    unit = "rad/s" if any(bare.place == at for bare in report.bare) else "rpm"
-    if at in report.sources:
-        with suppress(UnitError):  # a formula
-            unit = natural_quantity(report.sources[at].data)[1] or "rad/s"
-    return f"{in_unit(speed, 'angular_speed', unit):.6g} {unit}"
 
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
@@ -323,7 +313,8 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     _range(sweep, at, report)
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
-    own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
+    geared = geared_body(parts, sweep.body) or sweep.body
+    own = parts.bodies[geared].gears if geared in parts.bodies else {}
     if not parts.gears.keys() >= set(own):
         return  # an unreadable gear may be the one in mesh
     teeth = sweep_meshes(parts, sweep.body)
@@ -331,7 +322,7 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     if not teeth:
         report.problem(
             (*at, "body"),
-            f"names {sweep.body}, which has no gear in mesh",
+            f"names {sweep.body}, which has no gear in mesh and is not coupled to a body with one",
             remedy="name a body with a gear in mesh",
         )
     elif sweep.mesh is None and len(set(teeth.values())) > 1:

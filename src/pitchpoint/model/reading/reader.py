@@ -179,6 +179,8 @@ class Reader:
         for name in data:
             if name not in known:
                 near, remedy = remedy_for_key(name, allowed)
+                if near is None and data[name] is None and " " in str(name):
+                    remedy += "; within {...} a text with commas needs quotes"
                 taint = near is not None and near not in data
                 self.problem((*path, str(name)), "is an unknown key", remedy=remedy, taint=taint)
 
