@@ -271,7 +271,4 @@ def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
             body, _, word = name.rpartition(".")
             place[row] = J[:, system.layout.bodies.index(body), MOTIONS.index(word)]
             found.append("m" if word[0] == "u" else "rad")
-    for hidden, follows in linear.followers.items():  # deflections of sticking clutches
-        place += np.outer(rate[:, hidden], follows)
-        rate[:, hidden] = 0.0
     return Outputs(tuple(names), tuple(found), place, rate, react, feed)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -28,10 +28,10 @@ from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.load_orders import of_one_angle
+from pitchpoint.solvers.locked_clutches import overload_notes
 from pitchpoint.solvers.operating_point import OperatingPoint, scenario_named, steady_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
-from pitchpoint.solvers.sticking_clutches import with_sticking_clutches
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash, touches_at_one_end
 from pitchpoint.system import evaluate
@@ -78,8 +78,6 @@ class Linearised:
         Notes for the user.
     at
         Which state of a sweep this is, in words; else empty.
-    followers
-        Deflections of sticking clutches over the coordinates, (nd,) each, by their hidden coordinate.
     """
 
     system: System
@@ -94,7 +92,6 @@ class Linearised:
     flanks: Mapping[str, int]
     notes: tuple[str, ...]
     at: str = ""
-    followers: Mapping[int, Array] = field(default_factory=dict)
 
 
 def _frictionless_point(
@@ -156,7 +153,7 @@ def linearise(
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
     loose = close_backlash(own, state)
-    notes = [*point.notes, *_of_one_position(own, state)]
+    notes = [*point.notes, *_of_one_position(own, state), *overload_notes(own, state)]
     if loose:
         notes.append(_of_assumed_flanks(loose))
         notes += _of_arbitrary_stiffness(own, loose)
@@ -165,13 +162,14 @@ def linearise(
     at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v)
     D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, stopped, 0.0, 1.0, 0.0)
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, stopped, 0.0, 0.0, 1.0)
-    states = tuple(int(s) for s in own.states)
-    basis = free_directions(own, state, states)
+    basis = free_directions(own, state, own.states.tolist())
+    # those of locked clutches act on nothing
+    states = tuple(int(s) for s in own.states if D[s].any() or D[:, s].any() or K[s].any() or K[:, s].any())
     rigid = rigid_rotations(own)
     if state.v.any():
         at_rest = _turning(own, state, stopped, at_rest, rigid)
-    return with_sticking_clutches(
-        Linearised(own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at)
+    return Linearised(
+        own, state, at_rest, D, K, basis, rigid, states, point.held, loose, tuple(notes), point.at
     )
 
 

@@ -119,7 +119,7 @@ def test_a_sticking_clutch_is_a_spring_of_the_linear_system():
 
 
 def test_a_train_beyond_a_sticking_clutch_rotates_with_it():
-    """One free rotation of engine and vehicle with the gear ratio, whatever the scale of that of each train."""
+    """One free rotation of engine and vehicle with the gear ratio, whatever the scale of each train."""
     from pitchpoint.solvers.modal import find_modes
 
     text = MODEL.format(road="balance", capacity=160.0, disc=1500, drive="")
