@@ -6,6 +6,7 @@ Loads and scenarios with the values of a load case keep the component as given, 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +35,7 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
     """Check all load cases, and put the values of the one in effect into loads and scenarios."""
     for name, case in parts.load_cases.items():
         _check(parts, name, case, report)
+    _check_times(parts, report)
     shares = {n: c.load_duration_fraction for n, c in parts.load_cases.items()}
     total = sum(share for share in shares.values() if share is not None)
     if total > 1.0 + ROUNDING:
@@ -66,6 +68,34 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
     if case.speed:
         for name, scenario in parts.scenarios.items():
             parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
+
+
+def _check_times(parts: Parts, report: Reader) -> None:
+    """Check that all load cases with a share of the time give it in the same way."""
+    timed = [name for name, case in parts.load_cases.items() if case.load_duration is not None]
+    for name, case in parts.load_cases.items():
+        if timed and case.load_duration_fraction is not None:
+            report.problem(
+                (SECTION, name, "load_duration_fraction"),
+                f"is a share of the time, and {timed[0]} has a load_duration",
+                remedy="give load_duration of all load cases, or load_duration_fraction of all",
+            )
+
+
+def shares_of_time(cases: Mapping[str, LoadCase]) -> dict[str, float | None]:
+    """Share of the time of every load case; from `load_duration` that of the sum of all.
+
+    Examples
+    --------
+    >>> from pitchpoint import LoadCase
+    >>> shares_of_time({"rated": LoadCase(load_duration="6000 h"), "peak": LoadCase(load_duration="2000 h")})
+    {'rated': 0.75, 'peak': 0.25}
+    """
+    total = sum(case.load_duration or 0.0 for case in cases.values())
+    return {
+        name: case.load_duration_fraction if case.load_duration is None else case.load_duration / total
+        for name, case in cases.items()
+    }
 
 
 def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:

@@ -96,7 +96,7 @@ def placed(
 def search(
     labels: Sequence[tuple[Label, NDArray[np.float64]]],
     blocks: Sequence[Rectangle],
-    beside: Sequence[Rectangle] = (),
+    also: Sequence[Rectangle] = (),
 ) -> list[Label]:
     """Labels moved in both directions to places nearby where they cover least.
 
@@ -109,7 +109,7 @@ def search(
         Labels at their preferred places, and the points that they mark [pixels].
     blocks
         Rectangles to avoid.
-    beside
+    also
         Rectangles to avoid as other labels.
 
     Examples
@@ -121,7 +121,7 @@ def search(
     steps = np.array([(x * WIDE_STEP, y * TALL_STEP) for x in range(-12, 13) for y in range(-14, 15)])
     avoided = np.array(list(blocks)).reshape(-1, 4)
     reach = steps.max(axis=0)
-    taken = list(beside)
+    taken = list(also)
     found = []
     for label, _ in labels:
         left, top, right, bottom = label.box

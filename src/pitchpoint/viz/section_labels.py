@@ -74,8 +74,8 @@ def section_labels(
         x, y = view(0.5 * (link.start + link.end))
         label = Label(float(x), float(y), "middle", ((link.words, OTHERS),))
         wanted.append(_Wanted(label, np.array([x, y]), label.box))
-    beside = [(-FAR, -FAR, room[0], FAR), (room[2], -FAR, FAR, FAR)]  # names of axes, dimensions
-    labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks, beside)
+    outside = [(-FAR, -FAR, room[0], FAR), (room[2], -FAR, FAR, FAR)]  # names of axes, dimensions
+    labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks, outside)
     leaders = []
     for label, each in zip(labels, wanted, strict=True):
         left, top, right, bottom = label.box

@@ -90,7 +90,7 @@ def transverse_of(model: Model, flow: Mapping[str, Any] | None = None) -> Transv
 
 
 def _supports(model: Model, across: Any) -> list[tuple[Any, str]]:
-    """Feet or mounts of the housing; those that are behind each other together.
+    """Feet or mounts of the housing; those at one place of the view together.
 
     Parameters
     ----------
