@@ -33,8 +33,8 @@ SAME = 1e-9
 def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
     """Bodies that are supported in rotation by a stiffness to a fixed body or by a closed brake, brakes last.
 
-    Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness; brakes that are
-    closed at t = 0, or those of `engaged`.
+    Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness, supports of
+    a flexible rim in tangential direction; brakes that are closed at t = 0, or those of `engaged`.
     """
     springs = parts.torsion_springs.values()
     found = [bodies_of(s.bodies)[0] for s in springs if len(s.bodies) == 1 and s.stiffness > 0.0]
@@ -46,6 +46,11 @@ def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
         stiff = bearing.stiffness.matrix6()[5][5] > 0.0 and play(bearing.faults.values()) == 0.0
         if stiff and bearing.housing in (None, GROUND):
             found.append(bearing.body)
+    for name, gear in parts.gears.items():
+        rim = getattr(gear, "flexible_rim", None)
+        owner = parts.body_of(name)
+        if owner and rim is not None and rim.supports is not None and rim.supports.tangential > 0.0:
+            found.append(owner)
     for bushing in parts.bushings.values():
         body = _held(parts, [split(end)[0] for end in bushing.ends])
         if body is not None and _resists(parts, bushing, body):
