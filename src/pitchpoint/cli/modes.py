@@ -183,7 +183,7 @@ def damping_text(ratio: float, frequency: float) -> str:
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:
     """Output of `modes --json` for each mode; shapes have modal mass 1."""
-    from pitchpoint.solvers.mode_energies import WAYS
+    from pitchpoint.solvers.modes.energies import WAYS
 
     return [
         {
@@ -215,7 +215,7 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
 def animate(path: str, found: Modes, model: Model) -> None:
     """Write the motion of all bodies, and of the nodes of elastic ones, over one cycle of every mode."""
     from pitchpoint.io.mode_animation import write_mode_animation
-    from pitchpoint.solvers.node_shapes import node_shapes
+    from pitchpoint.solvers.modes.node_shapes import node_shapes
 
     write_mode_animation(
         path,

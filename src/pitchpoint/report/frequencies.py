@@ -163,12 +163,12 @@ def undetermined_speeds(model: Model, known: Collection[str], engaged: Engaged =
     own = [body for body in loose if model.bodies[body].stage is None]
     if not own or not known:
         return []
-    remedy = "give the speed of another member, or hold it"
+    remedy = "give the speed of another member, or fix it"
     if {body for clutch in model.clutches.values() for body in bodies_of(clutch.bodies)} & {*own}:
         remedy += ", or name the clutches that are engaged in the scenario: engaged: [...]"
     return [
-        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: shown are the least that "
-        f"fit; {remedy}"
+        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: the smallest possible "
+        f"speeds are shown; {remedy}"
     ]
 
 

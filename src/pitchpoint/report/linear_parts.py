@@ -164,7 +164,7 @@ def _add_modes(
     """Add the modes of one set of prescribed motions; `others` are scenarios with further sets."""
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.solvers.unstable_modes import is_undamped
+    from pitchpoint.solvers.modes.unstable import is_undamped
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report.build import ModeData
 
@@ -191,7 +191,7 @@ def _add_modes(
 
 def _sources(linear: Linearised, modes: Modes) -> list[str]:
     """Components that feed the unstable modes about a state, by mode; "" for the others."""
-    from pitchpoint.solvers.unstable_modes import UNDAMPED, feeding
+    from pitchpoint.solvers.modes.unstable import UNDAMPED, feeding
 
     return [
         feeding(linear.system, linear.state, modes.groups, modes.elements, value, modes.damped_shape[k])

@@ -60,10 +60,6 @@ class Matrices:
     weighed: bool
 
 
-SAME_MASS = 0.01
-"""Difference of the masses of a housing in x, y and z, relative to the largest one, that is rounding."""
-
-
 def housing_matrices(model: Model) -> Matrices:
     """Matrices of the free nodes of a housing, read and checked.
 
@@ -258,21 +254,21 @@ def _loose(model: Model, K: Array) -> list[Message]:
 
 
 def _mass_of_rows(model: Model, M: Array | None) -> list[Message]:
-    """Problem of a mass matrix whose mass is zero or differs between the directions."""
+    """Problem of a mass matrix without mass in some direction."""
     held = model.housing
     assert isinstance(held, HousingMatrix)
     if M is None:
         return []
     n = held.rows_per_node
     masses = [float(M[k::n, k::n].sum()) for k in range(3)]
-    if max(masses) - min(masses) <= SAME_MASS * max(masses) and min(masses) > ZERO * float(np.abs(M).max()):
+    if min(masses) > ZERO * float(np.abs(M).max()):
         return []
     words = ", ".join(f"{mass:.4g} kg in {way}" for mass, way in zip(masses, "xyz", strict=True))
     return [
         Message(
             f"{NAME}.mass_file",
             f"has a mass of {words}",
-            limit="one mass in all directions",
+            limit="> 0",
             remedy="check the file, which may be another matrix, its unit (kg) and the order of its rows",
         )
     ]
