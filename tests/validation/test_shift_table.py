@@ -18,6 +18,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.static_power import static_power
+from pitchpoint.report.statics import idle_meshes
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
@@ -116,3 +117,9 @@ def test_undetermined_speeds_and_overloaded_clutches_are_named(gearbox):
     heavy = gearbox.replace("loads.engine.torque", "40 kN m")
     notes = static_power(heavy, heavy.scenarios["g1"], "g1")["notes"]
     assert "C: 40 kN m exceed its capacity of 3000 N m, so that it slips" in notes
+
+
+def test_idle_sets_are_not_rolled_in_a_report(gearbox):
+    """In first gear the second and third set carry no load."""
+    idle = idle_meshes(gearbox, gearbox.scenarios["g1"])
+    assert idle == {m for m in gearbox.meshes if any(f"{p}_" in m for p in ("p2", "p3"))}
