@@ -27,6 +27,7 @@ from pitchpoint.solvers.inputs_outputs import check_names, find_inputs, find_out
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.mesh_excitation import mesh_excitation
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+NO_LOAD = 1e-6
+"""Force of a mesh relative to the largest one that is the residual of an equilibrium."""
 RATES = {"displacement": 0, "velocity": 1, "acceleration": 2}
 """Powers of i omega of a motion."""
 
@@ -163,7 +166,10 @@ def find_mesh_response(
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
     outs = find_outputs(linear, displacements)
     excitations, notes = [], list(linear.notes)
-    loaded = {mesh: order for mesh, order in orders.items() if mesh not in linear.flanks}
+    values = evaluate.observe(linear.system, linear.state)
+    forces = {m: abs(float(values[linear.system.layout.channel(f"mesh_force[{m}]")])) for m in orders}
+    least = NO_LOAD * max(forces.values())
+    loaded = {m: order for m, order in orders.items() if m not in linear.flanks and forces[m] > least}
     if loaded and len(loaded) < len(orders):  # such as idle pairs of a gearbox with several gears
         notes.append(f"{ranges([m for m in orders if m not in loaded])}: without load, not an excitation")
         orders = loaded
