@@ -30,7 +30,7 @@ OTHERWISE = {
     "report/diagnosis/study.py": {"bearing": "class of evidence"},
     "report/diagnosis/tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
     "report/diagnosis/words.py": {"bearing": "class of evidence"},
-    "report/external_torques.py": {"drive": "key of a scenario"},
+    "report/external_torques.py": {"drive": "key of a scenario", "torque": "dimension"},
     "report/main_channels.py": {"torque": "quantity"},
     "report/power_flow.py": {
         "damping": "name of a loss",
@@ -63,6 +63,7 @@ OTHERWISE = {
     "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
     "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
+    "solvers/locked_clutches.py": {"torque": "dimension"},
     "solvers/mean_balance.py": {"torque": "dimension"},
     "solvers/speed_drift.py": {"torque": "dimension"},
     "system/source.py": {"drive": "key of a scenario"},
@@ -164,6 +165,7 @@ MADE = {
     "solvers/initial_state/speeds.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
     "sweep/speed.py": {"drive"},  # sets its speed
+    "solvers/locked_clutches.py": {"friction_clutch"},  # locks it
     "solvers/initial_state/clutches.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
     "solvers/torque_paths.py": {"ratio"},  # its coordinates
     "solvers/gear_trains.py": {"ratio"},  # its coordinates

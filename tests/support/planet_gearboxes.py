@@ -140,3 +140,53 @@ def stepped(
         f"gears:\n  sun: {gear(21, module=3.0)}\n  output_ring: {ring(output, module=3.0)}\n{rings}{bodies}"
         "planetary_stages:\n" + stage("planet", gear(39, module=3.0), count, "carrier", *lines) + loads
     )
+
+
+def eight_speed(scenarios: str) -> str:
+    """Automatic of four sets with 48/96, 48/96, 69/111 and 23/85 teeth, brakes A, B and clutches C to E."""
+    sets = {
+        "p1": (48, 24, 96, 1.5),
+        "p2": (48, 24, 96, 1.5),
+        "p3": (69, 21, 111, 1.25),
+        "p4": (23, 31, 85, 1.75),
+    }
+    carriers = {"p1": "c1_r4", "p2": "input", "p3": "carrier_3", "p4": "output"}
+    lines = ["gears:"]
+    for k, (sun, _, teeth, module) in enumerate(sets.values(), start=1):
+        lines += [f"  s{k}: {gear(sun, module=module)}", f"  r{k}: {ring(teeth, module=module)}"]
+    lines += [
+        "bodies:",
+        "  s12: {gears: {s1: 0 mm, s2: 40 mm}, motion: torsion, position: [0, 0, 0]}",
+        "  ring_1: {gears: [r1], motion: torsion}",
+        "  c1_r4: {gears: {r4: 120 mm}, motion: torsion, inertia: 5e-3 kg m^2, position: [0, 0, 0]}",
+        "  input: {motion: torsion, inertia: 0.1 kg m^2, position: [0, 0, 40 mm]}",
+        "  r2_s3: {gears: {r2: 0 mm, s3: 40 mm}, motion: torsion, position: [0, 0, 40 mm]}",
+        "  r3_s4: {gears: {r3: 0 mm, s4: 40 mm}, motion: torsion, position: [0, 0, 80 mm]}",
+        "  carrier_3: {motion: torsion, inertia: 3e-3 kg m^2, position: [0, 0, 80 mm]}",
+        "  output: {motion: torsion, inertia: 0.5 kg m^2, position: [0, 0, 120 mm]}",
+        "planetary_stages:",
+    ]
+    for k, (name, (_, planet, _, module)) in enumerate(sets.items(), start=1):
+        own = stage(
+            name,
+            gear(planet, module=module),
+            4,
+            carriers[name],
+            f"sun: s{k}",
+            f"ring: r{k}",
+            "motion: torsion",
+        )
+        lines += own.splitlines()
+    lines += [
+        "clutches:",
+        "  A: {bodies: [s12], capacity: 3 kN m}",
+        "  B: {bodies: [ring_1], capacity: 3 kN m}",
+        "  C: {bodies: [input, r3_s4], capacity: 3 kN m}",
+        "  D: {bodies: [carrier_3, output], capacity: 3 kN m}",
+        "  E: {bodies: [r2_s3, r3_s4], capacity: 3 kN m}",
+        "loads:",
+        "  engine: {body: input, torque: 300 N m}",
+        "  road: {body: output, torque: balance}",
+        "scenarios:",
+    ]
+    return "\n".join(lines) + "\n" + scenarios

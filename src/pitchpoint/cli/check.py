@@ -35,7 +35,7 @@ FREEDOMS = {
     help="Compute the torques of loads with torque: balance for every scenario.",
 )
 @click.option("--scenario", "-s", metavar="NAME", help="Scenario of the power flow; default: all.")
-@writes("--drawing", help="Draw the gearbox in section and along its axes (svg, html, png).")
+@writes("--drawing", help="Draw the gearbox in section and along its axes (svg, html, png, pdf).")
 @set_option
 @common
 def check(

@@ -92,6 +92,11 @@ UNDER_LOAD = ("misalignment", "center_distance")
 @writes(
     "-o", "--output", "--out", help="Result file (netCDF-4/HDF5), or page with plots (.html); default: none."
 )
+@click.option(
+    "--load-cases",
+    is_flag=True,
+    help="Analyse all load cases of the file in turn; files get the name of the load case.",
+)
 @set_option
 @common
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
@@ -105,10 +110,51 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     from pitchpoint.cli.contact_output import print_meshes, print_torques
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
+    from pitchpoint.cli.vary import load_cases_in
+
+    model = read_model(file, allow_code, quiet)
+    every = load_cases_in(file) if options.pop("load_cases") else None
+    summaries, code = {}, OK
+    for case in every or [""]:
+        own = model.replace("load_case", case) if case else model
+        given = {**options, **{key: of_case(options[key], case) for key in ("output", "picture")}}
+        summary, error, meshes = analysed(own, file, given, quiet=quiet)
+        code = code if error is None else exit_code_of(error)
+        summaries[case] = summary
+        title = (model.title or file) + (f", {case}" if case else "")
+        if as_json or quiet and given["output"] is not None and error is None:
+            pass  # the file contains everything
+        elif summary.get("torque"):
+            print_torques(f"{title}: contact of {meshes[0]}", summary, quiet=quiet)
+        elif summary.get("meshes"):
+            print_meshes(f"{title}: contact of all meshes", summary, quiet=quiet)
+    if as_json:
+        emit_json(summaries[""] if every is None else {"load_cases": summaries})
+    return code
+
+
+def of_case(path: str | None, case: str) -> str | None:
+    """File name of a load case.
+
+    Examples
+    --------
+    >>> of_case("contact.h5", "rated"), of_case("contact.h5", ""), of_case(None, "rated")
+    ('contact-rated.h5', 'contact.h5', None)
+    """
+    from pathlib import Path
+
+    if path is None or not case:
+        return path
+    return str(Path(path).with_name(f"{Path(path).stem}-{case}{Path(path).suffix}"))
+
+
+def analysed(
+    model: Model, file: str, options: dict[str, Any], *, quiet: bool
+) -> tuple[dict[str, Any], BaseException | None, tuple[str, ...]]:
+    """Check the options against a model and analyse its contacts: summary, failure, analysed meshes."""
     from pitchpoint.cli.results import result_path, unless_it_cannot_begin
     from pitchpoint.report.figure_picture import check_picture
 
-    model = read_model(file, allow_code, quiet)
     if options["shafts"]:
         refuse_fixed(model, options)
         meshes = meshes_on_shafts(model, options)
@@ -139,16 +185,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, file, meshes, target, options, quiet=quiet), empty
     )
-    title = model.title or file
-    if as_json:
-        emit_json(summary)
-    elif quiet and target is not None and error is None:
-        pass  # the file contains everything
-    elif summary.get("torque"):
-        print_torques(f"{title}: contact of {meshes[0]}", summary, quiet=quiet)
-    elif summary.get("meshes"):
-        print_meshes(f"{title}: contact of all meshes", summary, quiet=quiet)
-    return OK if error is None else exit_code_of(error)
+    return summary, error, meshes
 
 
 def compute(

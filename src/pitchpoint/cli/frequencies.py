@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -62,6 +62,7 @@ def frequencies(
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.model.load_cases import speeds_in_effect
+    from pitchpoint.model.scenario import Scenario
     from pitchpoint.report.frequencies import (
         frequencies_of,
         scenario_speeds,
@@ -74,17 +75,16 @@ def frequencies(
     speeds = dict(given) or ({} if scenario is not None else speeds_in_effect(model))
     if given and scenario is not None:
         raise click.UsageError("--speed replaces a scenario; omit one of the two")
-    driven: Collection[str] = ()
-    held: Sequence[str] = ()
+    chosen = Scenario()
     if not speeds:
         scenario = _scenario(model, scenario)
         speeds, remarks = scenario_speeds(model, scenario)
-        driven, held = model.scenarios[scenario].drive, model.scenarios[scenario].hold
-    spins = turning_speeds(model, speeds, driven=driven, held=held)
+        chosen = model.scenarios[scenario]
+    spins = turning_speeds(model, speeds, chosen)
     if not any(spins.values()):
         where = f"scenario {scenario}: nothing rotates" if scenario else "nothing rotates"
         raise click.UsageError(f"{where}; give a speed, such as --speed {next(iter(model.bodies))}=1500rpm")
-    remarks += undetermined_speeds(model, [*speeds, *held])
+    remarks += undetermined_speeds(model, [*speeds, *chosen.hold], chosen.engaged)
     found = {"scenario": scenario, **frequencies_of(model, spins), "remarks": remarks}
     if as_json:
         emit_json(found)

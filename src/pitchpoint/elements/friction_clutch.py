@@ -9,6 +9,8 @@ REGULARISED  T = -C g(w) S(w/v_eps), S the smooth sign: simple, but creeps inste
 BRISTLE      T = -C (y + sigma y'), y' as in `pitchpoint.contact.bristle`: elastic until it slips, so that it
              sticks without creep. The deflection y is relative to the capacity, so an opening clutch releases
              its torque.
+LOCKED       T = -C k (u - u0 + sigma u'), u the angle between the bodies: a bristle that does not yield, as a
+             spring of stiffness C k, for `solvers.locked_clutches`.
 
 Body k is the hidden torsional body of polar inertia 1 kg m^2 on ground with the spin rate y (ground if the
 law is REGULARISED).
@@ -24,7 +26,7 @@ from pitchpoint.contact.bristle import bristle_rate, stribeck
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import CLUTCH, FRAME, FREE, WITH_STATE, Kind, Power
+from pitchpoint.elements.kind import CLUTCH, FRAME, FREE, TOGETHER, WITH_STATE, Kind, Power
 from pitchpoint.elements.signal import SIGNAL, signal
 from pitchpoint.elements.torsion import (
     add_torque,
@@ -41,19 +43,20 @@ from pitchpoint.multibody.channels import bounded, events, frame_args, observati
 TWO_PI = 6.283185307179586
 STILL = 1e-3
 """Reverse slip over `v_eps` without a reversal event: hides round-off of a sticking clutch."""
-REGULARISED, BRISTLE = 0, 1
+REGULARISED, BRISTLE, LOCKED = 0, 1, 2
 
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
     + SIGNAL  # torque capacity at fast sliding, >= 0 [N m]
     + [
-        ("sticking", "i8"),  # REGULARISED or BRISTLE
+        ("sticking", "i8"),  # REGULARISED, BRISTLE or LOCKED
         ("ratio", "f8"),  # static over dynamic friction, >= 1
         ("v_s", "f8"),  # Stribeck speed [rad/s]
         ("v_eps", "f8"),  # REGULARISED: speed of full friction [rad/s]
         ("stiffness", "f8"),  # BRISTLE: torque per angle before slip over capacity [1/rad]
         ("onset", "f8"),  # BRISTLE: fraction of the capacity below which there is no slip, < 1
+        ("u0", "f8"),  # LOCKED: angle at zero torque [rad]
         ("sigma", "f8"),  # BRISTLE: damping of the bristles over the stiffness, as a time [s]
         ("ev", "i8"),
         ("out", "i8"),
@@ -108,6 +111,7 @@ def friction_clutch(rec, ctl, fr, kk):
         hidden = fr[b["k"]]
         n = spin_axis(hidden)
         by_state = 0.0
+        part_by_angle = 0.0
         rate_by_state = 0.0
         rate_by_speed = 0.0
         if b["sticking"] == BRISTLE:
@@ -120,6 +124,10 @@ def friction_clutch(rec, ctl, fr, kk):
             part = -(y + b["sigma"] * rate)
             by_state = -capacity * (1.0 + b["sigma"] * rate_by_state)
             part_by_speed = -b["sigma"] * rate_by_speed
+        elif b["sticking"] == LOCKED:
+            part = -b["stiffness"] * (rest - b["u0"] + TWO_PI * turns + b["sigma"] * speed)
+            part_by_angle = -b["stiffness"]
+            part_by_speed = -b["stiffness"] * b["sigma"]
         else:
             sign, rise = coulomb(speed, b["v_eps"])
             part = -steady * sign
@@ -128,7 +136,8 @@ def friction_clutch(rec, ctl, fr, kk):
         add_torque(f, g, m, torque)
         if c["jac"] != 0:
             over_speed = by_speed * part + capacity * part_by_speed
-            torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle * part, over_speed)
+            over_angle = by_angle * part + capacity * part_by_angle
+            torque_tangent(b, f, g, kk, ctl, m, sense, torque, over_angle, over_speed)
             if b["sticking"] == BRISTLE:
                 state_tangent(b, f, g, kk, ctl, m, sense, n, (by_state, rate_by_state, rate_by_speed))
         if c["ev"] != 0:
@@ -156,6 +165,11 @@ def entry(ctl, rec, n):
     return friction_clutch(view(rec, n, RECORD), c, fr, kk)
 
 
+def _spins(record: np.void) -> str:
+    """Locked, it couples the rotations of its bodies."""
+    return TOGETHER if record["sticking"] == LOCKED else FREE
+
+
 KIND = Kind(
     name="friction_clutch",
     channel=FRAME,
@@ -165,7 +179,7 @@ KIND = Kind(
     pairs=WITH_STATE,
     events=EVENTS,
     role=CLUTCH,
-    spins=FREE,
+    spins=_spins,
     sections={"clutches": "discs"},
     power=Power("torque[{}]", loss="friction"),
 )

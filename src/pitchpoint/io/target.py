@@ -87,10 +87,17 @@ def _is_animation(_: Path, head: bytes) -> bool:
     return head.startswith(b'{"about": "motion: mode, frame') or head[30:40] == b"bodies.npy"
 
 
+def _is_pdf(_: Path, head: bytes) -> bool:
+    """Identify a PDF file by its title."""
+    return head.startswith(b"%PDF") and f"/Title ({PDF_TITLE})".encode() in head
+
+
 def _is_png(_: Path, head: bytes) -> bool:
     return head.startswith(b"\x89PNG") and PNG_MARK in head
 
 
+PDF_TITLE = "pitchpoint"
+"""Title of PDF files."""
 PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
@@ -125,6 +132,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "png": ("a picture of pitchpoint (PNG)", _is_png),
+    "pdf": ("a drawing of pitchpoint (PDF)", _is_pdf),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
     "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),

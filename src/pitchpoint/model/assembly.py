@@ -61,6 +61,10 @@ def _pairs(parts: Parts, report: Reader) -> None:
             check_pair(parts, name, mesh, report)
 
 
+LINKS = ("meshes", "couplings", "bodies", "gears", "joints")
+"""Sections of components that locate bodies."""
+
+
 # --- positions of bodies ------------------------------------------------------------------------------------
 def _places(parts: Parts, report: Reader) -> None:
     """Locate bodies: given positions first, then along joints, meshes and couplings, breadth first."""
@@ -79,6 +83,8 @@ def _places(parts: Parts, report: Reader) -> None:
     if not all_linked_known(parts, report):
         return
     for name, body in parts.bodies.items():
+        if body.of_housing and ("housing",) in report.tainted:
+            continue
         if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
@@ -119,12 +125,12 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
 
 def all_linked_known(parts: Parts, report: Reader) -> bool:
     """Whether all links are readable and valid, so that a missing position is not a consequential error."""
-    if parts.misshapen:
-        return False
-    groups = ("meshes", "couplings", "bodies", "gears", "joints")
-    return all(set(getattr(parts, g)) == parts.known(g) for g in groups) and not any(
-        (g,) in report.tainted for g in groups
-    )
+    return all_links_read(parts) and not any((g,) in report.tainted for g in LINKS)
+
+
+def all_links_read(parts: Parts) -> bool:
+    """Whether all components that locate bodies could be read."""
+    return not parts.misshapen and all(set(getattr(parts, g)) == parts.known(g) for g in LINKS)
 
 
 def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
@@ -189,6 +195,9 @@ def _widths(parts: Parts, report: Reader) -> None:
         low = max(m - h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
         high = min(m + h for m, h in zip(middle, half, strict=True))  # type: ignore[operator]
         if high <= low:
+            bodies = {parts.body_of(g) for g in mesh.gears}
+            if bodies & parts.placed.keys() and not all_links_read(parts):
+                continue  # the link that locates them may be one of those that cannot be read
             report.problem(
                 ("meshes", name, "gears"),
                 f"do not overlap axially; the gap between their faces is {1e3 * (low - high):.6g} mm",

@@ -173,7 +173,7 @@ _KEYS: dict[type, dict[str, Key]] = {}
 _DEFAULTS: dict[type, dict[str, Any]] = {}
 
 
-def remedy_for_key(name: object, allowed: Iterable[str]) -> tuple[str | None, str]:
+def remedy_for_key(name: object, allowed: Iterable[str], *, cut: bool = False) -> tuple[str | None, str]:
     """Key that an unknown one probably means, None if no name is similar, and the remedy for a message.
 
     Parameters
@@ -182,6 +182,8 @@ def remedy_for_key(name: object, allowed: Iterable[str]) -> tuple[str | None, st
         Unknown key.
     allowed
         Names of the keys, or a mapping of names to keys, whose other names are compared too.
+    cut
+        Whether the key has no value, as the rest of a text after a comma within {...}.
 
     Examples
     --------
@@ -194,7 +196,8 @@ def remedy_for_key(name: object, allowed: Iterable[str]) -> tuple[str | None, st
         meaning = {other: key for key in keys for other in getattr(allowed[key], "also", ())} | meaning
     exact = [str(name)] if str(name) in meaning else []  # d and D are different symbols
     near = next((meaning[found] for found in exact or nearest(name, meaning)), None)
-    return near, f"{f'did you mean {near}? ' if near else ''}allowed are {', '.join(keys)}"
+    quotes = "; within {...} a text with commas needs quotes" if cut and not near and " " in str(name) else ""
+    return near, f"{f'did you mean {near}? ' if near else ''}allowed are {', '.join(keys)}{quotes}"
 
 
 def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:

@@ -6,10 +6,12 @@ Loads and scenarios with the values of a load case keep the component as given, 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.references import speed_as_written
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
@@ -33,12 +35,13 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
     """Check all load cases, and put the values of the one in effect into loads and scenarios."""
     for name, case in parts.load_cases.items():
         _check(parts, name, case, report)
+    _check_times(parts, report)
     shares = {n: c.load_duration_fraction for n, c in parts.load_cases.items()}
     total = sum(share for share in shares.values() if share is not None)
     if total > 1.0 + ROUNDING:
         report.problem(
             (SECTION,),
-            "have shares of the time of more than 100 % together",
+            "is the sum of the shares of the time",
             value=f"{100.0 * total:.6g} %",
             limit="100 %",
             remedy="correct load_duration_fraction",
@@ -67,6 +70,34 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
             parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
 
 
+def _check_times(parts: Parts, report: Reader) -> None:
+    """Check that all load cases with a share of the time give it in the same way."""
+    timed = [name for name, case in parts.load_cases.items() if case.load_duration is not None]
+    for name, case in parts.load_cases.items():
+        if timed and case.load_duration_fraction is not None:
+            report.problem(
+                (SECTION, name, "load_duration_fraction"),
+                f"is a share of the time, and {timed[0]} has a load_duration",
+                remedy="give load_duration of all load cases, or load_duration_fraction of all",
+            )
+
+
+def shares_of_time(cases: Mapping[str, LoadCase]) -> dict[str, float | None]:
+    """Share of the time of every load case; from `load_duration` that of the sum of all.
+
+    Examples
+    --------
+    >>> from pitchpoint import LoadCase
+    >>> shares_of_time({"rated": LoadCase(load_duration="6000 h"), "peak": LoadCase(load_duration="2000 h")})
+    {'rated': 0.75, 'peak': 0.25}
+    """
+    total = sum(case.load_duration or 0.0 for case in cases.values())
+    return {
+        name: case.load_duration_fraction if case.load_duration is None else case.load_duration / total
+        for name, case in cases.items()
+    }
+
+
 def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:
     """Check the names and values of one load case."""
     at: Place = (SECTION, name)
@@ -93,8 +124,8 @@ def _check(parts: Parts, name: str, case: LoadCase, report: Reader) -> None:
         report.problem(
             (*at, "speed", body),
             "contradicts the other speeds and the gear ratios",
-            value=f"{case.speed[body]:.6g} rad/s",
-            limit=f"{right:.6g} rad/s",
+            value=speed_as_written(case.speed[body], (*at, "speed", body), report),
+            limit=speed_as_written(right, (*at, "speed", body), report),
             remedy="give one speed of each gear train",
         )
     for load, change in case.loads.items():
@@ -108,7 +139,7 @@ def _check_load(parts: Parts, at: Place, change: CaseLoad, speeds: dict[str, flo
     elif change.torque is None and change.power is None and change.force is None:
         report.problem(at, "gives neither torque nor power nor force", remedy="give one, or remove it")
     part = parts.loads.get(str(at[-1]))
-    if change.power is None or part is None:
+    if change.power is None or part is None or split(part.body)[0] not in parts.bodies:
         return
     if not speeds.get(split(part.body)[0]):
         report.problem(

@@ -329,7 +329,7 @@ class Model(Contents):
         All stations of a shaft start with its speed.
         """
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
-        found = start_speeds(self._parts(), chosen.speed, chosen.hold)[0]
+        found = start_speeds(self._parts(), chosen.speed, chosen.hold, chosen.engaged)[0]
         for name, places in self.stations.items():
             found |= dict.fromkeys(station_names(name, len(places)), found[name])
         return found

@@ -122,7 +122,7 @@ class Drive(Component):
 class Sweep(Component):
     """Speed sweep: each point starts from the final state of the previous one; give one of the two ranges."""
 
-    body: str = text("body whose speed is swept")
+    body: str = text("body whose speed is swept; one without gears has the meshes of the body coupled to it")
     mesh_frequency: tuple[float, float] | None = quantities(
         "frequency",
         "lowest and highest mesh frequency, in positive rotation",
@@ -189,6 +189,14 @@ class Scenario(Component):
         "equilibrium",
     )
     hold: tuple[str, ...] = key("names", "bodies whose speed is kept constant at its initial value", ())
+    engaged: tuple[str, ...] | None = key(
+        "names",
+        "clutches and brakes that are engaged, all others are open; their bodies start with the same speed, "
+        "those of brakes at rest",
+        None,
+        display="by their capacities",
+        later=True,
+    )
     duration: float | None = positive("time", "duration of the time response; required without sweep", None)
     sample_rate: float | None = positive(
         "frequency",

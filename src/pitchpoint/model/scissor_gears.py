@@ -114,7 +114,9 @@ def _check_body(parts: Parts, name: str, scissor: ScissorGear, body: str, report
             limit="a gear on a shaft, or on a body with motion: torsion, planar or free",
             remedy="write the free half as a gear and a body of its own with a torsion spring",
         )
-    elif motion != "torsion" and scissor.hub_stiffness is None:
+    elif (
+        motion != "torsion" and scissor.hub_stiffness is None and (*at, "hub_stiffness") not in report.tainted
+    ):
         report.problem(
             (*at, "hub_stiffness"),
             f"is missing: {body} moves sideways, and the hub guides the free half",

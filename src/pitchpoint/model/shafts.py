@@ -117,8 +117,16 @@ def check_shaft_places(parts: Parts, report: Reader) -> None:
                 f"is not a position on the shaft {name}",
                 value=in_mm(place),
                 limit=f"0 to {in_mm(shaft.length)} from its start",
-                remedy="positions are measured from the start of the first section",
+                remedy="positions are measured from the start of the first section"
+                + _of_default(parts, at, report),
             )
+
+
+def _of_default(parts: Parts, at: Place, report: Reader) -> str:
+    """Remark on a coupling without position, which is at the origin of its first body."""
+    if at[0] != "couplings" or report.line(at) is not None and report.line(at) != report.line(at[:2]):
+        return ""
+    return f"; a coupling without position is at the origin of {parts.couplings[str(at[1])].bodies[0]}"
 
 
 def on_shaft(shaft: Shaft, place: float) -> bool:

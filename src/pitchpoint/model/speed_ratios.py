@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.carried_trains import carried_speeds, has_carriers
+from pitchpoint.model.engagement import Engaged, engaged_brakes, engaged_links
 from pitchpoint.model.frames import bodies_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mechanism import coordinate, same_base
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 SPEED_TOLERANCE = 1e-6
 """Relative tolerance of given speeds from the gear ratio."""
+
+AXIAL = ("couplings", "torsion_springs", "bushings")
+"""Sections with links of equal mean speeds."""
 
 Link = tuple[Place, str, str, float]
 """Path of a mesh or coupling, its two bodies, speed of the second over speed of the first."""
@@ -121,7 +125,7 @@ def fixed_bodies(parts: Parts) -> set[str]:
 
 
 def start_speeds(
-    parts: Parts, given: Mapping[str, float], held: Sequence[str] = ()
+    parts: Parts, given: Mapping[str, float], held: Sequence[str] = (), engaged: Engaged = None
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
     """Initial speeds of all bodies, and given speeds that contradict others.
 
@@ -133,6 +137,8 @@ def start_speeds(
         Speeds of some bodies [rad/s].
     held
         Bodies whose speed a scenario keeps constant.
+    engaged
+        Clutches and brakes that a scenario engages: bodies of equal speed, bodies at rest.
 
     Returns
     -------
@@ -141,11 +147,17 @@ def start_speeds(
         whose speed does not follow from the given ones; and (body, consistent speed) for each given speed
         that contradicts an earlier one.
     """
-    if has_carriers(parts, joined := links_of(parts)):
-        return carried_speeds(parts, joined, given, [*supported_bodies(parts), *held], SPEED_TOLERANCE)
+    if has_carriers(parts, joined := links_of(parts)) or engaged:
+        still = engaged_brakes(parts, engaged)
+        free = {body: speed for body, speed in given.items() if body not in still}
+        joined += engaged_links(parts, engaged)
+        resting = [*supported_bodies(parts, engaged), *held]
+        speeds, wrong = carried_speeds(
+            parts, joined, dict.fromkeys(still, 0.0) | free, resting, SPEED_TOLERANCE
+        )
+        return speeds, wrong + [(body, 0.0) for body in still if given.get(body)]
     links = ratios(parts)
-    speeds: dict[str, float] = {}
-    wrong = []
+    speeds, wrong = {}, []
     for name, value in given.items():
         if name in speeds:
             if abs(speeds[name] - value) > SPEED_TOLERANCE * max(abs(value), abs(speeds[name])):
@@ -163,8 +175,29 @@ def start_speeds(
     return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
+def geared_body(parts: Parts, body: str) -> str | None:
+    """The body if it has a gear in mesh, else the nearest one through couplings; None without one."""
+    found, queue = {body}, deque([body])
+    joints = [(one, two) for place, one, two, _ in links_of(parts) if place[0] in AXIAL]
+    while queue:
+        here = queue.popleft()
+        if _own_meshes(parts, here):
+            return here
+        for ends in joints:
+            if here in ends and (there := ends[1 - ends.index(here)]) not in found:
+                found.add(there)
+                queue.append(there)
+    return None
+
+
 def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
-    """Meshes of a body with its number of teeth in each of them."""
+    """Meshes of a body with its number of teeth in each of them; without gears those of its coupled body."""
+    geared = geared_body(parts, body)
+    return {} if geared is None else _own_meshes(parts, geared)
+
+
+def _own_meshes(parts: Parts, body: str) -> dict[str, int]:
+    """Meshes of the gears of a body with their numbers of teeth."""
     return {
         name: gears[g].number_of_teeth
         for meshes, gears, own in (

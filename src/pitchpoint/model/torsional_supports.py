@@ -15,6 +15,7 @@ import numpy as np
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
+from pitchpoint.model.engagement import Engaged, braked_body, is_open
 from pitchpoint.model.frames import GROUND, axes_of, bodies_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 
@@ -29,11 +30,11 @@ SAME = 1e-9
 """Relative stiffness, deviation of a cosine from one, and distance [m] that count as zero."""
 
 
-def supported_bodies(parts: Parts) -> list[str]:
+def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
     """Bodies that are supported in rotation by a stiffness to a fixed body or by a closed brake, brakes last.
 
-    Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness; brakes that are
-    closed at t = 0.
+    Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness, supports of
+    a flexible rim in tangential direction; brakes that are closed at t = 0, or those of `engaged`.
     """
     springs = parts.torsion_springs.values()
     found = [bodies_of(s.bodies)[0] for s in springs if len(s.bodies) == 1 and s.stiffness > 0.0]
@@ -45,13 +46,18 @@ def supported_bodies(parts: Parts) -> list[str]:
         stiff = bearing.stiffness.matrix6()[5][5] > 0.0 and play(bearing.faults.values()) == 0.0
         if stiff and bearing.housing in (None, GROUND):
             found.append(bearing.body)
+    for name, gear in parts.gears.items():
+        rim = getattr(gear, "flexible_rim", None)
+        owner = parts.body_of(name)
+        if owner and rim is not None and rim.supports is not None and rim.supports.tangential > 0.0:
+            found.append(owner)
     for bushing in parts.bushings.values():
         body = _held(parts, [split(end)[0] for end in bushing.ends])
         if body is not None and _resists(parts, bushing, body):
             found.append(body)
-    for clutch in parts.clutches.values():
-        body = _held(parts, [*bodies_of(clutch.bodies), GROUND][:2])
-        if body is not None and _closed_at_start(clutch.capacity):
+    for name, clutch in parts.clutches.items():
+        body = braked_body(parts, clutch)
+        if body is not None and closed_at_start(clutch.capacity) and not is_open(name, clutch, engaged):
             found.append(body)
     return list(dict.fromkeys(body for body in found if body in parts.bodies))
 
@@ -105,8 +111,8 @@ def _resists(parts: Parts, bushing: Bushing, body: str) -> bool:
     return bool(np.abs(force).max() > SAME * np.abs(K).max(initial=0.0))
 
 
-def _closed_at_start(capacity: Law) -> bool:
-    """Whether a brake has a capacity at t = 0; assumed for a Python function."""
+def closed_at_start(capacity: Law) -> bool:
+    """Whether a clutch or brake has a capacity at t = 0; assumed for a Python function."""
     if isinstance(capacity, Constant):
         return capacity.value > 0.0
     if isinstance(capacity, TableLaw):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SVG drawings as files: SVG and HTML pages directly, PNG with the browser of the system."""
+"""SVG drawings as files: SVG and HTML pages directly, PNG and PDF with the browser of the system."""
 
 from __future__ import annotations
 
@@ -7,11 +7,17 @@ import os
 import re
 from collections.abc import Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.report.figure_picture import KINDS, browser_program, marked_png
 from pitchpoint.report.film import FLAGS
 
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+FORMATS = {**KINDS, ".pdf": "pdf"}
+"""Kinds of files of drawings by their extensions, see `io.target`."""
 SCALE = 2
 """Pixels of a PNG per pixel of the drawing."""
 
@@ -22,14 +28,14 @@ def check_drawing(path: str | os.PathLike[str], inputs: Iterable[str | os.PathLi
     Parameters
     ----------
     path
-        File to write: svg, html or png.
+        File to write: svg, html, png or pdf.
     inputs
         Input files of the same command.
 
     Raises
     ------
     PitchpointError
-        If the extension is another one, or the browser for PNG is missing.
+        If the extension is another one, or the browser for PNG and PDF is missing.
     OutputError
         If the file must not be replaced, see `io.target.check_target`.
     """
@@ -37,10 +43,10 @@ def check_drawing(path: str | os.PathLike[str], inputs: Iterable[str | os.PathLi
 
     target = Path(path)
     kind = target.suffix.lower()
-    if kind not in KINDS:
-        raise PitchpointError(f"{target.name} has no extension of a drawing; use .svg, .html or .png")
-    check_target(target, KINDS[kind], inputs)
-    if kind == ".png":
+    if kind not in FORMATS:
+        raise PitchpointError(f"{target.name} has no extension of a drawing; use .svg, .html, .png or .pdf")
+    check_target(target, FORMATS[kind], inputs)
+    if kind in (".png", ".pdf"):
         browser_program(kind)
     return target
 
@@ -68,14 +74,17 @@ def write_drawing(target: Path, drawing: str) -> Path:
     if kind == ".html":
         head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
         return write_file(target, f"{head}<body>{drawing}</body></html>")
-    return write_file(target, marked_png(_png(drawing)))
+    made = _browsed(drawing, kind)
+    return write_file(target, marked_png(made) if kind == ".png" else made)
 
 
-def _png(drawing: str) -> bytes:
-    """Picture of a drawing in its own size."""
+def _browsed(drawing: str, kind: str) -> bytes:
+    """Picture, or vector drawing on one page, in the size of the drawing."""
     from playwright.sync_api import Error, sync_playwright
 
-    program = browser_program(".png")
+    from pitchpoint.io.target import PDF_TITLE
+
+    program = browser_program(kind)
     size = re.search(r'viewBox="0 0 (\d+) (\d+)"', drawing)
     width, height = (int(x) for x in size.groups()) if size else (1000, 1000)
     root = hasattr(os, "geteuid") and os.geteuid() == 0
@@ -87,9 +96,21 @@ def _png(drawing: str) -> bytes:
             page = browser.new_page(
                 viewport={"width": width, "height": height}, device_scale_factor=SCALE, color_scheme="light"
             )
-            page.set_content(f'<!DOCTYPE html><body style="margin:0">{drawing}</body>')
-            made = page.screenshot(clip={"x": 0, "y": 0, "width": width, "height": height})
+            page.set_content(
+                f"<!DOCTYPE html><title>{PDF_TITLE}</title>"
+                f"<style>@page{{margin:0;size:{width}px {height}px}}</style>"
+                f'<body style="margin:0">{drawing}</body>'
+            )
+            made = _taken(page, kind, width, height)
             browser.close()
     except Error as error:
         raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
     return made
+
+
+def _taken(page: Page, kind: str, width: int, height: int) -> bytes:
+    """Contents of the file of a page."""
+    if kind == ".png":
+        return page.screenshot(clip={"x": 0, "y": 0, "width": width, "height": height})
+    page.emulate_media(media="screen", color_scheme="light")
+    return page.pdf(prefer_css_page_size=True, print_background=True, page_ranges="1")

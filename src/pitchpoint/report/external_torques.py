@@ -5,22 +5,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from pitchpoint.core.units import format_quantity
 from pitchpoint.core.words import ranges
 from pitchpoint.model.components.actuator import TorqueActuator
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, Law, PythonLaw, TableLaw
+from pitchpoint.model.engagement import braked_body, engaged_brakes, is_open
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.mechanism import coordinate
-from pitchpoint.model.torque_balance import External
+from pitchpoint.model.torque_balance import SAME, External
 from pitchpoint.report.scissor_gears import scissors_of_model
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.speed_ratios import Link
+    from pitchpoint.model.torque_balance import TorqueBalance
 
 REVOLUTIONS, SAMPLES = 12, 8640
 """Revolutions of a mean over an angle, whole periods of orders 1/2, 1/3, 1/4 and 1/6; and its instants."""
@@ -76,22 +79,47 @@ def external_torques(
         found.append(External(("torsion_springs", name), name, row["spring_torque"], row["body"]))
     sticking: list[Link] = []
     for name, clutch in model.clutches.items():
-        if clutch.stage is not None:  # between halves at rest to each other
+        # of a scissor gear: between halves at rest to each other
+        if clutch.stage is not None or is_open(name, clutch, scenario.engaged):
             continue
         bodies = [split(end)[0] for end in (*clutch.bodies, GROUND)][:2]
         slip = speeds.get(bodies[0], 0.0) - speeds.get(bodies[1], 0.0)
         capacity, words = mean_torque(clutch.capacity, scenario, slip)
-        if slip:
+        if capacity == 0.0:
+            continue
+        if abs(slip) > SAME * max(map(abs, speeds.values()), default=0.0):
             torque = None if capacity is None else -math.copysign(capacity, slip)
             found.append(External(("clutches", name), bodies[0], torque, bodies[1]))
             remarks += [f"{name}: slips; {words}" if words else f"{name}: slips"]
-        elif capacity != 0.0 and GROUND not in bodies:
+        elif braked_body(machine, clutch) is None:
             sticking.append((("clutches", name), bodies[0], bodies[1], 1.0))
     moved = {one.body for one in found if one.name[0] in ("drive", "hold")}
-    for body in supported_bodies(machine):
+    brakes = engaged_brakes(machine, scenario.engaged)
+    found += [External(("clutches", brake), body) for body, brake in brakes.items() if body not in moved]
+    moved |= {*brakes}
+    for body in supported_bodies(machine, scenario.engaged):
         if speeds.get(body, 0.0) == 0.0 and body not in moved:
             found.append(External(("support", body), body))
     return found, sticking, remarks
+
+
+def overloaded_clutches(model: Model, scenario: Scenario, balance: TorqueBalance) -> list[str]:
+    """Remarks on engaged clutches and brakes that transmit more than their capacity, and therefore slip."""
+    found = []
+    for name, clutch in model.clutches.items():
+        place = ("clutches", name)
+        if place in balance.links:
+            torque = abs(balance.links[place].torques[0])
+        elif name in engaged_brakes(cast(Any, model), scenario.engaged).values():
+            torque = abs(balance.external[place])
+        else:
+            continue
+        capacity, _ = mean_torque(clutch.capacity, scenario, 0.0)
+        limit = math.inf if capacity is None else capacity * clutch.static_ratio
+        if torque > limit * (1.0 + SAME):
+            words = [format_quantity(t, "torque", 5) for t in (torque, limit)]
+            found.append(f"{name}: {words[0]} exceed its capacity of {words[1]}, so that it slips")
+    return found
 
 
 def mean_torque(law: Law, scenario: Scenario, speed: float) -> tuple[float | None, str]:

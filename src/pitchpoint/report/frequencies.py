@@ -7,7 +7,7 @@ Frequencies are in Hz, speeds in rad/s relative to the inertial frame; the formu
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -17,13 +17,15 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
 from pitchpoint.core.words import listed
 from pitchpoint.model.components.gear import Gear
-from pitchpoint.model.frames import GROUND
+from pitchpoint.model.engagement import engaged_brakes, engaged_links
+from pitchpoint.model.frames import GROUND, bodies_of
 from pitchpoint.report.planets import Array, mesh_phases, planet_angles
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear
+    from pitchpoint.model.engagement import Engaged
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Drive
+    from pitchpoint.model.scenario import Drive, Scenario
 
 EQUAL = 0.1
 """Tolerance of equally spaced planets: part of the angle between places where the teeth of a planet fit. That
@@ -85,7 +87,7 @@ def _at_end(drive: Drive, end: float) -> float | None:
 
 
 def turning_speeds(
-    model: Model, given: Mapping[str, float], *, driven: Collection[str] = (), held: Sequence[str] = ()
+    model: Model, given: Mapping[str, float], scenario: Scenario | None = None
 ) -> dict[str, float]:
     """Speeds of all bodies relative to their parents [rad/s], from given ones through meshes and couplings.
 
@@ -95,10 +97,9 @@ def turning_speeds(
         The model.
     given
         Speeds by body [rad/s].
-    driven
-        Bodies whose given speed may contradict the gear ratios; the ratios take precedence.
-    held
-        Bodies at rest if the given speeds permit it.
+    scenario
+        Its driven bodies may contradict the gear ratios, which take precedence; its held bodies are at rest
+        if the given speeds permit it; its engaged clutches are links.
 
     Raises
     ------
@@ -126,8 +127,11 @@ def turning_speeds(
             ]
     if problems:
         raise ModelError(problems)
-    spins, found = start_speeds(machine, given, held)
-    wrong = [(body, fitting) for body, fitting in found if body not in driven]
+    drive, held, engaged = (
+        ({}, (), None) if scenario is None else (scenario.drive, scenario.hold, scenario.engaged)
+    )
+    spins, found = start_speeds(machine, given, held, engaged)
+    wrong = [(body, fitting) for body, fitting in found if body not in drive]
     if wrong:
         raise ModelError(
             [
@@ -144,23 +148,27 @@ def turning_speeds(
     return spins
 
 
-def undetermined_speeds(model: Model, known: Collection[str]) -> list[str]:
-    """Remarks on bodies whose speeds do not follow from those that are known or held."""
+def undetermined_speeds(model: Model, known: Collection[str], engaged: Engaged = None) -> list[str]:
+    """Remarks on bodies whose speeds do not follow from those that are known or held, or from clutches."""
     from pitchpoint.model.carried_trains import has_carriers, undetermined
     from pitchpoint.model.speed_ratios import links_of
     from pitchpoint.model.torsional_supports import supported_bodies
 
     machine: Any = model
-    links = links_of(machine)
+    links = links_of(machine) + engaged_links(machine, engaged)
     if not has_carriers(machine, links):
         return []
-    loose = undetermined(machine, links, [*known, *supported_bodies(machine)])
+    still = [*engaged_brakes(machine, engaged), *supported_bodies(machine, engaged)]
+    loose = undetermined(machine, links, [*known, *still])
     own = [body for body in loose if model.bodies[body].stage is None]
-    if not own:
+    if not own or not known:
         return []
+    remedy = "give the speed of another member, or fix it"
+    if {body for clutch in model.clutches.values() for body in bodies_of(clutch.bodies)} & {*own}:
+        remedy += ", or name the clutches that are engaged in the scenario: engaged: [...]"
     return [
         f"the speeds of {listed(own)} do not follow from those of {listed(known)}: the smallest possible "
-        "speeds are shown; give the speed of another member, or fix it"
+        f"speeds are shown; {remedy}"
     ]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.model.load_cases import oil_of
+from pitchpoint.model.load_cases import oil_of, shares_of_time
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -29,6 +29,7 @@ def lubricant_facts(model: Model) -> dict[str, Any]:
 
 def load_case_facts(model: Model) -> dict[str, dict[str, Any]]:
     """Speeds, loads, temperature, share of the time of every load case, and whether it is in effect; SI."""
+    shares = shares_of_time(model.load_cases)
     return {
         name: {
             "speed": dict(case.speed),
@@ -37,7 +38,8 @@ def load_case_facts(model: Model) -> dict[str, dict[str, Any]]:
                 for load, change in case.loads.items()
             },
             "temperature": case.temperature,
-            "load_duration_fraction": case.load_duration_fraction,
+            "load_duration_fraction": shares[name],
+            "load_duration": case.load_duration,
             "in_effect": name == model.load_case,
         }
         for name, case in model.load_cases.items()

@@ -82,18 +82,18 @@ def static_power(model: Model, scenario: Scenario, name: str = "") -> dict[str, 
         If the speeds are not known or contradict each other.
     """
     from pitchpoint.model.torque_balance import torque_balance
-    from pitchpoint.report.external_torques import external_torques
-    from pitchpoint.report.frequencies import frequencies_of, turning_speeds
+    from pitchpoint.report.external_torques import external_torques, overloaded_clutches
+    from pitchpoint.report.frequencies import frequencies_of, turning_speeds, undetermined_speeds
 
     given, notes = _speeds(model, scenario, name)
-    spins = turning_speeds(model, given, driven=scenario.drive, held=scenario.hold)
+    spins = turning_speeds(model, given, scenario)
     external, sticking, remarks = external_torques(model, scenario, spins)
     machine: Any = model
     balance = torque_balance(machine, external, sticking)
     turns = any(spins.values())
     loaded = [each.body for each in external if balance.external[each.name]]
     if not turns and loaded:
-        spins = _unit_speeds(model, loaded[0], scenario.hold)
+        spins = _unit_speeds(model, loaded[0], scenario)
     rates = frequencies_of(model, spins)
     outer = _external(model, balance, external, spins)
     powers = [row["power"] for row in outer if row["power"] is not None]
@@ -110,7 +110,13 @@ def static_power(model: Model, scenario: Scenario, name: str = "") -> dict[str, 
         },
         "power_in": sum(p for p in powers if p > 0.0) if closed else None,
         "power_out": sum(-p for p in powers if p < 0.0) if closed else None,
-        "notes": [*notes, *remarks, *_notes(model, balance)],
+        "notes": [
+            *notes,
+            *undetermined_speeds(model, [*given, *scenario.hold], scenario.engaged),
+            *remarks,
+            *overloaded_clutches(model, scenario, balance),
+            *_notes(model, balance),
+        ],
     }
     return found if turns else _at_rest(found)
 
@@ -125,19 +131,19 @@ def _speeds(model: Model, scenario: Scenario, name: str) -> tuple[dict[str, floa
     if sweep is not None:
         speed = sweep.speed[1] if sweep.speed is not None else 0.0
         if sweep.mesh_frequency is not None:
-            rates = frequencies_of(model, _unit_speeds(model, sweep.body, scenario.hold))["meshes"]
+            rates = frequencies_of(model, _unit_speeds(model, sweep.body, scenario))["meshes"]
             speed = sweep.mesh_frequency[1] / rates[model.sweep_mesh(scenario)]["frequency"]
         given[sweep.body] = speed
         notes.append(f"{sweep.body}: highest speed of the sweep")
     return given, notes
 
 
-def _unit_speeds(model: Model, body: str, held: Sequence[str]) -> dict[str, float]:
-    """Speeds of all bodies at 1 rad/s of one of them and held ones at rest; all zero if it cannot rotate."""
+def _unit_speeds(model: Model, body: str, scenario: Scenario) -> dict[str, float]:
+    """Speeds of all bodies at 1 rad/s of one of them in a scenario; all zero if it cannot rotate."""
     from pitchpoint.report.frequencies import turning_speeds
 
     try:
-        return turning_speeds(model, {body: 1.0}, held=held)
+        return turning_speeds(model, {body: 1.0}, scenario)
     except ModelError:
         return dict.fromkeys(model.bodies, 0.0)
 

@@ -12,6 +12,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.words import ranges
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.viz.report.build import MeshCycleData
+
+
+IDLE = 1e-9
+"""Torque relative to the largest one up to which a mesh carries no load."""
 
 
 def with_rolls(
@@ -49,6 +54,10 @@ def with_rolls(
     found = dict(plain)
     notes: list[str] = []
     rolled, left = rolled_meshes(model, cycles)
+    idle = [name for name in rolled if name in idle_meshes(model, scenario)]
+    if idle:
+        rolled = [name for name in rolled if name not in idle]
+        notes.append(f"{ranges(idle)}: no slow roll, since they carry no load in this scenario.")
     try:
         if not rolled:
             return found, notes
@@ -109,6 +118,21 @@ def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:
 
     turning = [name for name in meshes if rolls(model, name)]
     return turning[:MAX_MESHES], len(turning[MAX_MESHES:])
+
+
+def idle_meshes(model: Model, scenario: Scenario | None) -> set[str]:
+    """Meshes without torque in a scenario in which others have one, such as the pairs of other gears."""
+    from pitchpoint.report.static_power import static_power
+
+    if scenario is None:
+        return set()
+    try:
+        links = static_power(model, replace(scenario, sweep=None))["links"]
+    except PitchpointError:
+        return set()
+    torques = {name: links[name]["torques"][0] for name in model.every_mesh if name in links}
+    largest = max((abs(t) for t in torques.values() if t), default=0.0)
+    return {name for name, t in torques.items() if t is not None and largest and abs(t) <= IDLE * largest}
 
 
 def rolls(model: Model, mesh: str) -> bool:

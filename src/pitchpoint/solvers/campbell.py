@@ -287,5 +287,5 @@ def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
     K_rest = K_rest + inertial_stiffness(system, state, at_rest, linear.rigid)
     parts = replace(linear.at_rest, M=M, K=K_rest)
-    basis = free_directions(system, state, linear.states)
+    basis = free_directions(system, state, system.states.tolist())
     return replace(linear, system=system, state=state, at_rest=parts, D=D, K=K, basis=basis)

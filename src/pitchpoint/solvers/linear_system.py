@@ -28,6 +28,7 @@ from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.load_orders import of_one_angle
+from pitchpoint.solvers.locked_clutches import overload_notes
 from pitchpoint.solvers.modes.sparse import lowest_modes, nearest_damped
 from pitchpoint.solvers.operating_point import OperatingPoint, scenario_named, steady_point
 from pitchpoint.solvers.position_dependence import changing
@@ -154,7 +155,7 @@ def linearise(
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
     loose = close_backlash(own, state)
-    notes = [*point.notes, *_of_one_position(own, state)]
+    notes = [*point.notes, *_of_one_position(own, state), *overload_notes(own, state)]
     if loose:
         notes.append(_of_assumed_flanks(loose))
         notes += _of_arbitrary_stiffness(own, loose)
@@ -163,8 +164,9 @@ def linearise(
     at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v, settled)
     D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, stopped, 0.0, 1.0, 0.0)
     K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, stopped, 0.0, 0.0, 1.0)
-    states = tuple(int(s) for s in own.states)
-    basis = free_directions(own, state, states)
+    basis = free_directions(own, state, own.states.tolist())
+    # those of locked clutches act on nothing
+    states = tuple(int(s) for s in own.states if D[s].any() or D[:, s].any() or K[s].any() or K[:, s].any())
     rigid = rigid_rotations(own)
     if state.v.any():
         at_rest = _turning(own, state, stopped, at_rest, rigid)

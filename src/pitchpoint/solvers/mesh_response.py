@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.core.words import ranges
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
@@ -26,6 +27,7 @@ from pitchpoint.solvers.inputs_outputs import check_names, find_inputs, find_out
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.mesh_excitation import mesh_excitation
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -34,6 +36,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+NO_LOAD = 1e-6
+"""Force of a mesh relative to the largest one that is the residual of an equilibrium."""
 RATES = {"displacement": 0, "velocity": 1, "acceleration": 2}
 """Powers of i omega of a motion."""
 
@@ -162,6 +166,13 @@ def find_mesh_response(
         raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
     outs = find_outputs(linear, displacements)
     excitations, notes = [], list(linear.notes)
+    values = evaluate.observe(linear.system, linear.state)
+    forces = {m: abs(float(values[linear.system.layout.channel(f"mesh_force[{m}]")])) for m in orders}
+    least = NO_LOAD * max(forces.values())
+    loaded = {m: order for m, order in orders.items() if m not in linear.flanks and forces[m] > least}
+    if loaded and len(loaded) < len(orders):  # such as idle pairs of a gearbox with several gears
+        notes.append(f"{ranges([m for m in orders if m not in loaded])}: without load, not an excitation")
+        orders = loaded
     for mesh in orders:
         excitations.append(mesh_excitation(system, scenario, linear, mesh, harmonics, points, along=rates))
         notes += [n for n in excitations[-1].notes if n not in notes]

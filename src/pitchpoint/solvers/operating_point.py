@@ -15,6 +15,7 @@ from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.load_cycle import LoadCycle
 from pitchpoint.solvers.load_orders import mean_loads
+from pitchpoint.solvers.locked_clutches import with_locked_clutches
 from pitchpoint.solvers.sweep_speeds import at_one_speed
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.system import State, System
@@ -79,7 +80,7 @@ def operating_point(
         If there is no equilibrium.
     """
     scenario = scenario_named(system, scenario)
-    own = system.copy()
+    own = with_locked_clutches(system.copy(), scenario or system.scenario)
     forget_contacts(own)
     held = held_spins(own)
     if own.model is None or start is not None:

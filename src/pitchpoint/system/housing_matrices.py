@@ -86,6 +86,7 @@ def housing_matrices(model: Model) -> Matrices:
     K = read[0]
     if K is not None:
         problems += _loose(model, K)
+        problems += _mass_of_rows(model, read[1])
     if problems or K is None:
         raise ModelError(problems, model.file)
     free = [
@@ -250,6 +251,27 @@ def _loose(model: Model, K: Array) -> list[Message]:
             )
         ]
     return []
+
+
+def _mass_of_rows(model: Model, M: Array | None) -> list[Message]:
+    """Problem of a mass matrix without mass in some direction."""
+    held = model.housing
+    assert isinstance(held, HousingMatrix)
+    if M is None:
+        return []
+    n = held.rows_per_node
+    masses = [float(M[k::n, k::n].sum()) for k in range(3)]
+    if min(masses) > ZERO * float(np.abs(M).max()):
+        return []
+    words = ", ".join(f"{mass:.4g} kg in {way}" for mass, way in zip(masses, "xyz", strict=True))
+    return [
+        Message(
+            f"{NAME}.mass_file",
+            f"has a mass of {words}",
+            limit="> 0",
+            remedy="check the file, which may be another matrix, its unit (kg) and the order of its rows",
+        )
+    ]
 
 
 def rigid_motions(places: Array, n: int) -> Array:

@@ -44,9 +44,9 @@ def deep_contacts(
 ) -> tuple[Message, ...]:
     """Notes on meshes whose flank penetration exceeds the possible deflection of teeth.
 
-    The penetration is the deflection beyond half the backlash at the centre distance of the model, on either
-    flank. Above a tenth of a module neither the tooth stiffness nor the undeformed path of contact is valid;
-    usually a load, a stiffness or a prescribed motion has a wrong unit or sign.
+    The penetration is that beyond the backlash at the actual centre distance, on either flank. Above a
+    tenth of a module neither the tooth stiffness nor the undeformed path of contact is valid; usually a
+    load, a stiffness or a prescribed motion has a wrong unit or sign.
 
     Parameters
     ----------
@@ -61,11 +61,10 @@ def deep_contacts(
     tables = list(statistics)
     found = []
     for name, mesh in model.every_mesh.items():
-        rows = [t[f"deflection[{name}]"] for t in tables if f"deflection[{name}]" in t]
-        reach = [abs(v) for row in rows for v in (row["min"], row["max"]) if math.isfinite(v)]
-        if not reach:
+        rows = [t[f"penetration[{name}]"]["max"] for t in tables if f"penetration[{name}]" in t]
+        if not (reach := [depth for depth in rows if math.isfinite(depth)]):
             continue
-        deepest = max(reach) - 0.5 * model.backlash(name)
+        deepest = max(reach)
         gear, at = model.toothed[mesh.gears[0]], f"{model.section_of(name)}.{name}"
         limit = DEEPEST * (gear.normal_module if isinstance(gear, Gear) else gear.geometry.m_mn)
         if deepest > limit:

@@ -93,7 +93,11 @@ def placed(
     return [found[k] for k in range(len(labels))]
 
 
-def search(labels: Sequence[tuple[Label, NDArray[np.float64]]], blocks: Sequence[Rectangle]) -> list[Label]:
+def search(
+    labels: Sequence[tuple[Label, NDArray[np.float64]]],
+    blocks: Sequence[Rectangle],
+    also: Sequence[Rectangle] = (),
+) -> list[Label]:
     """Labels moved in both directions to places nearby where they cover least.
 
     The cost of a place is the covered area of other labels and of blocks, and the distance from the preferred
@@ -105,6 +109,8 @@ def search(labels: Sequence[tuple[Label, NDArray[np.float64]]], blocks: Sequence
         Labels at their preferred places, and the points that they mark [pixels].
     blocks
         Rectangles to avoid.
+    also
+        Rectangles to avoid as other labels.
 
     Examples
     --------
@@ -115,7 +121,7 @@ def search(labels: Sequence[tuple[Label, NDArray[np.float64]]], blocks: Sequence
     steps = np.array([(x * WIDE_STEP, y * TALL_STEP) for x in range(-12, 13) for y in range(-14, 15)])
     avoided = np.array(list(blocks)).reshape(-1, 4)
     reach = steps.max(axis=0)
-    taken: list[Rectangle] = []
+    taken = list(also)
     found = []
     for label, _ in labels:
         left, top, right, bottom = label.box

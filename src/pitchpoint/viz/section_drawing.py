@@ -137,7 +137,7 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     parts += dims
     parts += _axis_names(view, level, names, height)
     labels, leaders = section_labels(
-        view, section, (view.left - AXIS_END, head, view.left + wide * scale + MARGIN)
+        view, section, (view.left - AXIS_END, head, view.left + wide * scale + AXIS_END)
     )
     parts += [*leaders, *(label.svg() for label in labels)]
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.viz import svg
-from pitchpoint.viz.label_placement import LINE, Label, Rectangle, common_area, search
+from pitchpoint.viz.label_placement import FAR, LINE, Label, Rectangle, common_area, search
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis
 
 Array = NDArray[np.float64]
@@ -25,6 +25,8 @@ BLOCKS = (
     *("shaft", "spindle"),
 )
 """Kinds of parts that labels avoid."""
+RANGE, LONG = " … ", 24
+"""Separator of the first and last name of a range, and the length [letters] from which it ends a line."""
 NAMES, OTHERS = "pp-name", "pp-sub"
 """Styles of the names of gears and carriers, and of all others."""
 
@@ -72,7 +74,8 @@ def section_labels(
         x, y = view(0.5 * (link.start + link.end))
         label = Label(float(x), float(y), "middle", ((link.words, OTHERS),))
         wanted.append(_Wanted(label, np.array([x, y]), label.box))
-    labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks)
+    outside = [(-FAR, -FAR, room[0], FAR), (room[2], -FAR, FAR, FAR)]  # names of axes, dimensions
+    labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks, outside)
     leaders = []
     for label, each in zip(labels, wanted, strict=True):
         left, top, right, bottom = label.box
@@ -112,14 +115,16 @@ def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectan
     """Label of a part above or below it, where fewer other parts are."""
     named = piece.kind in ("teeth", "plate")
     words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "teeth" else piece.name
-    line = ((words, NAMES if named else OTHERS),)
+    start, dots, rest = words.partition(RANGE if len(words) > LONG else "\n")
+    lines = tuple((text, NAMES if named else OTHERS) for text in (start + dots, rest) if text)
     tried = []
     for sign in (1.0, -1.0):
         box = _box(view(axis.at(piece.line, sign)))
         middle = 0.5 * (box[0] + box[2])
         level = abs(float(axis.way[1])) < 0.5
         upper = box[1] <= float(view(axis.origin)[1]) if level else sign > 0.0
-        label = Label(middle, box[1] - 9.0 if upper else box[3] + 17.0, "middle", line)
+        y = box[1] - 9.0 - LINE * (len(lines) - 1) if upper else box[3] + 17.0
+        label = Label(middle, y, "middle", lines)
         tried.append(_Wanted(label, np.array([middle, 0.5 * (box[1] + box[3])]), box))
     covered = [sum(common_area(each.label.box, block) for block in blocks) for each in tried]
     return tried[int(covered[1] < covered[0])]

@@ -28,6 +28,7 @@ STYLE = (
     ".pp-wheelring{fill:none;stroke:var(--pp-gear);stroke-opacity:.8}"
     f".pp-pitchcircle{{fill:none;stroke:{theme.RED};stroke-width:1.2;stroke-dasharray:12 3 3 3}}"
     ".pp-tip{fill:none;stroke:var(--pp-edge);stroke-width:1}"
+    f".pp-foot{{fill:{theme.OCHRE};fill-opacity:.35;stroke:{theme.OCHRE};stroke-width:1.2}}"
     ".pp-tname{fill:var(--pp-ink);stroke:var(--pp-paper);stroke-width:3.5;paint-order:stroke;font-size:13px;"
     "font-weight:600}"
     ".pp-tsub{fill:var(--pp-soft);stroke:var(--pp-paper);stroke-width:3;paint-order:stroke;font-size:11.5px}"
@@ -69,10 +70,13 @@ class Transverse:
         The gears.
     distances
         Lines of centres: both ends, shape (2,) [m], and their text.
+    supports
+        Feet or mounts of the housing: place, shape (2,) [m], and names.
     """
 
     wheels: Sequence[Wheel]
     distances: Sequence[tuple[Array, Array, str]] = ()
+    supports: Sequence[tuple[Array, str]] = ()
 
 
 def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, float, list[str]]:
@@ -87,7 +91,9 @@ def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, flo
     """
     reach = np.array([max(w.tip, w.root) for w in view.wheels])
     centres = np.array([w.centre for w in view.wheels])
-    low, high = (centres - reach[:, None]).min(axis=0), (centres + reach[:, None]).max(axis=0)
+    feet = [place for place, _ in view.supports]
+    low = np.min([*(centres - reach[:, None]), *feet], axis=0)
+    high = np.max([*(centres + reach[:, None]), *feet], axis=0)
     wide, tall = high - low
     scale = min(field / wide, TALLEST / tall)
 
@@ -116,6 +122,10 @@ def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, flo
         wanted.insert(
             0, (Label(float(spot[0]), float(spot[1]) + 4.0, "middle", ((wheel.name, "pp-name"),)), spot)
         )
+    for place, names in view.supports:
+        parts.append(_support(at(place)))
+        x, y = at(place)
+        wanted.append((Label(float(x), float(y) + 30.0, "middle", ((names, "pp-sub"),)), at(place)))
     blocks: list[Rectangle] = [
         (float(p[0]) - 7.0, float(p[1]) - 7.0, float(p[0]) + 7.0, float(p[1]) + 7.0) for p in map(at, centres)
     ]
@@ -148,6 +158,17 @@ def _axis(wheel: Wheel, at: object) -> list[str]:
     centre = at(wheel.centre)  # type: ignore[operator]
     ways = (np.array([6.0, 0.0]), np.array([0.0, 6.0]))
     return [svg.line(centre - way, centre + way, "pp-frame") for way in ways]
+
+
+def _support(place: Array) -> str:
+    """A foot or mount: triangle on hatched ground."""
+    base = place + np.array([(-8.0, 11.0), (8.0, 11.0)])
+    ticks = [
+        svg.line(place + np.array([x, 11.0]), place + np.array([x - 4.0, 15.0]), "pp-thin")
+        for x in (-6.0, -2.0, 2.0, 6.0, 10.0)
+    ]
+    triangle = svg.polygon(np.array([place, *base]), "pp-foot")
+    return triangle + svg.line(base[0] - (3.0, 0.0), base[1] + (3.0, 0.0), "pp-frame") + "".join(ticks)
 
 
 def _turn(centre: Array, radius: float, way: float) -> str:

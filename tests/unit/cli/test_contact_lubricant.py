@@ -47,6 +47,22 @@ def test_film_thickness_follows_from_the_lubricant_of_the_load_case(tmp_path, ca
     assert hot["numbers"]["min_film_thickness"][0] > film[0]  # 60 °C
 
 
+def test_all_load_cases_in_turn(tmp_path, capsys):
+    """Each has the numbers of its own `--load-case`, and a file of its own."""
+    file, target = tmp_path / "oil.yaml", tmp_path / "contact.h5"
+    hot = "  hot: {speed: {a: 1500 rpm}, temperature: 100 degC}\n"
+    file.write_text(MODEL + OIL + hot, encoding="utf-8")
+    found = numbers(str(file), ["--load-cases", "-o", str(target)], capsys)["load_cases"]
+    assert list(found) == ["rated", "hot"]
+    for name, case in found.items():
+        alone = numbers(str(file), ["--load-case", name], capsys)
+        assert case["numbers"] == alone["numbers"]
+        assert (tmp_path / f"contact-{name}.h5").exists()
+    assert found["hot"]["numbers"]["min_film_thickness"] < found["rated"]["numbers"]["min_film_thickness"]
+    (tmp_path / "plain.yaml").write_text(MODEL, encoding="utf-8")
+    assert run_command(["contact", str(tmp_path / "plain.yaml"), "--load-cases"]) == 2
+
+
 def test_the_damping_of_an_oil_film_follows_from_the_lubricant(tmp_path):
     """3 √2 π η L (R/h)^1.5 at the pitch point, by load case; a given rate is kept."""
     text = MODEL.replace("planes: 7}", "planes: 7, oil: {thickness: 5 um}}")

@@ -26,7 +26,7 @@ from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.rexs.housing_file import matrix_text
 from pitchpoint.io.rexs.writing.text import rexs_bytes
-from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
+from pitchpoint.io.target import KINDS, PDF_TITLE, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
 from pitchpoint.io.yaml_model import loads_model
@@ -74,6 +74,8 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "png":
         head = b"\x89PNG\r\n\x1a\n" + struct.pack(">I", 13) + b"IHDR" + bytes(17)
         path.write_bytes(marked_png(head))
+    elif kind == "pdf":
+        path.write_bytes(f"%PDF-1.4\n1 0 obj\n<</Title ({PDF_TITLE})>>\nendobj\n".encode())
     elif kind == "schema":
         path.write_text(json.dumps(json_schema(), indent=2), encoding="utf-8")
     else:

@@ -85,7 +85,7 @@ def test_another_case_begins_from_the_values_of_the_file():
             "speed: {c: 1500",
             "load_cases.full.speed.c (line 14): c names a body that does not exist",
         ),
-        ("70 %", "80 %", "110 % have shares of the time of more than 100 % together (limit 100 %)"),
+        ("70 %", "80 %", "110 % is the sum of the shares of the time (limit 100 %)"),
         ("70 %", "120 %", "load_cases.part.load_duration_fraction (line 16): '120 %' is out of range"),
         ("{power: 3 kW}", "{power: 3 kW, torque: 1 N m}", "gives torque and power together"),
         ("{power: 3 kW}", "{}", "gives neither torque nor power nor force"),
@@ -141,3 +141,16 @@ def test_a_file_without_cases_says_so(tmp_path, capsys):
     file.write_text(TEXT[: TEXT.index("load_cases")] + TEXT[TEXT.index("scenarios") :], encoding="utf-8")
     assert run_command(["run", str(file), "-s", "run", "--load-cases"]) == 2
     assert "has no load_cases" in capsys.readouterr().err
+
+
+def test_hours_instead_of_shares():
+    """6000 and 2000 h are 75 and 25 %; a share next to hours has no common sum and is refused."""
+    from pitchpoint.model.load_cases import shares_of_time
+
+    text = TEXT.replace("load_duration_fraction: 70 %", "load_duration: 6000 h").replace(
+        "load_duration_fraction: 30 %", "load_duration: 2000 h"
+    )
+    assert "6000 h" in text and "2000 h" in text
+    assert shares_of_time(loads_model(text).load_cases) == {"full": 0.25, "part": 0.75}
+    with pytest.raises(ModelError, match="is a share of the time, and part has a load_duration"):
+        loads_model(TEXT.replace("load_duration_fraction: 70 %", "load_duration: 6000 h"))

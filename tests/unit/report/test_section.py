@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import xml.etree.ElementTree as ET
 from itertools import combinations
 from pathlib import Path
@@ -16,12 +17,14 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.target import SVG_MARK
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.model import Model
+from pitchpoint.report.film import BROWSERS
 from pitchpoint.report.pictures import plot
 from pitchpoint.report.section.build import gearbox_drawing, section_of
 from pitchpoint.report.section.transverse import transverse_of
 from pitchpoint.report.static_power import static_powers
 from pitchpoint.viz.label_placement import LETTER
 from pitchpoint.viz.section_content import Section, SectionAxis
+from tests.support.planet_gearboxes import simpson
 
 HOUSE = Path(__file__).parents[3]
 TWO_STAGE = HOUSE / "src/pitchpoint/cli/starters/two-stage.yaml"
@@ -203,7 +206,7 @@ def test_check_writes_the_drawing(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 @pytest.mark.parametrize(
     ("name", "words"),
-    [("box.dxf", "use .svg, .html or .png"), ("model.yaml", "has no extension of a drawing")],
+    [("box.dxf", "use .svg, .html, .png or .pdf"), ("model.yaml", "has no extension of a drawing")],
 )
 def test_other_targets_are_refused(
     name: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -222,3 +225,72 @@ def test_a_file_of_another_program_is_kept(tmp_path: Path, capsys: pytest.Captur
     assert run_command(["check", str(file), "--drawing", str(target)]) != 0
     assert target.read_text() == "<svg>mine</svg>"
     assert "mine.svg" in capsys.readouterr().err
+
+
+def test_planets_on_a_fixed_carrier_are_drawn_around_their_sun() -> None:
+    """A star gear: no mesh apart, and the carrier is a part of the housing."""
+    text = simpson().replace("  rear_carrier: {", "  rear_carrier: {motion: fixed, ")
+    found = section(loads_model(text))
+    assert not found.apart
+    held = [piece.name for axis in found.axes for piece in axis.pieces if piece.kind == "held"]
+    assert "rear_carrier" in held
+
+
+def test_clutches_are_at_their_markers() -> None:
+    """A synchroniser 40 mm from the start of its shaft; without the marker it was between both bodies."""
+    text = """
+gears: {a: {number_of_teeth: 20, normal_module: 4 mm, face_width: 20 mm, profile_shift_coefficient: 0},
+  b: {number_of_teeth: 60, normal_module: 4 mm, face_width: 20 mm, profile_shift_coefficient: 0}}
+shafts: {main: {sections: [{length: 200 mm, diameter: 40 mm}], markers: {hub: {position: [0, 0, 40 mm]}}}}
+bodies: {idler: {gears: [a], motion: free, position: [0, 0, 80 mm]}, two: {gears: [b]}}
+meshes: {ab: {gears: [a, b]}}
+clutches: {sync: {bodies: [idler, main.hub], capacity: 1 kN m}}
+"""
+    axis = next(
+        axis for axis in section(loads_model(text)).axes if any(p.name == "sync" for p in axis.pieces)
+    )
+    flange = next(piece for piece in axis.pieces if piece.name == "sync")
+    assert float(flange.line[:, 0].min()) == pytest.approx(0.04, abs=3e-3)
+
+
+def test_feet_of_the_housing_are_in_the_transverse_view() -> None:
+    """Mounts at their places across the axes; those behind each other share a mark and a name."""
+    housing = """
+housing:
+  type: rigid
+  mass: 40 kg
+  center_of_mass: [0, 0, 0]
+  inertia_tensor: [1, 1, 1, 0, 0, 0]
+  mounts:
+    m_1: {position: [-60 mm, -100 mm, 0], stiffness: {radial: 1e8, axial: 1e8}}
+    m_2: {position: [-60 mm, -100 mm, 80 mm], stiffness: {radial: 1e8, axial: 1e8}}
+    m_3: {position: [200 mm, -100 mm, 0], stiffness: {radial: 1e8, axial: 1e8}}
+bearings: {seat: {body: one, stiffness: {radial: 1e8}}}
+"""
+    found = transverse_of(loads_model(PAIR + housing))
+    assert found is not None
+    assert [(*place.round(6), names) for place, names in found.supports] == [
+        (-0.06, -0.1, "m_1 and m_2"),
+        (0.2, -0.1, "m_3"),
+    ]
+    assert "m_1 and m_2" in str(gearbox_drawing(loads_model(PAIR + housing)))
+
+
+def test_drawings_as_pdf(tmp_path: Path) -> None:
+    """One page in the size of the drawing, at 96 pixels per inch; a PDF of another program is kept."""
+    pytest.importorskip("playwright", reason="Playwright is not installed")
+    if not any(map(shutil.which, BROWSERS)):
+        pytest.skip("no browser")
+    file, target = tmp_path / "model.yaml", tmp_path / "box.pdf"
+    file.write_text(PAIR)
+    for _ in range(2):  # replaces its own
+        assert run_command(["check", str(file), "--drawing", str(target), "-q"]) == 0
+    made = target.read_bytes()
+    assert made.startswith(b"%PDF") and made.count(b"/Type /Page\n") == 1
+    svg = str(gearbox_drawing(load_model(file), static_powers(load_model(file))))
+    size = [int(n) for n in re.findall(r'viewBox="0 0 (\d+) (\d+)"', svg)[0]]
+    box = [float(n) for n in re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", made)[0]]
+    assert box == pytest.approx([0.75 * n for n in size], abs=0.8)
+    target.write_bytes(b"%PDF-1.4 mine")
+    assert run_command(["check", str(file), "--drawing", str(target)]) != 0
+    assert target.read_bytes() == b"%PDF-1.4 mine"

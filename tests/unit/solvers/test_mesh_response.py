@@ -237,3 +237,23 @@ def test_orders_of_two_stages():
 def test_refused(box, outputs, body, speeds, harmonics, message):
     with pytest.raises((ModelError, SolverError), match=message.replace("[", r"\[")):
         find_mesh_response(box, outputs, body, speeds, "steady", harmonics=harmonics)
+
+
+def test_a_pair_without_load_is_no_excitation():
+    """A loose gear that runs idle: its mesh has no order."""
+    text = (
+        "gears:\n"
+        "  a: {number_of_teeth: 20, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}\n"
+        "  b: {number_of_teeth: 40, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}\n"
+        "  c: {number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}\n"
+        "bodies:\n  one: {gears: [a], position: [0, 0, 0]}\n  two: {gears: [b]}\n  idler: {gears: [c]}\n"
+        "meshes:\n  loaded: {gears: [a, b], damping: {ratio: 0.05}}\n"
+        "  idle: {gears: [b, c], damping: {ratio: 0.05}, backlash: {circumferential: 0.1 mm}}\n"
+        "loads:\n  in: {body: one, torque: 50 N m}\n  out: {body: two, torque: balance}\n"
+        "scenarios: {run: {speed: {one: 1000 rpm}, duration: 1 ms}}\n"
+    )
+    found = find_mesh_response(
+        compile_model(loads_model(text), "run"), ["mesh_force[loaded]"], "one", [100.0], "run"
+    )
+    assert set(found.meshes) == {"loaded"}
+    assert "idle: without load, not an excitation" in found.notes

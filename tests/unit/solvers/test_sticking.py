@@ -84,3 +84,51 @@ def test_a_load_beyond_the_capacity_is_said():
 def test_a_clutch_that_slips_starts_with_the_torque_of_slip():
     _, channel = cruise(disc=500)
     np.testing.assert_allclose(channel("torque[clutch]"), -160.0, rtol=1e-6)
+
+
+def test_a_sticking_clutch_is_a_spring_of_the_linear_system():
+    """Two inertias J with a clutch of stiffness k = capacity/wind_up: omega^2 = 2 k/J, and their response.
+
+    Free of any state, as the bristles do not yield; the open clutch leaves two free rotations.
+    """
+    from pitchpoint.solvers.frequency_response import find_response
+    from pitchpoint.solvers.modal import find_modes
+
+    model = loads_model(
+        "bodies:\n"
+        "  a: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n"
+        "  b: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n"
+        "clutches:\n  c: {bodies: [a, b], capacity: 1 kN m, damping_time: 10 us}\n"
+        "scenarios:\n"
+        "  engaged: {speed: {a: 100 rpm}, engaged: [c], duration: 10 ms}\n"
+        "  open: {speed: {a: 100 rpm}, engaged: [], duration: 10 ms}\n"
+    )
+    system = compile_model(model, "engaged")
+    modes = find_modes(system)
+    np.testing.assert_allclose(modes.frequency, [0.0, np.sqrt(2e6) / (2.0 * np.pi)], rtol=1e-9)
+    assert modes.damping_ratio[1] == pytest.approx(0.5 * 2.0 * 10.0 / np.sqrt(2e6), rel=1e-9)
+    assert modes.elements == ("friction clutch c",)
+    hertz = np.array([50.0, 150.0, 300.0])
+    found = find_response(system, ["a.mz"], ["torque[c]", "b.rz"], hertz).response[:, :, 0]
+    w = 2.0 * np.pi * hertz
+    k = 1e6 + 10j * w
+    b = k / (w**4 - 2.0 * k * w**2)  # of [[k - w^2, -k], [-k, k - w^2]] x = [1, 0]
+    np.testing.assert_allclose(found[:, 1], b, rtol=1e-6)
+    np.testing.assert_allclose(found[:, 0], w**2 * b, rtol=1e-6)  # torque on a = -(torque on b) = w^2 x_b
+    assert np.count_nonzero(find_modes(compile_model(model, "open")).frequency == 0.0) == 2
+
+
+def test_a_train_beyond_a_sticking_clutch_rotates_with_it():
+    """One free rotation of engine and vehicle with the gear ratio, whatever the scale of each train."""
+    from pitchpoint.solvers.modal import find_modes
+
+    text = MODEL.format(road="balance", capacity=160.0, disc=1500, drive="")
+    first = "  output: {gears: [wheel], motion: torsion, inertia: 0.64 kg m^2"
+    text = text.replace(first + "}\n", "").replace(
+        "bodies:\n", f"bodies:\n{first}, position: [127.6 mm, 0, 0]}}\n"
+    )
+    modes = find_modes(compile_model(loads_model(text), "cruise"))
+    (rigid,) = np.flatnonzero(modes.frequency == 0.0)
+    names = list(modes.coordinates)
+    spins = [modes.shape[rigid, names.index(f"{b}.spin")] for b in ("engine", "disc", "output", "vehicle")]
+    np.testing.assert_allclose(np.array(spins) / spins[0], [1.0, 1.0, -0.25, -0.25], rtol=1e-9)

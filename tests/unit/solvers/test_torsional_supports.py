@@ -173,3 +173,24 @@ def test_a_bushing_on_one_axis_turns_both_bodies():
     )
     assert loads_model(text.replace("PLACE", "0")).start_speeds("on")["two"] == pytest.approx(10.0)
     assert loads_model(text.replace("PLACE", "50 mm")).start_speeds("on")["two"] == 0.0
+
+
+def test_a_ring_on_tangential_supports_is_at_rest():
+    """Bolts at the rim hold the ring with T z_r/z_s; the carrier rotates at 1/(1 + z_r/z_s) of the sun."""
+    from pitchpoint.report.static_power import static_power
+    from tests.support.planet_gearboxes import gear, ring, stage
+
+    rim = ", rim_thickness: 12 mm, flexible_rim: {waves: 3, supports: {number: 12, tangential: 100 N/um}}"
+    text = (
+        f"gears:\n  sun: {gear(21)}\n  ring: {ring(99, more=rim)}\n"
+        "bodies:\n  sun: {gears: [sun], position: [0, 0, 0]}\n"
+        "  ring: {gears: [ring], motion: planar, position: [0, 0, 0]}\n  carrier: {inertia: 0.1 kg m^2}\n"
+        "planetary_stages:\n" + stage("set", gear(39), 3, "carrier", "sun: sun", "ring: ring")
+    )
+    loads = "loads:\n  in: {body: sun, torque: 200 N m}\n  out: {body: carrier, torque: balance}\n"
+    model = loads_model(text + loads + "scenarios: {run: {speed: {sun: 1000 rpm}, duration: 1 ms}}\n")
+    speeds = model.start_speeds("run")
+    assert speeds["ring"] == 0.0
+    assert speeds["sun"] / speeds["carrier"] == pytest.approx(1.0 + 99 / 21, rel=1e-12)
+    torques = {row["name"]: row["torque"] for row in static_power(model, model.scenarios["run"])["external"]}
+    assert torques["support of ring"] == pytest.approx(200.0 * 99 / 21, rel=1e-9)

@@ -17,24 +17,19 @@ from pitchpoint.system.compile import compile_model
 from pitchpoint.system.remarks import deep_contacts
 from tests.support.model_files import TORSIONAL_PAIR
 
-HALF_GAP = 0.05e-3
 LIMIT = 0.3e-3  # a tenth of the module
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "told"),
-    [
-        (0.0, HALF_GAP + 0.99 * LIMIT, ""),
-        (0.0, HALF_GAP + 1.01 * LIMIT, "0.303 mm"),
-        (-HALF_GAP - 2.0 * LIMIT, 0.0, "0.6 mm"),
-        (math.nan, math.nan, ""),
-    ],
+    ("depth", "told"),
+    [(0.99 * LIMIT, ""), (1.01 * LIMIT, "0.303 mm"), (2.0 * LIMIT, "0.6 mm"), (math.nan, "")],
 )
-def test_penetration_of_either_flank_counts_from_the_backlash(low: float, high: float, told: str) -> None:
+def test_penetration_beyond_a_tenth_of_the_module_is_named(depth: float, told: str) -> None:
+    """That at the actual centre distance: a shaft that bends away from its mate increases the gap."""
     model = loads_model(TORSIONAL_PAIR)
     tables = [
-        {"deflection[stage]": {"min": 0.0, "max": 0.0}},
-        {"deflection[stage]": {"min": low, "max": high}},
+        {"penetration[stage]": {"min": 0.0, "max": 0.0}},
+        {"penetration[stage]": {"min": 0.0, "max": depth}, "deflection[stage]": {"min": 0.0, "max": 1.0}},
     ]
     found = deep_contacts(model, tables)
     assert bool(found) == bool(told)

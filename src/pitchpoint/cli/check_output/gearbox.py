@@ -24,6 +24,7 @@ def show_gearbox(found: Mapping[str, Any]) -> None:
 
 
 def _show_load_cases(cases: Mapping[str, Mapping[str, Any]]) -> None:
+    timed = any(case["load_duration"] is not None for case in cases.values())
     rows = [
         [
             name + (" (in effect)" if case["in_effect"] else ""),
@@ -33,11 +34,24 @@ def _show_load_cases(cases: Mapping[str, Mapping[str, Any]]) -> None:
             NOTHING
             if case["load_duration_fraction"] is None
             else f"{100.0 * case['load_duration_fraction']:.4g} %",
+            *([] if not timed else [_hours(case["load_duration"])]),
         ]
         for name, case in cases.items()
     ]
     if rows:
-        table("Load cases", ["load case", "speed", "loads", "temperature", "share of the time"], rows)
+        head = [
+            "load case",
+            "speed",
+            "loads",
+            "temperature",
+            "share of the time",
+            *(["time"] if timed else []),
+        ]
+        table("Load cases", head, rows)
+
+
+def _hours(time: float | None) -> str:
+    return NOTHING if time is None else f"{time / 3600.0:.6g} h"
 
 
 def _values(change: Mapping[str, Any]) -> str:

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from typing import Any
 
+from pitchpoint.core.errors import UnitError
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.units import in_unit, natural_quantity
 from pitchpoint.model.checks.beam_ends import check_branches, is_beam, part_of
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.keys import Place, keys_of
@@ -58,8 +61,10 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader, other:
         return True
     names = parts.known(group)
     guess = did_you_mean(name, names | parts.known(other) if other else names)
+    if group == "bodies":
+        names = {n for n in names if n not in parts.bodies or not parts.bodies[n].of_housing}
     words = group.replace("_", " ")
-    single = {"bodies": "body", "meshes": "mesh"}.get(group, words.removesuffix("s"))
+    single = {"bodies": "body", "meshes": "mesh", "clutches": "clutch"}.get(group, words.removesuffix("s"))
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {words}"
     report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
     return False
@@ -160,3 +165,12 @@ def known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
             f"names the marker {marker[:40]!r}, which {body} does not have",
             remedy=did_you_mean(marker, markers) + have,
         )
+
+
+def speed_as_written(speed: float, at: Place, report: Reader) -> str:
+    """A speed [rad/s] in the unit in which that at a path is written."""
+    unit = "rad/s" if any(bare.place == at for bare in report.bare) else "rpm"
+    if at in report.sources:
+        with suppress(UnitError):  # a formula
+            unit = natural_quantity(report.sources[at].data)[1] or "rad/s"
+    return f"{in_unit(speed, 'angular_speed', unit):.6g} {unit}"

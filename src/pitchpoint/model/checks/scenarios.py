@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import UnitError
-from pitchpoint.core.units import format_quantity, in_unit, natural_quantity
+from pitchpoint.core.units import format_quantity
+from pitchpoint.core.words import listed
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
-from pitchpoint.model.checks.references import known
+from pitchpoint.model.checks.references import known, speed_as_written
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.locked_loops import locked_loops, loop_with
@@ -19,12 +18,14 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import (
     SPEED_TOLERANCE,
     fixed_bodies,
+    geared_body,
     links_of,
     locked_links,
     start_speeds,
     sweep_meshes,
     train_of,
 )
+from pitchpoint.model.torsional_supports import closed_at_start
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -42,6 +43,7 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
             report.problem(at, "requires bodies, and the file has none", remedy="add bodies with the gears")
             continue
         _names(parts, scenario, at, report)
+        _engaged(parts, scenario, (*at, "engaged"), report)
         _speeds(parts, scenario, at, report)
         if at in report.tainted:
             continue
@@ -83,6 +85,24 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             f"is missing, and there are {count} meshes",
             remedy=f"name one of {', '.join(names) or 'them'}",
         )
+
+
+def _engaged(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    """Check the engaged clutches: their names, and that their capacity is not zero at the start."""
+    names = scenario.engaged or ()
+    for k, name in enumerate(names):
+        if not known(parts, "clutches", name, at, report) or name not in parts.clutches:
+            continue
+        if name in names[:k]:
+            report.problem(at, f"names {name} twice", remedy="name each clutch once")
+        elif not closed_at_start(parts.clutches[name].capacity):
+            report.problem(
+                at,
+                f"names {name}, whose capacity is zero at the start",
+                value="0 N m",
+                limit="> 0",
+                remedy=f"give clutches.{name}.capacity its value of the engaged clutch",
+            )
 
 
 def _ripple(drive: Drive, at: Place, report: Reader) -> None:
@@ -139,8 +159,8 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 report.problem(
                     (*at, "speed", body),
                     "differs from the speed of the drive",
-                    value=_as_written(given, (*at, "speed", body), report),
-                    limit=_as_written(driven, (*at, "speed", body), report),
+                    value=speed_as_written(given, (*at, "speed", body), report),
+                    limit=speed_as_written(driven, (*at, "speed", body), report),
                     remedy="remove it: a driven body starts at the speed of its drive",
                 )
         if isinstance(drive.value, PythonLaw):
@@ -150,23 +170,19 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
                 remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
             )
-    for body, fitting in start_speeds(parts, free)[1]:
+    for body, fitting in start_speeds(parts, free, (), scenario.engaged)[1]:
+        with_clutches = f" with {listed(scenario.engaged)} engaged" if scenario.engaged else ""
         report.problem(
             (*at, "speed", body),
-            "does not match the gear ratio to the other given speeds",
-            value=_as_written(free[body], (*at, "speed", body), report),
-            limit=_as_written(fitting, (*at, "speed", body), report),
-            remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)",
+            f"does not match the gear ratio to the other given speeds{with_clutches}"
+            if len(free) > 1 or not with_clutches
+            else f"cannot be: the train is locked{with_clutches}",
+            value=speed_as_written(free[body], (*at, "speed", body), report),
+            limit=speed_as_written(fitting, (*at, "speed", body), report),
+            remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)"
+            if not with_clutches
+            else "correct it, or the clutches of engaged",
         )
-
-
-def _as_written(speed: float, at: Place, report: Reader) -> str:
-    """A speed [rad/s] in the unit in which that at a path is written."""
-    unit = "rad/s" if any(bare.place == at for bare in report.bare) else "rpm"
-    if at in report.sources:
-        with suppress(UnitError):  # a formula
-            unit = natural_quantity(report.sources[at].data)[1] or "rad/s"
-    return f"{in_unit(speed, 'angular_speed', unit):.6g} {unit}"
 
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
@@ -297,7 +313,8 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     _range(sweep, at, report)
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
-    own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
+    geared = geared_body(parts, sweep.body) or sweep.body
+    own = parts.bodies[geared].gears if geared in parts.bodies else {}
     if not parts.gears.keys() >= set(own):
         return  # an unreadable gear may be the one in mesh
     teeth = sweep_meshes(parts, sweep.body)
@@ -305,7 +322,7 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     if not teeth:
         report.problem(
             (*at, "body"),
-            f"names {sweep.body}, which has no gear in mesh",
+            f"names {sweep.body}, which has no gear in mesh and is not coupled to a body with one",
             remedy="name a body with a gear in mesh",
         )
     elif sweep.mesh is None and len(set(teeth.values())) > 1:

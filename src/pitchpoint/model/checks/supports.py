@@ -18,6 +18,7 @@ from pitchpoint.model.rings import following, ring_bodies, rings_of
 from pitchpoint.model.shafts import SEATED
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.parts import Parts
     from pitchpoint.model.rings import Ringed
@@ -99,8 +100,25 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
             f"is {apart * 1e3:.6g} mm away from the bearing",
             value=part.housing,
             limit=f"{limit * 1e3:.4g} mm",
-            remedy=f"correct the position of {marker}, of the bearing or of {part.body}",
+            remedy=_closer(parts, str(part.body), str(part.housing), there - center, owner),
         )
+
+
+def _closer(parts: Parts, body: str, end: str, way: Array, owner: Body) -> str:
+    """What to correct if a bearing and the point at which it is mounted are apart."""
+    axis = body_frame(parts, body)[1][:, 2]
+    kind, link, _ = parts.placed.get(body, ("", "", ""))
+    along = float(way @ axis)
+    if kind == "mesh" and abs(along) < 0.5 * float(np.linalg.norm(way)):
+        mesh = parts.meshes[link]
+        if mesh.direction is None:
+            return (
+                f"give meshes.{link}.direction, the angle from the x axis to the line of centres; "
+                f"omitted, it is 0 deg and places {body} off the axis of {split(end)[0]}"
+            )
+        return f"correct meshes.{link}.direction or center_distance, which place {body}, or the marker {end}"
+    place = ", ".join(f"{1e3 * x:.6g} mm" for x in np.array(owner.origin) + way)
+    return f"correct the marker {end}, the position of the bearing, or that of {body}: [{place}] would fit"
 
 
 def _off_the_pin(

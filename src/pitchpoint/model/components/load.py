@@ -23,6 +23,7 @@ class Load(Component):
         "{python: 'file.py:function', parameters: [...]}, balance",
         None,
         dimension="torque",
+        also=("power",),
     )
     force: tuple[Law, ...] | None = key(
         "laws",

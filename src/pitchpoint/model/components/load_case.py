@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.lubricant import COLDEST, HOTTEST
 from pitchpoint.model.components.marker import Triple
-from pitchpoint.model.keys import key, quantities, quantity
+from pitchpoint.model.keys import key, positive, quantities, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,4 +51,12 @@ class LoadCase(Component):
         maximum=1.0,
         also=("share", "fraction"),
         sample="40 %",
+    )
+    load_duration: float | None = positive(
+        "time",
+        "time in this load case, instead of load_duration_fraction; its share is that of the sum of all",
+        None,
+        also=("hours", "duration"),
+        sample="5000 h",
+        later=True,
     )

@@ -178,7 +178,7 @@ class Reader:
         known = set(allowed)
         for name in data:
             if name not in known:
-                near, remedy = remedy_for_key(name, allowed)
+                near, remedy = remedy_for_key(name, allowed, cut=data[name] is None)
                 taint = near is not None and near not in data
                 self.problem((*path, str(name)), "is an unknown key", remedy=remedy, taint=taint)
 

@@ -26,7 +26,11 @@ from pitchpoint.model.remarks.places import places_left_open
 from pitchpoint.model.remarks.space import bearings_in_gears, gears_in_one_place
 from pitchpoint.model.remarks.supports import axially_free, tilting
 from pitchpoint.model.remarks.trains import contradictory_loops, unconnected_shafts
-from pitchpoint.model.remarks.unusual_values import overdamped_meshes, preloads_above_the_rating
+from pitchpoint.model.remarks.unusual_values import (
+    overdamped_meshes,
+    preloads_above_the_rating,
+    soft_materials,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -266,6 +270,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *contradictory_loops(model),
         *unconnected_shafts(model),
         *at_stages(model, overdamped_meshes(model)),
+        *soft_materials(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 OVERDAMPED = 1.0
 """Damping ratio from which a mesh does not vibrate."""
 
+SOFT = 1e9
+"""Modulus of elasticity below which a gear or shaft is not a solid of plastic or metal [Pa]."""
+
 MEASURED = "0.03 to 0.17"
 """Damping ratios of gear meshes: Kasuba, Evans, An extended model for determining dynamic loads in spur
 gearing, ASME J. Mech. Des. 103 (1981) 398-409."""
@@ -32,6 +35,25 @@ def overdamped_meshes(model: Model) -> Iterator[Message]:
                     f"vibrate; usual values are {MEASURED}",
                     f"write a ratio such as 0.05; {ratio:g} % are {ratio / 100.0:g}",
                 )
+
+
+def soft_materials(model: Model) -> Iterator[Message]:
+    """A remark for every material with a modulus of elasticity that no solid gear or shaft has."""
+    own: list[tuple[str, float]] = [
+        (f"materials.{name}", part.youngs_modulus) for name, part in model.materials.items()
+    ]
+    for group in ("gears", "shafts"):
+        for name, part in getattr(model, group).items():
+            if not isinstance(part.material, str):
+                own.append((f"{group}.{name}.material", part.material_data.youngs_modulus))
+    for at, modulus in own:
+        if modulus < SOFT:
+            yield remark(
+                f"{at}.youngs_modulus",
+                f"{format_quantity(modulus, 'pressure', 4)} is below that of plastics, "
+                f"{format_quantity(SOFT, 'pressure', 4)}",
+                "correct the value or its unit; steel has 210 GPa",
+            )
 
 
 def preloads_above_the_rating(model: Model) -> Iterator[Message]:

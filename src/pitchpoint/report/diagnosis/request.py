@@ -251,8 +251,7 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
     if not scenario:
         return {}, []
     speeds, remarks = scenario_speeds(model, scenario)
-    chosen = model.scenarios[scenario]
-    return turning_speeds(model, speeds, driven=chosen.drive, held=chosen.hold), remarks
+    return turning_speeds(model, speeds, model.scenarios[scenario]), remarks
 
 
 def _chosen(request: Request, record: Record) -> dict[str, Array]:

@@ -76,11 +76,21 @@ def drawn_bodies(model: Model) -> list[str]:
         seat = model.mechanism.seats.get(base_of(model, model.mechanism, name))
         if body.gears and seat is not None and "spin" in seat.coordinates:
             linked.add(seat.body)  # carriers
+        if (fixed := fixed_carrier(model, name)) is not None:
+            linked.add(fixed)
     return [
         name
         for name, body in model.bodies.items()
         if body.gears or body.bevel_gears or name in model.shafts or name in linked
     ]
+
+
+def fixed_carrier(model: Model, body: str) -> str | None:
+    """Fixed body on whose joint a body with gears rotates, such as the carrier of planets at rest."""
+    seat = model.mechanism.seats.get(body)
+    if seat is None or seat.joint is None or seat.parent not in model.bodies or not model.bodies[body].gears:
+        return None
+    return seat.parent if model.bodies[seat.parent].moves == "fixed" else None
 
 
 def lines_of(model: Model, bodies: Sequence[str]) -> list[Line]:
@@ -128,7 +138,7 @@ def connections(model: Model, lines: Sequence[Line]) -> list[Joined]:
     of = {body: k for k, line in enumerate(lines) for body in line.bodies}
     found = []
     for body, k in of.items():
-        base = base_of(model, model.mechanism, body)
+        base = fixed_carrier(model, body) or base_of(model, model.mechanism, body)
         if base != GROUND and base in of and of[base] != k and lines[of[base]].way is lines[k].way:
             found.append(Joined("carrier", body, (of[base], k)))
     for name, mesh in model.every_mesh.items():

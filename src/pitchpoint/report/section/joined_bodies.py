@@ -5,7 +5,7 @@ brakes."""
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.frames import split
@@ -26,6 +26,8 @@ LEAST, LARGEST = 0.06, 0.16
 """Least and largest radius of a disc, relative to the size of the machine."""
 
 Ends = tuple[float, float]
+Place = tuple[str, float]
+"""A body and a position along its axis from its origin [m]."""
 
 
 def connected(
@@ -69,7 +71,7 @@ def connected(
             low, high = sorted((one, two), key=lambda body: sum(reach[body]))
             z = 0.5 * (reach[low][1] + reach[high][0])
             if (one in model.shafts or two in model.shafts) and place is not None:
-                z = at.starts[one] + line.bodies[one] * place
+                z = at.starts[place[0]] + line.bodies[place[0]] * place[1]
             if low not in model.shafts:
                 reach[low] = (reach[low][0], max(reach[low][1], z))
             if high not in model.shafts:
@@ -78,7 +80,7 @@ def connected(
             disc, shaft = (one, two) if one in discs else (two, one)
             wanted = discs[disc]
             if place is not None and shaft in model.shafts:
-                wanted = at.starts[one] + line.bodies[one] * place
+                wanted = at.starts[place[0]] + line.bodies[place[0]] * place[1]
             end, discs[disc] = _beyond(reach[shaft], wanted, discs[disc], radius)
             z = 0.5 * (end + discs[disc])
             found.append(_stub(end, discs[disc], radius))
@@ -97,20 +99,34 @@ def _beyond(ends: Ends, wanted: float, place: float, radius: float) -> tuple[flo
     return end, place if (place - end) * way > 1.6 * radius else end + way * 1.8 * radius
 
 
-def _couplings(model: Model, line: Line) -> list[tuple[str, str, str, float | None]]:
-    """Couplings between bodies of an axis, with the positions on the first body that the model gives."""
+def _couplings(model: Model, line: Line) -> list[tuple[str, str, str, Place | None]]:
+    """Couplings between bodies of an axis, with the places that the model gives."""
     # hub and spring of a scissor gear are inside the gear
-    parts: list[tuple[str, tuple[str, ...], float | None]] = [
-        (name, c.bodies, c.position[2]) for name, c in model.couplings.items() if c.stage is None
+    parts: list[tuple[str, tuple[str, ...], Place | None]] = [
+        (name, c.bodies, (split(c.bodies[0])[0], c.position[2]))
+        for name, c in model.couplings.items()
+        if c.stage is None
     ]
     for group in (model.clutches, model.torsion_springs):
-        parts += [(n, c.bodies, None) for n, c in group.items() if len(c.bodies) == 2 and c.stage is None]
+        parts += [
+            (name, c.bodies, _marked(model, c.bodies))
+            for name, c in group.items()
+            if len(c.bodies) == 2 and c.stage is None
+        ]
     found = []
     for name, ends, place in parts:
         one, two = (split(end)[0] for end in ends)
         if one in line.bodies and two in line.bodies:
             found.append((name, one, two, place))
     return found
+
+
+def _marked(model: Model, ends: Sequence[str]) -> Place | None:
+    """Place of the first end at a marker of a shaft, for parts without a position of their own."""
+    for body, marker in map(split, ends):
+        if marker and body in model.shafts:
+            return body, float(model.bodies[body].markers[marker].position[2])
+    return None
 
 
 def _flange(model: Model, one: str, two: str, size: float) -> float:

@@ -255,8 +255,9 @@ def _planets(model: Model, body: str) -> list[str]:
 def _carrier(model: Model, line: Line, at: Positions, body: str) -> list[Piece]:
     """Plates on both sides of the planets, and a stub shaft."""
     planets = [name for name in _planets(model, body) if name not in line.bodies]
-    if not planets or model.bodies[body].moves == "fixed":
+    if not planets:
         return []
+    kind = "held" if model.bodies[body].moves == "fixed" else "plate"
     low, high, pin = planet_room(model, at, planets)
     far = max(pin_distance(model, line, name) for name in planets)
     thick = PLATE * (high - low)
@@ -266,11 +267,14 @@ def _carrier(model: Model, line: Line, at: Positions, body: str) -> list[Piece]:
     outer = far + 1.7 * pin
     way = -1.0 if leads_on(model, line, at, body, high) else 1.0
     start, end = (high, low) if way > 0.0 else (low, high)  # sides of the closed and of the open plate
-    return [
-        Piece(kind="plate", line=span_line(end - way * gap, -way * thick, min(hole, 0.7 * far), outer)),
-        Piece(kind="plate", line=span_line(start + way * gap, way * thick, 0.0, outer), name=body),
-        Piece(kind="plate", line=span_line(start + way * (gap + thick), way * 1.4 * thick, 0.0, 0.2 * far)),
+    found = [
+        Piece(kind=kind, line=span_line(end - way * gap, -way * thick, min(hole, 0.7 * far), outer)),
+        Piece(kind=kind, line=span_line(start + way * gap, way * thick, 0.0, outer), name=body),
     ]
+    if kind == "plate":  # rotates: a stub shaft
+        stub = span_line(start + way * (gap + thick), way * 1.4 * thick, 0.0, 0.2 * far)
+        found.append(Piece(kind=kind, line=stub))
+    return found
 
 
 def leads_on(model: Model, line: Line, at: Positions, carrier: str, high: float) -> bool:

@@ -86,7 +86,26 @@ def transverse_of(model: Model, flow: Mapping[str, Any] | None = None) -> Transv
         alike = any(size == words and ends & other for other, words in seen.items())
         seen[ends] = size  # equal distances from one axis, as of planets, have one label
         distances.append((places[one], places[two], "" if alike else size))
-    return Transverse(wheels=wheels, distances=distances)
+    return Transverse(wheels=wheels, distances=distances, supports=_supports(model, frame[:, :2]))
+
+
+def _supports(model: Model, across: Any) -> list[tuple[Any, str]]:
+    """Feet or mounts of the housing; those at one place of the view together.
+
+    Parameters
+    ----------
+    model
+        The model.
+    across
+        Axes of the view, shape (3, 2).
+    """
+    housing = model.housing
+    parts = getattr(housing, "feet", None) or getattr(housing, "mounts", None) or {}
+    found: dict[tuple[float, ...], list[str]] = {}
+    for name, part in parts.items():
+        place = across.T @ np.array(part.position)
+        found.setdefault(tuple(np.round(place, ROUND).tolist()), []).append(name)
+    return [(np.array(place), ranges(names)) for place, names in found.items()]
 
 
 def _speed(flow: Mapping[str, Any] | None, body: str) -> float | None:

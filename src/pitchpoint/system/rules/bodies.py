@@ -83,8 +83,8 @@ def bodies(model: Model) -> dict[int, Body]:
             continue
         k = number[part.body]
         body, place = found[k], point_on(model, part.body, part.position)
-        if model.bodies[part.body].moves == "torsion" and body.inertia is None:
-            # the body only spins: the transverse inertia has no effect but must be physical
+        if model.bodies[part.body].moves in ("torsion", "planar") and body.inertia is None:
+            # the body does not tilt: the transverse inertia has no effect but must be physical
             body = replace(body, transverse_inertia=max(body.transverse_inertia, body.polar_inertia))
         found[k] = with_point_mass(body, part.mass, place)
     return found

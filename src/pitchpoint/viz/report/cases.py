@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from html import escape
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,6 +30,8 @@ MAX_OWNERS = 8
 """Components with a column of their own: those with the largest values."""
 MAX_LINES = 6
 """Curves up to which every component has its own; of more, the largest value is drawn."""
+WORDS = 30
+"""Letters of a line of the title of an axis, whose length is the height of the plot."""
 WIDE = 30.0
 """Ratio of two values from which an axis is logarithmic."""
 
@@ -145,7 +148,9 @@ def _figure(table: Any, paths: Sequence[str], quantity: CaseQuantity) -> go.Figu
     values = [x for points in lines.values() for x, _ in points]
     across, up = _scale(table, path, values), quantity.scale
     title = quantity.title + (", largest" if single and len(quantity.owners) > 1 else "")
-    figure = theme.figure(across.title(short_path(path, paths)), up.title(title), height=340)
+    figure = theme.figure(
+        across.title(short_path(path, paths)), up.title("<br>".join(wrap(title, WORDS))), height=340
+    )
     for k, (label, points) in enumerate(lines.items()):
         figure.add_scatter(
             x=[x * across.factor for x, _ in points],
