@@ -203,22 +203,6 @@ def statistics_table(
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
 
 
-def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
-    """Print mean mesh force and share of every planet, and the mesh load factor of every stage."""
-    for stage, found in loads.items():
-        if found["load_sharing_factor"] is None:
-            show(f"{stage}: no load on the planets, no mesh load factor K_γ")
-            continue
-        rows = [
-            [planet, mesh, shown(force, "force", 5), f"{round(100.0 * share, 2) + 0.0:.2f} %"]
-            for planet, mesh, force, share in zip(
-                found["planets"], found["meshes"], found["mean_force"], found["share"], strict=True
-            )
-        ]
-        title = f"{stage}: mesh load factor K_γ = {found['load_sharing_factor']:.4f}"
-        table(title, ["planet", "mesh", "mean mesh force", "share"], rows)
-
-
 def _largest_force(row: Mapping[str, Any] | None) -> str:
     """Mesh force of the largest magnitude, negative on the back flank; a dash if it is not a channel."""
     return "-" if row is None else shown(max(row["min"], row["max"], key=abs), "force", 4)
