@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.words import listed, ranges
+from pitchpoint.report.acting_torques import acting_torques
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -209,8 +210,9 @@ def _shafts(
     """Speed, frequency, transmitted torque and power of every body that rotates or transmits a torque."""
     found = {}
     reference = rates["shafts"][first]["speed"] if first else 0.0
+    torques = acting_torques(model, balance, outer)
     for body, row in rates["shafts"].items():
-        acting = _acting(model, balance, outer, body)
+        acting = torques[body]
         known = [torque for _, torque in acting if torque is not None]
         largest = max((abs(t) for t in known), default=0.0)
         if not row["speed"] and not largest:
@@ -233,30 +235,6 @@ def _shafts(
             "driven_by": sides[True],
             "drives": sides[False],
         }
-    return found
-
-
-def _acting(
-    model: Model, balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str
-) -> list[tuple[list[str], float | None]]:
-    """Torques on a body about its axis, by what they come from; that of bodies on it is the remainder."""
-    found: list[tuple[list[str], float | None]] = []
-    for each in outer:
-        if body in (each["body"], each["reaction"]):
-            way = 1.0 if each["body"] == body else -1.0
-            found.append(([each["name"]], None if each["torque"] is None else way * each["torque"]))
-    for link in balance.links.values():
-        for end, torque in zip(link.bodies, link.torques, strict=True):
-            if end == body:
-                found.append(([str(link.place[1])], _finite(torque)))
-    known = [torque for _, torque in found if torque is not None]
-    riders = [
-        name
-        for name in model.mechanism.carried_by(body)
-        if model.bodies[name].gears or model.bodies[name].bevel_gears
-    ]
-    if riders and len(known) == len(found):
-        found.append((riders, -sum(known)))
     return found
 
 
