@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -154,7 +154,7 @@ def roll_through(
     periods: int = 1,
     *,
     mesh: str | None = None,
-    others: bool = True,
+    others: bool | Collection[str] = True,
     progress: Progress = silent,
     look: Callable[[System, State, Array], None] | None = None,
     at: Sequence[int] | None = None,
@@ -162,7 +162,7 @@ def roll_through(
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
-    Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
+    `Roll.meshes` contains all meshes, or with `others` the rolled mesh and those named. `look` is called at each position with the
     evaluated system, its state and its channels. `at`: numbers of the rolled periods, counted from the
     initial position, instead of the first ones. `along`: rates of the coordinates in whose direction
     the roll goes; default: the speeds of the scenario.
@@ -188,7 +188,7 @@ def roll_through(
     n = points * where.size + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
-    observed = range(len(names)) if others else (k,)
+    observed = [m for m, n in enumerate(names) if others is True or m == k or (others and n in others)]
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
