@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+WHOLE = 0.99
+"""Turns of the carrier that count as a whole turn: the teeth deflect."""
 ERRORS = {"tangential_pin_error": "tangential pin error", "radial_pin_error": "radial pin error"}
 
 
@@ -76,7 +78,7 @@ def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
             head += ["smallest", "largest"]
             extremes = zip(positions["least_share"], positions["largest_share"], strict=True)
             rows = [[*row, *map(_percent, pair)] for row, pair in zip(rows, extremes, strict=True)]
-            title += f" of the means, at most {positions['load_sharing_factor']:.4f} at a carrier position"
+            title += f" of the means, largest at a carrier position {positions['load_sharing_factor']:.4f}"
             notes.append(position_words(positions))
         table(title, head, rows, notes)
 
@@ -87,13 +89,13 @@ def position_words(positions: Mapping[str, Any]) -> str:
     Examples
     --------
     >>> position_words({"carrier_angle": 1.5707963, "turns": 0.5})
-    'largest K_γ at a carrier angle of 90 deg; shares over 1/12 turn each, in 0.5 turns of the carrier: less than all positions'
+    'largest K_γ at a carrier angle of 90 deg; shares over 1/12 turn each, in 0.5 turn of the carrier, which is less than all positions'
     """
-    part = ": less than all positions" if positions["turns"] < 1.0 else ""
-    return (
-        f"largest K_γ at a carrier angle of {shown(positions['carrier_angle'], 'angle', 3)}; shares over 1/12 turn "
-        f"each, in {positions['turns']:.3g} turns of the carrier{part}"
-    )
+    turns = positions["turns"]
+    words = f"{turns:.3g} turn{'s' if turns >= WHOLE + 0.01 else ''} of the carrier"
+    part = ", which is less than all positions" if turns < WHOLE else ""
+    angle = shown(positions["carrier_angle"], "angle", 3)
+    return f"largest K_γ at a carrier angle of {angle}; shares over 1/12 turn each, in {words}{part}"
 
 
 def _percent(share: float) -> str:

@@ -210,7 +210,10 @@ def _largest_force(row: Mapping[str, Any] | None) -> str:
 
 def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
     """Print impacts and contact loss of the meshes that lose contact."""
-    rows, notes = [], []
+    from pitchpoint.core.words import ranges
+
+    rows: list[list[str]] = []
+    short: dict[str, tuple[float, float]] = {}
     for name, row in channels.items():
         if not row.get("contact_loss_share", 0.0) > 0.0:
             continue
@@ -228,13 +231,15 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 (f"{index:.3g}" if index >= 1e-3 else "0") if math.isfinite(index) else "not known",
             ]
         )
-        shortest = row["shortest_contact"]
-        if 0.0 < shortest < FEWEST_STEPS * row["resolution"]:
-            step = shown(row["resolution"], "time", 3)
-            notes.append(
-                f"{mesh}: the shortest contact lasts {shown(shortest, 'time', 3)}, and contacts are checked "
-                f"every {step}, so impacts may be missed; use a smaller step"
-            )
+        if 0.0 < row["shortest_contact"] < FEWEST_STEPS * row["resolution"]:
+            short[mesh] = row["shortest_contact"], row["resolution"]
+    notes = []
+    if short:
+        least, step = min(short.values())
+        notes.append(
+            f"{ranges(list(short))}: the shortest contact lasts {shown(least, 'time', 3)}, and contacts are checked "
+            f"every {shown(step, 'time', 3)}, so impacts may be missed; use a smaller step"
+        )
     if rows:
         head = [
             "mesh",

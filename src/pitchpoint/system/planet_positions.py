@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
-FEWEST = 8
+FEWEST = 6
 """Samples per mesh period below which the mean over a period is not known."""
 SECTORS = 12
 """Sectors of a turn of the carrier: a variation once per turn is reduced by sinc(1/12)."""
@@ -77,7 +77,7 @@ def shares_at_positions(
     tuple
         Shares [-], shape (m, planets), and indices of their last samples, shape (m,), without the positions at which
         all planets together carry less than half of their largest load. m = 0 for fewer periods, or for less
-        than 8 samples per period.
+        than 6 samples per period.
 
     Examples
     --------

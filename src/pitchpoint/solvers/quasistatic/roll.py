@@ -184,19 +184,19 @@ def roll_through(
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)
     where = np.arange(periods) if at is None else np.array(at)
-    jumps = np.append(np.diff(where) - 1, 0) * points  # steps from one period to the next one that is rolled
+    jumps = np.append(np.diff(where) - 1, 0) * points  # steps to the next period that is rolled
     n = points * where.size + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
-    observed = [m for m, n in enumerate(names) if others is True or m == k or (others and n in others)]
+    observed = [m for m, x in enumerate(names) if others is True or m == k or (others and x in others)]
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
     owners = Holding.of(own, held)
-    done, status, text = 0, OK, sentence(OK)
+    done, status, text, on, last = 0, OK, sentence(OK), 1, None
     try:
         for s in range(n):
-            found = owners.equilibrium(own, state)
+            found = owners.reach(own, state, last, spin, on * step, rates)
             state, reaction[s] = found.state, found.reaction
             rows[s] = owners.observe(own, found)
             if look is not None:
@@ -206,6 +206,7 @@ def roll_through(
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = unloaded_error(own, clear, m, contact)
             on = 1 + int(jumps[s // points]) if (s + 1) % points == 0 else 1
+            last = state
             state, clear = (rolled_on(own, x, spin, step, rates, on) for x in (state, clear))
             done = s + 1
             progress(done, n, f"{mesh}: roll")

@@ -46,7 +46,7 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         words = f"{escape(name)}: mesh load factor K<sub>γ</sub> = {factor:.4f}, from mean mesh forces."
         if positions is not None:
             words += (
-                f" At a carrier position at most {positions['load_sharing_factor']:.4f}, at a carrier angle of "
+                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, at a carrier angle of "
                 f"{math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn each, in "
                 f"{positions['turns']:.3g} turns of the carrier."
             )

@@ -151,7 +151,7 @@ def _factor(loads: Mapping[str, Any]) -> str:
     """Mesh load factor of the means, and the largest at a carrier position."""
     words = number(loads["load_sharing_factor"], 4)
     positions = loads.get("positions")
-    return words if positions is None else f"{words}, at most {number(positions['load_sharing_factor'], 4)}"
+    return words if positions is None else f"{words}, largest {number(positions['load_sharing_factor'], 4)}"
 
 
 def _torques(found: Mapping[str, Channel], window: np.ndarray) -> dict[str, float]:
