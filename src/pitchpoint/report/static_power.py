@@ -211,7 +211,10 @@ def _shafts(
     found = {}
     reference = rates["shafts"][first]["speed"] if first else 0.0
     torques = acting_torques(model, balance, outer)
-    for body, row in rates["shafts"].items():
+    for body in _along_the_power(model, balance, first):
+        row = rates["shafts"].get(body)
+        if row is None:
+            continue
         acting = torques[body]
         known = [torque for _, torque in acting if torque is not None]
         largest = max((abs(t) for t in known), default=0.0)
@@ -236,6 +239,21 @@ def _shafts(
             "drives": sides[False],
         }
     return found
+
+
+def _along_the_power(model: Model, balance: TorqueBalance, first: str | None) -> list[str]:
+    """Bodies from the input along joints, meshes and couplings, all others as in the file."""
+    beside: dict[str, list[str]] = {body: [] for body in model.bodies}
+    pairs = [(name, seat.parent) for name, seat in model.mechanism.seats.items()]
+    pairs += [(one, two) for link in balance.links.values() for one in link.bodies for two in link.bodies]
+    for one, two in pairs:
+        if one != two and {one, two} <= beside.keys():
+            beside[one].append(two)
+            beside[two].append(one)
+    found = [] if first is None else [first]
+    for body in found:  # grows
+        found += [name for name in dict.fromkeys(beside[body]) if name not in found]
+    return [*found, *(body for body in model.bodies if body not in found)]
 
 
 def _carrier(model: Model, rates: Mapping[str, Any], body: str) -> str | None:

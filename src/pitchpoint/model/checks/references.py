@@ -58,6 +58,9 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader, other:
         return True
     names = parts.known(group)
     guess = did_you_mean(name, names | parts.known(other) if other else names)
+    body = name.partition(".")[0]
+    if group == "bodies" and body != name and body in names:
+        guess = f"name {body} without the marker, or a body that is fixed there; "
     words = group.replace("_", " ")
     single = {"bodies": "body", "meshes": "mesh"}.get(group, words.removesuffix("s"))
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {words}"
