@@ -118,7 +118,7 @@ def test_mesh_forces_of_the_reports(whole):
 def test_the_brake_stops_the_torque_of_the_generator(torsion):
     """The stop with the torque of the wind fading: the high-speed mesh crosses its backlash.
 
-    With the published damping the teeth carry up to 1.5 times the rated force, and 0.8 times on the back flank.
+    With the published damping the teeth carry up to 1.5 times the rated force, the back flanks 0.8 times.
     """
     short = {"parameters.stop": 0.2, "scenarios.stop.duration": 2.0}
     run = pitchpoint.solve_time(pitchpoint.compile_model(torsion.replace_all(short), "stop"))
@@ -131,7 +131,7 @@ def test_the_brake_stops_the_torque_of_the_generator(torsion):
 
 
 def test_the_power_flows_through_main_shaft_and_carrier(whole):
-    """The rotor is fixed to the main shaft, and this to the carrier: all three transmit the torque of the wind."""
+    """Rotor, main shaft and carrier are fixed to each other: all three transmit the torque of the wind."""
     shafts = static_power(whole, whole.scenarios["rated"], "rated")["shafts"]
     assert list(shafts)[:3] == ["rotor", "main_shaft", "carrier_1"]
     assert list(shafts)[-1] == "generator"

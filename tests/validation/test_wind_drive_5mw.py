@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Loads and damping of the 5 MW drive train in all directions, against equilibrium and published damping.
 
-Sources: torsional stiffness and damping of the drive train 867.637e6 N m/rad and 6.215e6 N m s/rad, a damping
-ratio of 5 % (J. Jonkman et al., NREL/TP-500-38060, 2009, table 5-1); gearbox as in the example. Everything else is
-equilibrium of forces, in these frames: z from the rotor to the generator, y upwards, gravity tilted by 5 deg;
-forces of the bearings on the planets in axes that follow the carrier, which pushes them in the sense of its turn.
+Sources: torsional stiffness and damping of the drive train 867.637e6 N m/rad and 6.215e6 N m s/rad, a
+damping ratio of 5 % (J. Jonkman et al., NREL/TP-500-38060, 2009, table 5-1); gearbox as in the example.
+Everything else is equilibrium of forces, in these frames: z from the rotor to the generator, y upwards,
+gravity tilted by 5 deg; forces of the bearings on the planets in axes that follow the carrier, which pushes
+them in the sense of its turn.
 
-Weight turns once per turn against the carrier, so that the pin of a planet carries a force of this amplitude and
-direction besides the sum of both mesh forces, which push along their lines of action. Tolerances: the lines of
-action are those without deflection; planets, suns and carrier move by up to 0.4 mm of 863 mm, which turns forces of
-831 kN by 5e-4, 1 % of the weight of 15.1 kN.
+Weight turns once per turn against the carrier, so that the pin of a planet carries a force of this
+amplitude and direction besides the sum of both mesh forces, which push along their lines of action.
+Tolerances: the lines of action are those without deflection; planets, suns and carrier move by up to 0.4 mm
+of 863 mm, which turns forces of 831 kN by 5e-4, 1 % of the weight of 15.1 kN.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ def quarters(model):
 
 @pytest.mark.parametrize("planet", PLANETS)
 def test_the_pin_carries_the_weight_of_its_planet_once_per_turn(model, quarters, planet):
-    """Force of the pin plus the forces of sun and ring: amplitude and phase of the weight, and nothing else."""
+    """Force of the pin plus forces of sun and ring: amplitude and phase of the weight, nothing else."""
     sun, ring = f"sun_1-planet_{planet}", f"planet_{planet}-ring_1"
     angles = [abs(model.pairs[name].alpha_wt) for name in (sun, ring)]
     on_sun, on_ring = (np.abs(quarters(f"mesh_force[{name}]")) for name in (sun, ring))
@@ -69,7 +70,7 @@ def test_the_pin_carries_the_weight_of_its_planet_once_per_turn(model, quarters,
 
 
 def test_mean_pin_force_is_that_of_the_torque(model, quarters):
-    """Tangential: T/(3 a); radial: difference of both meshes, 122.6 kN outwards: 829.5 kN (sin 28.118 - sin 17.161)."""
+    """Tangential: T/(3 a); radial: 829.5 kN (sin 28.118 deg - sin 17.161 deg), of both meshes."""
     for planet in PLANETS:
         place = np.exp(-1j * (planet - 1) * math.tau / 3.0)
         fx, fy = (quarters(f"bearing_force[planet_{planet}-bearing.{axis}]") for axis in ("fx", "fy"))
@@ -129,7 +130,7 @@ def test_the_loads_of_the_planets_vary_once_per_turn(quarters):
 
 
 def test_published_damping_is_five_per_cent():
-    """c omega/(2 K) of rotor against generator, 4.9 %; of the torsional gearbox 3.9 %, whose gears are not damped so."""
+    """c omega/(2 K) of rotor against generator: 4.9 %."""
     two = pitchpoint.load_model(FOLDER / "two_mass.yaml")
     ratios = find_modes(pitchpoint.compile_model(two, "free")).damping_ratio
     by_hand = 6.215e6 * math.tau * 2.17976 / (2.0 * 867.637e6)
@@ -138,7 +139,7 @@ def test_published_damping_is_five_per_cent():
 
 
 def test_torque_reversal_after_the_loss_of_the_generator():
-    """Two masses: the torque of the shaft swings to T (J_g - J_r d)/(J_r + J_g), d the decay of half a period."""
+    """Two masses: the torque of the shaft swings to T (J_g - J_r d)/(J_r + J_g), d decay per half period."""
     model = pitchpoint.load_model(FOLDER / "torsion.yaml")
     changed = model.replace_all({"parameters.stop": 0.02, "scenarios.stop.duration": 0.32})
     run = pitchpoint.solve_time(pitchpoint.compile_model(changed, "stop"))

@@ -88,8 +88,8 @@ def position_words(positions: Mapping[str, Any]) -> str:
 
     Examples
     --------
-    >>> position_words({"carrier_angle": 1.5707963, "turns": 0.5})
-    'largest K_γ at a carrier angle of 90 deg; shares over 1/12 turn each, in 0.5 turn of the carrier, which is less than all positions'
+    >>> position_words({"carrier_angle": 1.5707963, "turns": 1.5})
+    'largest K_γ at a carrier angle of 90 deg; shares over 1/12 turn each, in 1.5 turns of the carrier'
     """
     turns = positions["turns"]
     words = f"{turns:.3g} turn{'s' if turns >= WHOLE + 0.01 else ''} of the carrier"

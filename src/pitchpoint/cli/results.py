@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import show, shown, table
+from pitchpoint.cli.output import shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.io.container import Header
@@ -237,8 +237,8 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
     if short:
         least, step = min(short.values())
         notes.append(
-            f"{ranges(list(short))}: the shortest contact lasts {shown(least, 'time', 3)}, and contacts are checked "
-            f"every {shown(step, 'time', 3)}, so impacts may be missed; use a smaller step"
+            f"{ranges(list(short))}: the shortest contact lasts {shown(least, 'time', 3)}, and contacts are "
+            f"checked every {shown(step, 'time', 3)}, so impacts may be missed; use a smaller step"
         )
     if rows:
         head = [

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Torques on every body about its axis, by what they come from, at constant speed.
 
-Bodies fixed to a shaft transmit torque through their joints: from the wind on a rotor through the main shaft to the
-carrier of the planets. The torque of planets on their carrier is the remainder of the balance.
+Bodies fixed to a shaft transmit torque through their joints: from the wind on a rotor through the main shaft
+to the carrier of the planets. The torque of planets on their carrier is the remainder of the balance.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def _own(balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str) 
 
 
 def _complete(model: Model, found: dict[str, Acting], body: str) -> None:
-    """Add the torques of planets on their carrier, and those through fixed joints, to bodies that rotate as one."""
+    """Add torques of planets on carriers and those through fixed joints, for bodies that rotate as one."""
     seats = model.mechanism.seats
     fixed = _fixed_to(model, body)
     if body not in seats or not seats[body].coordinates:

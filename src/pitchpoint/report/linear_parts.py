@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.linear_system import Linearised
-    from pitchpoint.solvers.modal import Modes
     from pitchpoint.system.system import System
     from pitchpoint.viz.report.build import ModeData
 

@@ -62,7 +62,9 @@ def equal_periods(model: Model, one: str, two: str) -> bool:
     """Whether two meshes of a train have the same mesh frequency and repeat together."""
     turning, order = _rates(model, one)
     other = _order_of(model, two, turning) if order else 0.0
-    return abs(other - order) <= 1e-9 * order and periods_until_repeat(model, one) == periods_until_repeat(model, two)
+    return abs(other - order) <= 1e-9 * order and periods_until_repeat(model, one) == periods_until_repeat(
+        model, two
+    )
 
 
 def points_to_roll(coordinates: int) -> int:

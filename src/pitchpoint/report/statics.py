@@ -101,13 +101,16 @@ def with_rolls(
 
 
 def meshes_rolled_together(model: Model, meshes: Sequence[str]) -> dict[str, list[str]]:
-    """Meshes with the same period in one train, such as those of all planets of a set, by mesh: one roll for all."""
+    """Meshes with the same period in one train, by mesh, such as those of all planets: one roll for all."""
     from pitchpoint.report.rolls import equal_periods
 
     found: dict[str, list[str]] = {}
     for name in meshes:
         if name not in found:
-            group = [name, *(n for n in meshes if n not in found and n != name and equal_periods(model, name, n))]
+            group = [
+                name,
+                *(n for n in meshes if n not in found and n != name and equal_periods(model, name, n)),
+            ]
             found |= dict.fromkeys(group, group)
     return found
 

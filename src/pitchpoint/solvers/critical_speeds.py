@@ -168,7 +168,9 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     solved, turning = [], []
     by_teeth: list[ByTeeth | None] = []
     for order in orders:
-        crossings = [(k, at) for k in range(len(found.names)) for at in _brackets(found, forward, order.value, k)]
+        crossings = [
+            (k, at) for k in range(len(found.names)) for at in _brackets(found, forward, order.value, k)
+        ]
         if not crossings:
             continue
         phases = phases or mesh_phases(found)
@@ -184,7 +186,9 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         return ()
     _, _, speeds, values, shapes, slopes = zip(*solved, strict=True)
     z, spins = np.array(shapes), spins_of(found.motions, found.rates)
-    energies = energies_of(found.motions, z, np.array(values), np.array(turning), np.array(speeds)[:, None] * spins)
+    energies = energies_of(
+        found.motions, z, np.array(values), np.array(turning), np.array(speeds)[:, None] * spins
+    )
     words = whirl_words(energies)
     moved = sensitivities(found.motions, energies, np.array(slopes))
     listed = [

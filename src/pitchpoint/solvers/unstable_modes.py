@@ -179,7 +179,8 @@ def sources(linear: Linearised, modes: Modes) -> list[str]:
 def unstable_notes(linear: Linearised, modes: Modes) -> tuple[Message, ...]:
     """Note on the unstable modes about a state: names, damping ratios and what feeds them."""
     listed = [
-        f"{modes.names[k]} ({100.0 * float(modes.damping_ratio[k]):.2g} %" + (f", fed by {source})" if source else ")")
+        f"{modes.names[k]} ({100.0 * float(modes.damping_ratio[k]):.2g} %"
+        + (f", fed by {source})" if source else ")")
         for k, source in enumerate(sources(linear, modes))
         if modes.damping_ratio[k] < -UNDAMPED
     ]
@@ -188,7 +189,7 @@ def unstable_notes(linear: Linearised, modes: Modes) -> tuple[Message, ...]:
     verb = "modes are" if len(listed) > 1 else "mode is"
     text = f"{len(listed)} {verb} unstable: {'; '.join(listed[:SHOWN])}"
     more = f"; {len(listed) - SHOWN} more" if len(listed) > SHOWN else ""
-    remedy = "add damping to shafts, bearings or loads that depend on speed, or see the Campbell diagram for the speeds"
+    remedy = "add damping to shafts or bearings; a Campbell diagram gives the range of speeds"
     return (note(f"{text}{more}", remedy=remedy),)
 
 

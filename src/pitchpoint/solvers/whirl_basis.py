@@ -206,9 +206,7 @@ class WhirlModes:
         return inverse_iteration((m, d, k), B, M, (value, shape))
 
 
-def inverse_iteration(
-    matrices: tuple[Array, Array, Array], B: Array, M: Array, start: One
-) -> One | None:
+def inverse_iteration(matrices: tuple[Array, Array, Array], B: Array, M: Array, start: One) -> One | None:
     """Mode of a quadratic eigenvalue problem from a start close to it; None if it converges to another mode.
 
     Parameters

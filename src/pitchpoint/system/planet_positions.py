@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Load shares of the planets at every position of their carrier, from mesh forces over time or over a roll.
 
-Weight and bending moments load each planet once per turn of the carrier. The factor for the design is the largest
-share of a planet at any position of the carrier times the number of planets; means over whole turns hide it. A
-position is a sector of the turn: shares are means over the whole mesh periods in 1/12 of a turn, at least one. This
-removes the mesh frequency, and reduces a variation once per turn by 1.1 %.
+Weight and bending moments load each planet once per turn of the carrier. The factor for the design is the
+largest share of a planet at any position of the carrier times the number of planets; means over whole turns
+hide it. A position is a sector of the turn: shares are means over the whole mesh periods in 1/12 of a turn,
+at least one. This removes the mesh frequency, and reduces a variation once per turn by 1.1 %.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ FEWEST = 6
 SECTORS = 12
 """Sectors of a turn of the carrier: a variation once per turn is reduced by sinc(1/12)."""
 LOADED = 0.5
-"""Load of all planets, over its largest value, from which a position counts: without load there are no shares."""
+"""Load of all planets, over its largest value, from which a position counts."""
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ class PositionLoads:
     angle
         Angle of the carrier in the middle of this position, from its initial position, in [0, 2 pi) [rad].
     turns
-        Turns of the carrier in the result [-]; the extremes of less than one turn are not those of all positions.
+        Turns of the carrier in the result [-]; less than one does not have all positions.
     """
 
     least_share: tuple[float, ...]
@@ -75,9 +75,9 @@ def shares_at_positions(
     Returns
     -------
     tuple
-        Shares [-], shape (m, planets), and indices of their last samples, shape (m,), without the positions at which
-        all planets together carry less than half of their largest load. m = 0 for fewer periods, or for less
-        than 6 samples per period.
+        Shares [-], shape (m, planets), and indices of their last samples, shape (m,), without positions at
+        which all planets together carry less than half of their largest load. m = 0 for fewer periods, or for
+        less than 6 samples per period.
 
     Examples
     --------
@@ -113,7 +113,7 @@ def loads_at_positions(
 ) -> PositionLoads | None:
     """Extremes of the load shares of a stage in a time response or slow roll.
 
-    None if the carrier is at rest, if the channels are not in the result, or if it is shorter than a position.
+    None if the carrier is at rest, if channels are not in the result, or if it is shorter than a position.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def loads_at_positions(
         Time after the first sample that is omitted [s].
     """
     carriers = (s.carrier for s in model.planetary_stages.values() for g in s.groups if meshes[0] in g.names)
-    body = turning_body(model, next(carriers), "angle", result)
+    body = turning_body(model, next(carriers), "angle", {str(name) for name in result})
     names = [f"angle[{body}]", f"mesh_phase[{meshes[0]}]", *(f"mesh_force[{mesh}]" for mesh in meshes)]
     if any(name not in result or result[name].ndim != 1 for name in names):
         return None
@@ -146,7 +146,9 @@ def loads_at_positions(
     if not len(shares):
         return None
     at, _ = np.unravel_index(int(np.argmax(shares)), shares.shape)
-    middle = float(angle[index[at]]) - math.copysign(0.5 * periods * turns / rolled * math.tau, angle[-1] - angle[0])
+    middle = float(angle[index[at]]) - math.copysign(
+        0.5 * periods * turns / rolled * math.tau, angle[-1] - angle[0]
+    )
     return PositionLoads(
         least_share=tuple(shares.min(axis=0).tolist()),
         largest_share=tuple(shares.max(axis=0).tolist()),

@@ -288,7 +288,7 @@ def test_a_balanced_torque_of_a_slow_roll_holds_no_friction():
 
 
 def test_a_roll_goes_on_in_smaller_steps(monkeypatch):
-    """An equilibrium that is not found from the rolled state is reached in parts of the step from the last one."""
+    """An equilibrium that is not found from the rolled state is reached in parts of the step before."""
     system = compiled(FAN, "slow")[1]
     expected = roll_through(system, "stage", 4).rows
     search, calls = holding.find_equilibrium, []

@@ -190,8 +190,11 @@ def test_modes_at_one_speed_name_unstable_ones_and_their_source():
 
 
 def test_a_mode_near_another_is_that_of_all_modes_with_states_of_a_brake():
-    """Inverse iteration from the mode at 50 rad/s to 60 rad/s, against all modes there; the brake has a state."""
-    text = SET.replace("MOTOR", "2 N m") + "clutches:\n  b: {bodies: [carrier], capacity: 1 N m, wind_up: 0.002}\n"
+    """Inverse iteration from 50 to 60 rad/s, against all modes there; the brake has a state."""
+    text = (
+        SET.replace("MOTOR", "2 N m")
+        + "clutches:\n  b: {bodies: [carrier], capacity: 1 N m, wind_up: 0.002}\n"
+    )
     found = follow_modes(compiled(text, "s")[1], [50.0, 60.0], "sun", "s")
     assert not found.modes.reducible
     for mode in (1, 4):

@@ -25,13 +25,15 @@ def model():
 
 
 def result_of(turns: float, samples: int = 40, least: float = 1.0) -> xr.Dataset:
-    """Forces that vary once per turn of the carrier, with the mesh frequency, and from 1 to `least` in time."""
+    """Forces that vary once per turn, with the mesh frequency, and from 1 to `least` in time."""
     cycles = np.linspace(0.0, TEETH * turns, round(TEETH * turns * samples) + 1)
     angle = math.tau * cycles / TEETH
     torque = np.linspace(1.0, least, cycles.size) * (1.0 + 0.3 * np.sign(np.sin(math.tau * cycles)))
     channels = {"angle[carrier]": angle, f"mesh_phase[{MESHES[0]}]": cycles % 1.0}
     for k, mesh in enumerate(MESHES):
-        channels[f"mesh_force[{mesh}]"] = -MEAN * torque * (1.0 + AMPLITUDE * np.cos(angle - k * math.tau / 3.0))
+        channels[f"mesh_force[{mesh}]"] = (
+            -MEAN * torque * (1.0 + AMPLITUDE * np.cos(angle - k * math.tau / 3.0))
+        )
     time = cycles / 36.0
     return xr.Dataset({name: ("time", values) for name, values in channels.items()}, coords={"time": time})
 
@@ -51,13 +53,17 @@ def test_the_largest_factor_is_that_of_the_variation_once_per_turn(model):
     assert loads.positions.least_share == pytest.approx([(1.0 - AMPLITUDE * sector) / 3.0] * 3, abs=1e-4)
     places = np.degrees(loads.positions.angle) % 120.0
     assert min(places, 120.0 - places) < 3.0  # where a planet is on the side of its load
-    assert as_data({"stage_1": loads})["stage_1"]["positions"]["load_sharing_factor"] == loads.positions.factor
+    assert (
+        as_data({"stage_1": loads})["stage_1"]["positions"]["load_sharing_factor"] == loads.positions.factor
+    )
 
 
 def test_a_part_of_a_turn_is_stated(model):
     found = positions(model, result_of(0.4))
     assert found.turns == pytest.approx(0.4, abs=1e-9)
-    assert "less than all positions" in position_words(as_data(planet_loads(model, result_of(0.4)))["stage_1"]["positions"])
+    assert "less than all positions" in position_words(
+        as_data(planet_loads(model, result_of(0.4)))["stage_1"]["positions"]
+    )
 
 
 def test_positions_with_little_load_do_not_count(model):

@@ -162,10 +162,10 @@ def roll_through(
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
-    `Roll.meshes` contains all meshes, or with `others` the rolled mesh and those named. `look` is called at each position with the
-    evaluated system, its state and its channels. `at`: numbers of the rolled periods, counted from the
-    initial position, instead of the first ones. `along`: rates of the coordinates in whose direction
-    the roll goes; default: the speeds of the scenario.
+    `Roll.meshes` contains the rolled mesh and `others`: names, or True for all. `look` is called at each
+    position with the evaluated system, its state and its channels. `at`: numbers of the rolled periods,
+    counted from the initial position, instead of the first ones. `along`: rates of the coordinates in whose
+    direction the roll goes; default: the speeds of the scenario.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -202,12 +202,11 @@ def roll_through(
             if look is not None:
                 look(own, state, rows[s])
             for m in observed:
-                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
+                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 unloaded[m, s] = unloaded_error(own, clear, m, contact)
             on = 1 + int(jumps[s // points]) if (s + 1) % points == 0 else 1
-            last = state
-            state, clear = (rolled_on(own, x, spin, step, rates, on) for x in (state, clear))
+            last, (state, clear) = state, [rolled_on(own, x, spin, step, rates, on) for x in (state, clear)]
             done = s + 1
             progress(done, n, f"{mesh}: roll")
     except KeyboardInterrupt:

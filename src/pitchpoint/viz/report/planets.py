@@ -30,7 +30,7 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         force = scale("N", stage["mean_force"])
         head = ["planet", "mesh", f"mean mesh force [{force.unit}]", "share [%]"]
         positions = stage.get("positions")
-        pairs = [()] * len(stage["planets"])
+        pairs: list[tuple[float, ...]] = [()] * len(stage["planets"])
         if positions is not None:
             head += ["smallest share [%]", "largest share [%]"]
             pairs = list(zip(positions["least_share"], positions["largest_share"], strict=True))
@@ -46,8 +46,8 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         words = f"{escape(name)}: mesh load factor K<sub>γ</sub> = {factor:.4f}, from mean mesh forces."
         if positions is not None:
             words += (
-                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, at a carrier angle of "
-                f"{math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn each, in "
+                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, at a "
+                f"carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn each, in "
                 f"{positions['turns']:.3g} turns of the carrier."
             )
         found.append(f"{plain_table(head, body)}<p>{words}</p>")
