@@ -73,6 +73,19 @@ def mesh_wrenches(system, state):
     return whole - bare
 
 
+def mesh_powers(system, state):
+    """Friction, damping and parametric power of the mesh m, its energy, and the rate of this energy."""
+
+    def told(at):
+        values = evaluate.observe(system, at)
+        names = ("friction_power", "damping_power", "parametric_power", "elastic_energy")
+        return np.array([values[system.layout.channel(f"{name}[m]")] for name in names])
+
+    h = 1e-8
+    near, far = (told(along(system, state, s * h))[3] for s in (-1.0, 1.0))
+    return (*told(state), (far - near) / (2.0 * h))
+
+
 @pytest.mark.parametrize("kind", ["external", "internal"])
 @pytest.mark.parametrize("law", [CONSTANT, PAIR])
 @pytest.mark.parametrize("flank", [1, -1])
@@ -82,13 +95,7 @@ def test_balance_and_power_of_displaced_gears(kind, law, flank):
     losses += ", friction: {mu: 0.08}" if law == PAIR else ""
     system = machine(kind, 20, "free", losses, law)
     state = pressed(system, np.random.default_rng(5), 300.0, flank, 1e-4)
-    names = ("friction_power", "damping_power", "parametric_power", "elastic_energy")
-
-    def told(at):
-        values = evaluate.observe(system, at)
-        return np.array([values[system.layout.channel(f"{name}[m]")] for name in names])
-
-    friction, damping, parametric, energy = told(state)
+    friction, damping, parametric, energy, stored = mesh_powers(system, state)
     assert energy > 0.0
     F = mesh_wrenches(system, state)
     fr = system.workspace.fr
@@ -96,9 +103,6 @@ def test_balance_and_power_of_displaced_gears(kind, law, flank):
     assert np.abs(F[1, :3] + F[2, :3]).max() < 1e-11 * np.abs(F).max()
     assert np.abs(moment).max() < 1e-11 * np.abs(F).max()
     power = sum(F[k] @ fr["tw"][k] for k in (1, 2))
-    h = 1e-8
-    near, far = (told(along(system, state, s * h))[3] for s in (-1.0, 1.0))
-    stored = (far - near) / (2.0 * h)
     scale = abs(parametric) + abs(stored) + friction + damping
     assert -power + parametric == pytest.approx(stored + friction + damping, abs=1e-6 * scale)
 

@@ -14,7 +14,8 @@ from pitchpoint.solvers.contact_analysis.precompute import (
     quantities,
     table_span,
 )
-from pitchpoint.system.rules.flank_contact import ElasticFlanks, GearInfluence, SurfaceContact
+from pitchpoint.system.rules.flank_contact import SurfaceContact
+from pitchpoint.system.rules.flexible_teeth import ElasticFlanks, GearInfluence
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 
 PLANES = 11

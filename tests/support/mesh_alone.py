@@ -96,3 +96,16 @@ def moved(frames, body, step):
         fr["R"][body] = rotation(tilt / angle, angle) @ fr["R"][body]
     fr["phi"][body] += spin
     return fr
+
+
+def wrenches_move_with_the_gearbox(m):
+    """Whether the wrenches of a mesh rotate with the gearbox and do not depend on its place, to 1e-7."""
+    F = m.evaluate()
+    Q = rotation(np.array([1.0, 2.0, 3.0]) / math.sqrt(14.0), 0.9)
+    fr = m.frames.copy()
+    for k in range(2):
+        fr["r"][k] = Q @ fr["r"][k] + [0.3, -0.1, 0.7]
+        fr["R"][k] = Q @ fr["R"][k]
+    G = m.evaluate(fr)
+    parts = ((G[:, k : k + 3], F[:, k : k + 3]) for k in (0, 3))
+    return all(np.allclose(g, f @ Q.T, rtol=0, atol=1e-7 * abs(F).max()) for g, f in parts)

@@ -89,13 +89,14 @@ def test_penetration_of_stage_3_at_the_stated_output():
 def test_impact_damping_grows_by_the_cubic_step(depth, share):
     """C S(delta/d) delta' per pair with the normalised argument: S(d/2) = 0.5, S(0.2) = 0.104."""
     from pitchpoint.model.components.mesh import ContactDamping
-    from pitchpoint.system.rules.mesh_laws import contact_damping, mean_stiffness
+    from pitchpoint.system.rules.mesh_laws import flank_damping, mean_stiffness
 
     C, speed = 1e6, 1e-3  # 1000 N s/mm
     pair = pair_of(1)
     law = hertz(pair, moduli=MODULI, poisson=POISSON)
     k = mean_stiffness(pair, law)
-    given = contact_damping(ContactDamping(pair=C, s_0=0.1e-3, law="smooth"), pair, law, k, 0.0)
+    damping = ContactDamping(pair=C, s_0=0.1e-3, law="smooth")
+    given = flank_damping(damping, math.cos(pair.gear1.beta_b), law.c_prime * pair.b_w, k, 0.0)
     m = OneMesh(pair, MeshLaws(stiffness=law, k_ref=k, **given), backlash=1e-4)
     cos_b = math.cos(pair.gear1.beta_b)
     m.press(depth / cos_b)

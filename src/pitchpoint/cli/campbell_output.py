@@ -97,7 +97,7 @@ def print_summary(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
         return
     _print_movers(summary)
     more = len(summary["critical_speeds"]) - len(cells)
-    show(f"{summary['ranking']}" + (f"; {more} more: --table, --json or -o contain all" if more > 0 else ""))
+    show(f"{summary['ranking']}" + (f"; {more} more with --table, --json or -o" if more > 0 else ""))
     low, high = (_rpm(speed) for speed in summary["speeds"])
     rows = [
         [
@@ -144,7 +144,7 @@ def _print_movers(summary: dict[str, Any]) -> None:
             ranks.setdefault(movers(row["moved_by"], MOVERS), []).append(str(rank))
     if ranks:
         heads = ["rank", f"change of the critical speed for +{100.0 * STEP:g} % of stiffness or mass"]
-        table("What moves them", heads, [[", ".join(which), words] for words, which in ranks.items()])
+        table("Sensitivities", heads, [[", ".join(which), words] for words, which in ranks.items()])
 
 
 def movers(moved_by: Sequence[Sequence[Any]], count: int) -> str:

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.check_tables import FORCES, show_check
-from pitchpoint.cli.flexible_rims import rims_of_model, ring_modes
+from pitchpoint.cli.check_output.flexible_rims import rims_of_model, ring_modes
+from pitchpoint.cli.check_output.stations import beam_stations, shaft_stations
+from pitchpoint.cli.check_output.tables import FORCES, show_check
 from pitchpoint.cli.options import common, model_file, writes
 from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.settings import set_option
-from pitchpoint.cli.stations import beam_stations, shaft_stations
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -53,9 +53,9 @@ def check(
 
     If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
-    from pitchpoint.cli.balance import show_balance, solved
+    from pitchpoint.cli.check_output.balance import show_balance, solved
+    from pitchpoint.cli.check_output.gearbox import without_nodes
     from pitchpoint.cli.failure import FAILED, OK, say
-    from pitchpoint.cli.gearbox import without_nodes
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.settings import changes_of, settings_of_command
     from pitchpoint.model.changes import named

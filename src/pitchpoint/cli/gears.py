@@ -104,7 +104,7 @@ def gears(
     _print_pairs(model, only, quiet=quiet)
     print_bevel_pairs(model, only, quiet=quiet)
     if only is None and model.planetary_stages:
-        from pitchpoint.cli.planets import show_stages
+        from pitchpoint.cli.check_output.planets import show_stages
         from pitchpoint.report.planets import stages_of_model
 
         show_stages(stages_of_model(model))

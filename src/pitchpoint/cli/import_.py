@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 def import_(file: str, output: str | None, load_case: int | None, as_json: bool, quiet: bool) -> None:
     """Import the gear unit of a REXS file (XML, JSON, ZIP; versions 1.0 to 2.0.0) as a model.
 
-    The list shows what was taken, the defaults for missing values, what was changed, and what has no
+    The list shows what was imported, the defaults for missing values, what was changed, and what has no
     effect in a model. A file with a part that a model cannot represent is refused.
     """
     from pitchpoint.io.rexs.importing import import_rexs

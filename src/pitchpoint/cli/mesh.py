@@ -21,9 +21,6 @@ if TYPE_CHECKING:
 BARE = "mesh"
 """Name of the mesh if no file is given."""
 
-TITLES = {"mesh": "Torsional stiffness of the mesh", "pair": "One tooth pair from A to E"}
-"""Titles of the tables of a mesh."""
-
 _BARS = "▁▂▃▄▅▆▇█"
 
 

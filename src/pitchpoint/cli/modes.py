@@ -104,7 +104,7 @@ def compute(
     from pitchpoint.io.dataset_tables import write_variables
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import COORDINATES, find_modes, modal_variables
-    from pitchpoint.solvers.unstable_modes import unstable_notes
+    from pitchpoint.solvers.modes.unstable import unstable_notes
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -187,7 +187,7 @@ def damping_text(ratio: float, frequency: float) -> str:
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:
     """Output of `modes --json` for each mode; shapes have modal mass 1."""
-    from pitchpoint.solvers.mode_energies import WAYS
+    from pitchpoint.solvers.modes.energies import WAYS
 
     return [
         {
@@ -219,7 +219,7 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
 def animate(path: str, found: Modes, model: Model) -> None:
     """Write the motion of all bodies, and of the nodes of elastic ones, over one cycle of every mode."""
     from pitchpoint.io.mode_animation import write_mode_animation
-    from pitchpoint.solvers.node_shapes import node_shapes
+    from pitchpoint.solvers.modes.node_shapes import node_shapes
 
     write_mode_animation(
         path,

@@ -47,7 +47,7 @@ def compute(
     model: Model, file: str, name: str, target: Path, *, quiet: bool = False
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Compute a slow roll into a file; return the output of `run --json`, and the error that stopped it."""
-    from pitchpoint.cli.planets import with_stored_positions
+    from pitchpoint.cli.planet_loads import with_stored_positions
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError

@@ -64,7 +64,7 @@ def forecast_words(summary: Mapping[str, Any]) -> str:
         return text
     return (
         f"{text}, {summary['left']} remaining: about {duration_text(summary['seconds'])} on "
-        f"{summary['jobs']} cores (from the time of one: {summary['tried_case']})"
+        f"{summary['jobs']} cores (estimated from one case: {summary['tried_case']})"
     )
 
 

@@ -223,16 +223,3 @@ def tip_gap_floor(eta, r_1, r_2, L, tan_a):
     """
     first = 0.5 * tip_gap_curvature(r_1, r_2, L, tan_a)
     return MARGIN * min(first, tip_gap(eta, r_1, r_2, L, tan_a)[0] / (eta * eta))
-
-
-@kernel
-def edge_radius(roll, radius):
-    """Reduced radius of curvature of a tip rounding on the flank of the mate, in the transverse section [m].
-
-    `roll` is the length of roll of the contact point on the mate, negative for an internal gear, `radius`
-    that of the rounding [m]. 0 for a sharp edge.
-
-    >>> round(float(edge_radius(12.0e-3, 0.5e-3)) * 1e3, 3)
-    0.48
-    """
-    return radius * roll / (radius + roll)

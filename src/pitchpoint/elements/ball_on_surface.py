@@ -7,17 +7,15 @@ distance function; the constraint row and its multiplier are those of `contacts.
 
 from __future__ import annotations
 
-from pitchpoint.contact.surface import distance
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contacts.permanent import FORCE, hold
 from pitchpoint.elements.contacts.record import RECORD, RESULTS
-from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
 from pitchpoint.elements.contacts.wrench import place_markers
 from pitchpoint.elements.kind import CONSTRAINT, Kind
-from pitchpoint.elements.point_surface import set_surface
+from pitchpoint.elements.point_surface import place_on_shape, set_surface
 from pitchpoint.multibody.channels import constraint_args, constraint_rates, observations
-from pitchpoint.multibody.vectors import column, dot, into_world, plus, triple
+from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 __all__ = ["KIND", "OUTPUTS", "RECORD", "ball_on_surface", "entry", "set_surface"]
 
@@ -35,10 +33,7 @@ def ball_on_surface(rec, ctl, fr, q, g, G):
         o = fr[b["j"]]
         place_markers(b, f, o)
         b["side"] = 1.0
-        phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
-        curvature_in_world(b["Ej"], b["V"], b["W"])
-        m = into_world(b["Ej"], (nx, ny, nz))
-        point_place(b, f, o, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
+        m = place_on_shape(b, f, o)
         lam = hold(b, c, f, o, g, gtt, Gf)
         if c["out"] != 0:
             out = observations(ctl)

@@ -21,7 +21,7 @@ from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.rotation_vector import by_turn, by_turn_change, rotation_vector
 from pitchpoint.elements.wrench import angular_velocity, origin, push, put, velocity
 from pitchpoint.multibody.channels import frame_args, observations
-from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
+from pitchpoint.multibody.vectors import add, along, cross, dot, into_world, less, times, triple, unit
 
 SOFT = 1e-9
 """Ratio of stiffness about the axis to largest stiffness below which the ends rotate freely [1]."""
@@ -70,12 +70,6 @@ def _axes(f, A):
 
 
 @kernel
-def _into(axes, a):
-    """Components along three axes."""
-    return dot(axes[0], a), dot(axes[1], a), dot(axes[2], a)
-
-
-@kernel
 def _out_of(axes, a):
     """Vector from its components along three axes."""
     return add(add(times(a[0], axes[0]), times(a[1], axes[1])), times(a[2], axes[2]))
@@ -115,8 +109,8 @@ def _kinematics(b, f, g):
     y = add(velocity(f), cross(angular_velocity(f), arm))
     y = less(less(y, velocity(g)), cross(angular_velocity(g), reach))
     turn = less(angular_velocity(f), angular_velocity(g))
-    _join(b["x"], _into(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0)))), s)
-    _join(b["w"], _into(axes, y), by_turn(s, _into(axes, turn), -1.0))
+    _join(b["x"], along(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0)))), s)
+    _join(b["w"], along(axes, y), by_turn(s, along(axes, turn), -1.0))
     for r in range(6):
         b["x"][r] -= b["x0"][r]
     return arm, reach, axes, s, y, turn
@@ -137,19 +131,19 @@ def _column(b, f, g, line, side, c):
         d_reach = add(shift, d_arm)
         du = d_reach
         dy = less(cross(angular_velocity(f), d_arm), cross(angular_velocity(g), d_reach))
-        p = _into(axes, w)
+        p = along(axes, w)
         spun = (0.0, 0.0, 0.0)
     else:
         d_arm = (0.0, 0.0, 0.0)
         d_reach = times(-1.0, shift)
         du = less(d_reach, cross(w, reach))
         dy = less(times(-1.0, cross(angular_velocity(g), d_reach)), cross(w, y))
-        p = times(-1.0, _into(axes, w))
-        spun = times(-1.0, _into(axes, cross(w, turn)))
+        p = times(-1.0, along(axes, w))
+        spun = times(-1.0, along(axes, cross(w, turn)))
     ds = by_turn(s, p, -1.0)
-    _join(b["x"], _into(axes, du), ds)
-    d_rate = add(by_turn_change(s, ds, _into(axes, turn), -1.0), by_turn(s, spun, -1.0))
-    _join(b["w"], _into(axes, dy), d_rate)
+    _join(b["x"], along(axes, du), ds)
+    d_rate = add(by_turn_change(s, ds, along(axes, turn), -1.0), by_turn(s, spun, -1.0))
+    _join(b["w"], along(axes, dy), d_rate)
     return d_arm, d_reach, ds
 
 

@@ -15,12 +15,12 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.core.formula.kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_curvature
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import CONSTRAINT, DRIVE, FREE, Kind, Power
 from pitchpoint.elements.ratio import SPIN
-from pitchpoint.elements.signal import Pool, law_call
+from pitchpoint.elements.signal import Pool, interval_of, law_call
 from pitchpoint.elements.speed_profile import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
@@ -28,7 +28,8 @@ TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09
 """2 pi as a sum of two parts, the first with 27 bits: exact product with the number of turns of a day."""
 SPEED, SPEED_PIECES, ANGLE_FORMULA = 0, 1, 2
 STENCIL = 1e-5
-"""Step of the finite differences for the acceleration of an angle formula [s]."""
+"""Step of the finite differences for the acceleration of an angle formula [s]: relative error 1e-6 for a
+ripple of 1 kHz."""
 
 
 RECORD = np.dtype(
@@ -111,14 +112,7 @@ def _mean(b, t):
         edges = view(where, n + 1, F8)
         angles = view(where + 8 * (n + 1), n + 1, F8)
         powers = view(where + 16 * (n + 1), (n, most + 1), F8)
-        low = 0
-        high = n
-        while high - low > 1:
-            mid = (low + high) // 2
-            if edges[mid] <= t:
-                low = mid
-            else:
-                high = mid
+        low = interval_of(t, edges)
         half = 0.5 * (edges[low + 1] - edges[low])
         x = min(max((t - edges[low]) / half - 1.0, -1.0), 1.0)
         angle = 0.0
@@ -135,13 +129,8 @@ def _mean(b, t):
     if b["form"] == ANGLE_FORMULA:
         ops = view(where, n, I8)
         room = view(where + 8 * n, 1 << 20, F8)
-        x, s = evaluate_slope(ops, n, room, t, 0.0, 0.0, 0)
-        acceleration = 0.0
-        for k in range(-2, 3):  # fourth order: relative error 1e-6 for a ripple of 1 kHz
-            if k != 0:
-                _, slope = evaluate_slope(ops, n, room, t + k * STENCIL, 0.0, 0.0, 0)
-                acceleration += slope * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
-        return b["angle"] + x, s, acceleration / (12.0 * STENCIL)
+        x, speed, acceleration = evaluate_curvature(ops, n, room, t, STENCIL)
+        return b["angle"] + x, speed, acceleration
     return b["angle"] + b["speed"] * t, b["speed"], 0.0
 
 

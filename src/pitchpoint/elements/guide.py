@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.formula.kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_curvature
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FREE, MOTION, Kind, Power
-from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.signal import Pool, interval_of
 from pitchpoint.elements.speed_profile import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
 
@@ -102,14 +102,7 @@ def _pieces(b, x):
     powers = view(where + 8 * (n + 1), (n, most + 1), F8)
     if b["period"] > 0.0:
         x -= b["period"] * math.floor((x - edges[0]) / b["period"])
-    low = 0
-    high = n
-    while high - low > 1:
-        mid = (low + high) // 2
-        if edges[mid] <= x:
-            low = mid
-        else:
-            high = mid
+    low = interval_of(x, edges)
     half = 0.5 * (edges[low + 1] - edges[low])
     s = (x - edges[low]) / half - 1.0
     outside = s < -1.0 or s > 1.0
@@ -138,14 +131,8 @@ def function(b, x):
     where = b["pool"] + 8 * b["start"]
     ops = view(where, n, I8)
     room = view(where + 8 * n, 1 << 20, F8)  # upper bound; the programme uses only its own workspace
-    value, slope = evaluate_slope(ops, n, room, x, 0.0, 0.0, 0)
-    h = b["step"]
-    second = 0.0
-    for k in range(-2, 3):
-        if k != 0:
-            _, s = evaluate_slope(ops, n, room, x + k * h, 0.0, 0.0, 0)
-            second += s * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
-    return b["value"] + value, slope, second / (12.0 * h)
+    value, slope, second = evaluate_curvature(ops, n, room, x, b["step"])
+    return b["value"] + value, slope, second
 
 
 @kernel

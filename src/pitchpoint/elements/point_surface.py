@@ -100,13 +100,13 @@ def set_mesh(
 
 
 @kernel
-def _on_analytic(b, c, f, g, kk):
-    """Add the contact of a sphere with a surface of simple shape."""
+def place_on_shape(b, f, g):
+    """Place the contact of a sphere with a surface of simple shape; returns the normal in world axes."""
     phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
     m = into_world(b["Ej"], (nx, ny, nz))
     point_place(b, f, g, triple(b["oi"], 0), m, phi - b["radius"], b["radius"], 1.0)
-    act(b, c, f, g, kk)
+    return m
 
 
 @kernel
@@ -152,7 +152,8 @@ def point_surface(rec, ctl, fr, kk):
         elif b["stations"] > 0:
             circle_of_contact(b, c, f, g, kk)
         else:
-            _on_analytic(b, c, f, g, kk)
+            place_on_shape(b, f, g)
+            act(b, c, f, g, kk)
         finish(b, ctl, 0)
     return OK
 

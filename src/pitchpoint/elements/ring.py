@@ -27,7 +27,7 @@ from typing import Any
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.wrench import angular_velocity, origin, push, put, spin_axis, velocity
-from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
+from pitchpoint.multibody.vectors import add, along, cross, dot, into_world, less, times, triple, unit
 
 TWO_PI = 6.283185307179586
 CLOSED = 1e-6
@@ -85,12 +85,6 @@ def _axis(f, A, k):
 
 
 @kernel
-def _into(axes, a):
-    """Components along three axes."""
-    return dot(axes[0], a), dot(axes[1], a), dot(axes[2], a)
-
-
-@kernel
 def _fill(x, a, tilt_x, tilt_y, turn):
     for r in range(3):
         x[r] = a[r]
@@ -137,9 +131,9 @@ def ring_motion(b, f, g):
     spin = less(angular_velocity(f), angular_velocity(g))
     moved = cross(spin, n)
     turn = math.atan2(dot(axes[1], c0) - dot(axes[0], c1), dot(axes[0], c0) + dot(axes[1], c1))
-    u = _into(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0))))
+    u = along(axes, less(reach, into_world(g["S"], triple(b["p_j"], 0))))
     _fill(b["x"], u, dot(axes[0], n), dot(axes[1], n), turn)
-    _fill(b["w"], _into(axes, y), dot(axes[0], moved), dot(axes[1], moved), dot(h, spin))
+    _fill(b["w"], along(axes, y), dot(axes[0], moved), dot(axes[1], moved), dot(h, spin))
     return arm, reach, axes, n, h, y, spin
 
 
@@ -220,8 +214,8 @@ def _column(b, f, g, line, side, c):
         turn = -dot(h, w)
     stretch = dot(dz, n) + dot(axes[2], dn)
     dh = times(1.0 / (1.0 + dot(axes[2], n)), less(add(dz, dn), times(stretch, h)))
-    _fill(b["x"], _into(axes, du), dot(axes[0], swung), dot(axes[1], swung), turn)
-    _fill(b["w"], _into(axes, dy), dot(axes[0], d_moved), dot(axes[1], d_moved), dot(dh, spin))
+    _fill(b["x"], along(axes, du), dot(axes[0], swung), dot(axes[1], swung), turn)
+    _fill(b["w"], along(axes, dy), dot(axes[0], d_moved), dot(axes[1], d_moved), dot(dh, spin))
     return d_arm, d_reach, dn, dh
 
 

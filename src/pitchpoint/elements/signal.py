@@ -100,6 +100,25 @@ def set_law(record: np.void, pool: Pool, parameters: Sequence[float] = (), over:
 
 
 @kernel
+def interval_of(x, edges):
+    """Index of the interval between ascending edges that contains x; the first or the last beyond them.
+
+    >>> import numpy as np
+    >>> [int(interval_of(x, np.array([0.0, 1.0, 3.0]))) for x in (-1.0, 0.5, 1.0, 4.0)]
+    [0, 0, 1, 1]
+    """
+    low = 0
+    high = edges.size - 1
+    while high - low > 1:
+        mid = (low + high) // 2
+        if edges[mid] <= x:
+            low = mid
+        else:
+            high = mid
+    return low
+
+
+@kernel
 def interpolate(x, xs, ys):
     """Value and slope of a table; constant beyond its ends."""
     n = xs.size
@@ -107,14 +126,7 @@ def interpolate(x, xs, ys):
         return ys[0], 0.0
     if x >= xs[n - 1]:
         return ys[n - 1], 0.0
-    low = 0
-    high = n - 1
-    while high - low > 1:
-        mid = (low + high) // 2
-        if xs[mid] <= x:
-            low = mid
-        else:
-            high = mid
+    low = interval_of(x, xs)
     slope = (ys[low + 1] - ys[low]) / (xs[low + 1] - xs[low])
     return ys[low] + slope * (x - xs[low]), slope
 

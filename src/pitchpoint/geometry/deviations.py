@@ -96,7 +96,7 @@ def _refuse(where: str, message: str, value: object, limit: str) -> GeometryErro
     return GeometryError(message, where=where, value=f"{value}", limit=limit)
 
 
-def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str = "") -> list[Message]:
+def deviation_problems(deviations: Deviations, gear: CylindricalGear) -> list[Message]:
     """Deviations that are too large to be possible for a gear.
 
     Parameters
@@ -105,8 +105,6 @@ def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str
         Deviations of single teeth.
     gear
         External or internal gear.
-    where
-        Path of the deviations in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -115,13 +113,12 @@ def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str
     >>> print(deviation_problems(Deviations(runout=Runout(amount=30.0)), gear)[0])
     runout.amount: 30000 mm is larger than the module (limit 3 mm); give it with a unit, such as 20 um
     """
-    place = f"{where}." if where else ""
     right = deviations.pitch if deviations.pitch_right is None else deviations.pitch_right
-    amounts = {f"{place}pitch": max(_largest(deviations.pitch), _largest(right))}
+    amounts = {"pitch": max(_largest(deviations.pitch), _largest(right))}
     if deviations.runout is not None:
-        amounts[f"{place}runout.amount"] = deviations.runout.amount
+        amounts["runout.amount"] = deviations.runout.amount
     for k, measured in enumerate(deviations.flank_maps):
-        amounts[f"{place}flank_maps[{k}].values"] = _largest(measured.values)
+        amounts[f"flank_maps[{k}].values"] = _largest(measured.values)
     return size_problems(amounts, gear)
 
 

@@ -12,22 +12,24 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv
-from pitchpoint.geometry.tip_edge import large_edge, sharp
-from pitchpoint.geometry.tooth_problems import (
+from pitchpoint.geometry.meshing_problems import (
     INTERFERENCE_TOLERANCE,
-    TIP_THICKNESS_LIMIT,
-    Found,
     Words,
-    at_key,
-    full_rounding,
     interferences,
     odd_contact,
-    problems_of_gear,
     problems_of_pair,
-    thin_tip,
     tips_in_roots,
     unequal,
     wrong_hands,
+)
+from pitchpoint.geometry.tip_edge import large_edge, sharp
+from pitchpoint.geometry.tooth_problems import (
+    TIP_THICKNESS_LIMIT,
+    Found,
+    at_key,
+    full_rounding,
+    problems_of_gear,
+    thin_tip,
 )
 from pitchpoint.geometry.tooth_thickness import tip_thickness
 

@@ -48,7 +48,7 @@ def tooth_height(gear: CylindricalGear) -> float:
     return abs(0.5 * abs(gear.d_a) - root_radius(gear))
 
 
-def break_problems(width: float, height: float, gear: CylindricalGear, where: str = "") -> list[Message]:
+def break_problems(width: float, height: float, gear: CylindricalGear) -> list[Message]:
     """Problems of a break that is larger than the tooth.
 
     Parameters
@@ -57,8 +57,6 @@ def break_problems(width: float, height: float, gear: CylindricalGear, where: st
         Size of the missing part [m].
     gear
         External or internal gear.
-    where
-        Path of the sizes in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -67,13 +65,12 @@ def break_problems(width: float, height: float, gear: CylindricalGear, where: st
     >>> print(break_problems(0.03, 0.002, gear)[0])
     width: 30 mm is wider than the face (limit 20 mm); leave it out for the whole face
     """
-    place = f"{where}." if where else ""
-    found = wider_than_face(width, gear.b, f"{place}width")
+    found = wider_than_face(width, gear.b)
     most = tooth_height(gear)
     if height > most * (1.0 + _FIT):
         message, remedy = "is higher than the tooth", "leave it out for the whole tooth"
         value, limit = f"{1e3 * height:.6g} mm", f"{1e3 * most:.6g} mm"
-        found.append(Message(f"{place}height", message, value, limit, remedy))
+        found.append(Message("height", message, value, limit, remedy))
     return found
 
 

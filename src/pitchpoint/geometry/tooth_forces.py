@@ -3,7 +3,7 @@
 
 Cylindrical gears (ISO 21771 quantities): F_wt = 2 T_1/d_w1, F_wr = F_wt tan alpha_wt, F_a = F_wt tan beta_w.
 The trace of a right-handed tooth on the pitch cylinder is r phi = z tan beta_w. The force is normal to it: an
-anticlockwise F_wt comes with the axial force -F_wt tan beta_w, on both flanks.
+counter-clockwise F_wt comes with the axial force -F_wt tan beta_w, on both flanks.
 
 Bevel gears at the mean cone distance (ISO 23509 quantities): F_mt = 2 T_1/d_m1. The component normal to the
 pitch cone is F_mt tan alpha_n/cos beta_m, that along its generator F_mt tan beta_m; the pitch angle resolves
@@ -53,7 +53,7 @@ def tooth_force(pair: GearPair, T_1: float) -> ToothForce:
     pair
         The pair at its centre distance.
     T_1
-        Torque of the mesh on gear 1 [N m], anticlockwise positive.
+        Torque of the mesh on gear 1 [N m], counter-clockwise positive.
 
     Examples
     --------
@@ -79,8 +79,8 @@ def bevel_force(pair: BevelPair, T_1: float, *, gear: int = 1) -> ToothForce:
     pair
         The pair.
     T_1
-        Torque of the mesh on gear 1 [N m], anticlockwise seen from the direction into which its pitch cone
-        opens.
+        Torque of the mesh on gear 1 [N m], counter-clockwise seen from the direction into which its pitch
+        cone opens.
     gear
         1 or 2.
 

@@ -15,9 +15,6 @@ from typing import Any, ClassVar, TypeAlias
 
 from pitchpoint.model.keys import Place, component, integer, key, positive, quantity, text
 
-STOP_BAND = 80
-"""Stop-band attenuation of the anti-aliasing filter [dB]."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Noise:

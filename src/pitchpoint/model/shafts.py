@@ -76,8 +76,8 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
             report.problem(
                 (*at, "sections", k, "bore"),
                 "is not smaller than the diameter",
-                value=_mm(section.bore),
-                limit=f"below the diameter {_mm(section.diameter)}",
+                value=in_mm(section.bore),
+                limit=f"below the diameter {in_mm(section.diameter)}",
                 remedy="give diameters, not radii",
             )
     solid = all(section.bore < section.diameter for section in shaft.sections)
@@ -86,8 +86,8 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
             report.problem(
                 (*at, "sections", k),
                 "does not touch the section before",
-                value=f"diameter {_mm(two.diameter)} and bore {_mm(two.bore)} after diameter "
-                f"{_mm(one.diameter)} and bore {_mm(one.bore)}",
+                value=f"diameter {in_mm(two.diameter)} and bore {in_mm(two.bore)} after diameter "
+                f"{in_mm(one.diameter)} and bore {in_mm(one.bore)}",
                 remedy="make each bore smaller than the other diameter, or add a section between them",
             )
     pieces = sum(s.length / (shaft.largest_piece or 2.0 * s.diameter) for s in shaft.sections)
@@ -95,11 +95,11 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
         key = "sections" if shaft.largest_piece is None else "largest_piece"
         report.problem(
             (*at, key),
-            f"would divide the shaft of {_mm(shaft.length)} into {pieces:.0f} beam elements",
-            value=None if shaft.largest_piece is None else _mm(shaft.largest_piece),
+            f"would divide the shaft of {in_mm(shaft.length)} into {pieces:.0f} beam elements",
+            value=None if shaft.largest_piece is None else in_mm(shaft.largest_piece),
             limit=f"{MAX_PIECES} beam elements",
             remedy="check the units of lengths and diameters, or give "
-            f"largest_piece: {_mm(1.01 * shaft.length / MAX_PIECES)} or more",
+            f"largest_piece: {in_mm(1.01 * shaft.length / MAX_PIECES)} or more",
         )
 
 
@@ -115,8 +115,8 @@ def check_shaft_places(parts: Parts, report: Reader) -> None:
             report.problem(
                 at,
                 f"is not a position on the shaft {name}",
-                value=_mm(place),
-                limit=f"0 to {_mm(shaft.length)} from its start",
+                value=in_mm(place),
+                limit=f"0 to {in_mm(shaft.length)} from its start",
                 remedy="positions are measured from the start of the first section",
             )
 
@@ -127,7 +127,14 @@ def on_shaft(shaft: Shaft, place: float) -> bool:
     return -slack <= place <= shaft.length + slack
 
 
-def _mm(length: float) -> str:
+def in_mm(length: float) -> str:
+    """Length in millimetres, without round-off below a picometre.
+
+    Examples
+    --------
+    >>> in_mm(0.1 + 0.2)
+    '300 mm'
+    """
     return f"{round(length * 1e3, 9) + 0.0:.6g} mm"
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.carried_trains import carried_speeds, has_carriers
@@ -179,8 +179,19 @@ def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
 
 def trains(parts: Parts) -> list[set[str]]:
     """Gear trains: sets of bodies connected by meshes and torsional couplings."""
-    groups: list[set[str]] = [{name} for name in parts.bodies]
-    for link in ({one, two} for _, one, two, _ in links_of(parts)):
+    return joined(parts.bodies, ({one, two} for _, one, two, _ in links_of(parts)))
+
+
+def joined(names: Iterable[str], links: Iterable[set[str]]) -> list[set[str]]:
+    """Sets of names connected by links.
+
+    Examples
+    --------
+    >>> [sorted(group) for group in joined("abc", [{"a", "c"}])]
+    [['b'], ['a', 'c']]
+    """
+    groups: list[set[str]] = [{name} for name in names]
+    for link in links:
         touched = [g for g in groups if g & link]
         if len(touched) > 1:
             groups = [g for g in groups if not g & link] + [set().union(*touched)]

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.core.status import OK, SINGULAR
+from pitchpoint.multibody.vectors import dot
 
 
 @kernel
@@ -33,11 +34,6 @@ def _times(p, x, y, z):
 
 
 @kernel
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@kernel
 def invert_mass(M):
     """Invert a symmetric positive definite 6 x 6 matrix in place; returns a status."""
     p = _inverse(M[0, 0], M[0, 1], M[0, 2], M[1, 1], M[1, 2], M[2, 2])
@@ -50,12 +46,12 @@ def invert_mass(M):
     y1 = _times(p, b1[0], b1[1], b1[2])
     y2 = _times(p, b2[0], b2[1], b2[2])
     s = _inverse(
-        M[3, 3] - _dot(b0, y0),
-        M[3, 4] - _dot(b0, y1),
-        M[3, 5] - _dot(b0, y2),
-        M[4, 4] - _dot(b1, y1),
-        M[4, 5] - _dot(b1, y2),
-        M[5, 5] - _dot(b2, y2),
+        M[3, 3] - dot(b0, y0),
+        M[3, 4] - dot(b0, y1),
+        M[3, 5] - dot(b0, y2),
+        M[4, 4] - dot(b1, y1),
+        M[4, 5] - dot(b1, y2),
+        M[5, 5] - dot(b2, y2),
     )
     if not s[6] > 0.0:
         return SINGULAR

@@ -37,8 +37,6 @@ from pitchpoint.multibody.mass_invariants import MassInvariants
 
 Array = NDArray[np.float64]
 
-COMPONENTS = 6
-"""Displacement along radius, tangent and axis, and rotations about them."""
 WORDS = ("cos", "sin")
 """Beginning of the names of both coordinates of a mode."""
 
@@ -260,7 +258,8 @@ def ring_terms(modes: Sequence[RingMode], centroid: float, radius: float) -> Arr
     Returns
     -------
     ndarray
-        Rows of coordinate, number of waves, component (see `COMPONENTS`), and factors of cosine and sine.
+        Rows of coordinate, number of waves, component (displacement along radius, tangent and axis, then the
+        rotations about them), and factors of cosine and sine.
     """
     rows = []
     for k, m in enumerate(modes):

@@ -44,14 +44,28 @@ def plus(a, s, b):
 
 @kernel
 def row(A, r):
-    """Row r of a 3 x 3 matrix."""
+    """Row r of an array (n, 3)."""
     return A[r, 0], A[r, 1], A[r, 2]
 
 
 @kernel
 def column(A, c):
-    """Column c of a 3 x 3 matrix."""
+    """Column c of an array (3, n)."""
     return A[0, c], A[1, c], A[2, c]
+
+
+@kernel
+def along(axes, a):
+    """Components along three axes."""
+    return dot(axes[0], a), dot(axes[1], a), dot(axes[2], a)
+
+
+@kernel
+def set_row(A, r, a):
+    """Write a vector to row r of an array (n, 3)."""
+    A[r, 0] = a[0]
+    A[r, 1] = a[1]
+    A[r, 2] = a[2]
 
 
 @kernel

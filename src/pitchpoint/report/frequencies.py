@@ -159,8 +159,8 @@ def undetermined_speeds(model: Model, known: Collection[str]) -> list[str]:
     if not own:
         return []
     return [
-        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: shown are the least that "
-        "fit; give the speed of another member, or hold it"
+        f"the speeds of {listed(own)} do not follow from those of {listed(known)}: the smallest possible "
+        "speeds are shown; give the speed of another member, or fix it"
     ]
 
 

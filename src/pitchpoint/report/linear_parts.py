@@ -163,7 +163,7 @@ def _add_modes(
     """Add the modes of one set of prescribed motions; `others` are scenarios with further sets."""
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.solvers.unstable_modes import is_undamped, sources
+    from pitchpoint.solvers.modes.unstable import is_undamped, sources
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report.build import ModeData
 

@@ -23,7 +23,7 @@ SHAFT = ("shaft", "gears", "speed", "ratio", "frequency", TORQUE, "power", "driv
 MESH = ("mesh", "gears", "z", "i", "T_1", "T_2", "F_wt", "F_wr", "F_a", "v_w", "f_z")
 BEARING = ("bearing", "inner ring", "outer ring", "FTF", "BPFO", "BPFI", "BSF")
 SYMBOLS = (
-    "T_1, T_2 on gears 1 and 2, anticlockwise about z; F_wt tangential, F_wr radial, F_a axial force on",
+    "T_1, T_2 on gears 1 and 2, counter-clockwise about z; F_wt tangential, F_wr radial, F_a axial force on",
     "gear 1 (along z) at the operating pitch circle; bevel gears: mean pitch circle, away from the apex;",
     "v_w pitch-line velocity; f_z mesh frequency",
 )

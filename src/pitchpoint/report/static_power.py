@@ -308,17 +308,17 @@ def _notes(model: Model, balance: TorqueBalance) -> list[str]:
     from pitchpoint.core.units import format_quantity
 
     found = [
-        f"{ranges(group)} share the torque as if equally stiff: balance alone does not divide it"
+        f"{ranges(group)} share the torque as if equally stiff: the torque split is statically indeterminate"
         for group in balance.shared
     ]
     for group in balance.undetermined:
         names = listed([WORDS.get(str(n[0]), "{}").format(n[1]) for n in group])
-        found.append(f"balance does not determine the torques of {names}; a run does")
+        found.append(f"the torques of {names} are statically indeterminate; a run determines them")
     for train, body, missing in balance.unbalanced:
         torque = "a torque" if missing is None else format_quantity(missing, "torque", 5)
         others = _others(model, train)
         found.append(
-            f"the loads of {body} do not balance without {ranges(others)}, whose forces a run gives"
+            f"the loads of {body} do not balance without {ranges(others)}, whose forces a run determines"
             if others
             else f"the loads do not balance: {torque} on {body} is missing for constant speed; give one "
             "of them torque: balance, or drive a body"

@@ -32,7 +32,7 @@ from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.linear_system import Linearised, linearise, rates_of
-from pitchpoint.solvers.mode_energies import (
+from pitchpoint.solvers.modes.energies import (
     Energies,
     Motions,
     energies_of,
@@ -42,7 +42,7 @@ from pitchpoint.solvers.mode_energies import (
     whirl_index,
     whirl_words,
 )
-from pitchpoint.solvers.mode_names import base_names, full_names
+from pitchpoint.solvers.modes.names import base_names, full_names
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.solvers.whirl_basis import WhirlModes, normalised

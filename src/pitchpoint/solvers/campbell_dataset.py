@@ -17,8 +17,8 @@ from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
 from pitchpoint.solvers.excitation_orders import USUAL, Order, Orders, excitation_orders
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
-from pitchpoint.solvers.mode_energies import WAYS
-from pitchpoint.solvers.unstable_modes import UnstableMode, is_undamped, undamped_note, unstable_modes
+from pitchpoint.solvers.modes.energies import WAYS
+from pitchpoint.solvers.modes.unstable import UnstableMode, is_undamped, undamped_note, unstable_modes
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signals.graph import LOADS
 from pitchpoint.model.signals import rates_behind
-from pitchpoint.system.source import source
+from pitchpoint.system.source import named, source
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
@@ -35,7 +35,7 @@ def refuse_sampled(system: System, what: str) -> None:
         The analysis, for the message.
     """
     if system.controllers:
-        names = ", ".join(_named(system, "controllers", c.name) for c in system.controllers)
+        names = ", ".join(named(system, ("controllers", c.name)) for c in system.controllers)
         raise SolverError(
             f"{what} cannot call sampled controllers ({names}); use blocks instead, or run a time response",
             INCONSISTENT,
@@ -53,16 +53,10 @@ def refuse_rates(system: System, what: str) -> None:
     refuse_sampled(system, what)
     for name, signal in rates_behind(system.model).items() if system.model is not None else ():
         raise SolverError(
-            f"{what} has no speeds, but {_named(system, 'actuators', name)} depends on signal[{signal}]; "
+            f"{what} has no speeds, but {named(system, ('actuators', name))} depends on signal[{signal}]; "
             "give the torque as a load instead, or run a time response",
             INCONSISTENT,
         )
-
-
-def _named(system: System, section: str, name: str) -> str:
-    """Component with its line in the model file, if known."""
-    line = system.model.line((section, name)) if system.model is not None else None
-    return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
 
 
 def refuse_loads(system: System, what: str) -> None:

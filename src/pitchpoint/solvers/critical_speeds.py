@@ -55,7 +55,7 @@ from pitchpoint.solvers.cycle_means import nearest, observed_phases
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.linear_system import Linearised
-from pitchpoint.solvers.mode_energies import (
+from pitchpoint.solvers.modes.energies import (
     WAYS,
     Energies,
     Motions,
@@ -64,10 +64,10 @@ from pitchpoint.solvers.mode_energies import (
     spins_of,
     whirl_words,
 )
+from pitchpoint.solvers.modes.unstable import UNDAMPED
 from pitchpoint.solvers.speed_sensitivity import Sensitivity, sensitivities
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.tooth_response import Phases, Source, errors_of, teeth_of, tooth_response
-from pitchpoint.solvers.unstable_modes import UNDAMPED
 from pitchpoint.solvers.whirl_basis import Complex
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"

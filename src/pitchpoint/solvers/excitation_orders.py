@@ -15,7 +15,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.load_orders import LoadOrder, load_orders
-from pitchpoint.solvers.mode_energies import Motions
+from pitchpoint.solvers.modes.energies import Motions
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:

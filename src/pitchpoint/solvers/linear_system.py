@@ -28,9 +28,9 @@ from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.initial_state.speeds import body_rates
 from pitchpoint.solvers.load_orders import of_one_angle
+from pitchpoint.solvers.modes.sparse import lowest_modes, nearest_damped
 from pitchpoint.solvers.operating_point import OperatingPoint, scenario_named, steady_point
 from pitchpoint.solvers.position_dependence import changing
-from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash, touches_at_one_end
 from pitchpoint.system import evaluate

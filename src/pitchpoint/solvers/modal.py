@@ -29,8 +29,7 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motions, participation
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.linear_system import Linearised, damped_modes, linearise, lowest
-from pitchpoint.solvers.machine_groups import Groups
-from pitchpoint.solvers.mode_energies import (
+from pitchpoint.solvers.modes.energies import (
     WAYS,
     Energies,
     energies_of,
@@ -39,7 +38,8 @@ from pitchpoint.solvers.mode_energies import (
     spins_of,
     whirl_words,
 )
-from pitchpoint.solvers.mode_names import base_names, full_names
+from pitchpoint.solvers.modes.machine_groups import Groups
+from pitchpoint.solvers.modes.names import base_names, full_names
 from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pitchpoint.solvers.mode_energies import Energies, Motions
+from pitchpoint.solvers.modes.energies import Energies, Motions
 from pitchpoint.solvers.stiffness_parts import Array
 
 PARALLEL = 1e-6

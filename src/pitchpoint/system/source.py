@@ -36,8 +36,13 @@ def source(system: System, kind: str, name: str) -> str:
     if found is None:
         return f"{described.words} {name!r}"
     section, component = found
-    line = system.model.line((section, component)) if system.model is not None else None
-    return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
+    return named(system, (section, component), f"{section}.{name}")
+
+
+def named(system: System, place: tuple[str, ...], name: str = "") -> str:
+    """Name of a component with its line in the model file, if known; default name: its path."""
+    line = system.model.line(place) if system.model is not None else None
+    return (name or ".".join(place)) + (f" (line {line})" if line is not None else "")
 
 
 def coordinate_source(system: System, name: str) -> str:
@@ -55,9 +60,8 @@ def _drive(system: System, name: str) -> str:
     if system.model is None or system.scenario is None:
         return ""
     scenario = next((n for n, s in system.model.scenarios.items() if s is system.scenario), "")
-    line = system.model.line(("scenarios", scenario, "drive", name))
     place = f"scenarios.{scenario}.drive.{name}" if scenario else f"drive.{name}"
-    return place + (f" (line {line})" if line is not None else "")
+    return named(system, ("scenarios", scenario, "drive", name), place)
 
 
 def row_source(system: System, row: int) -> str:

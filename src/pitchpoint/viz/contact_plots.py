@@ -260,8 +260,8 @@ def plot_relative_loads(meshes: Mapping[str, tuple[ArrayLike, ArrayLike, ArrayLi
     return figure
 
 
-def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike, cycles: int = 2) -> go.Figure:
-    """Plot of tangent and secant stiffness over mesh cycles, with their means in the legend.
+def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike) -> go.Figure:
+    """Plot of tangent and secant stiffness over two mesh cycles, with their means in the legend.
 
     Parameters
     ----------
@@ -269,8 +269,6 @@ def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike, cycl
         Mesh phases over one cycle [base pitches], shape (n,), without the repeated end.
     tangent, secant
         Derivative of the mesh force, and force over approach [N/m], shape (n,).
-    cycles
-        Number of cycles drawn.
     """
     data = {
         "tangent": np.asarray(tangent, dtype=np.float64),
@@ -279,7 +277,7 @@ def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike, cycl
     shown = scale("N/m", np.concatenate([*data.values()]))
     figure = theme.figure("mesh phase ψ [base pitches]", shown.title("mesh stiffness"), height=340)
     for k, (name, values) in enumerate(data.items()):
-        x, y = repeated(phase, values, cycles)
+        x, y = repeated(phase, values, 2)
         figure.add_scatter(
             x=x,
             y=y * shown.factor,
@@ -288,7 +286,7 @@ def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike, cycl
             line={"color": theme.SERIES[k], "width": 2, "simplify": False},
         )
     figure.update_yaxes(rangemode="tozero")
-    figure.update_xaxes(range=[0.0, cycles])
+    figure.update_xaxes(range=[0.0, 2.0])
     return figure
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from pitchpoint.viz import theme
 from pitchpoint.viz.label_placement import Label, outside, placed
 from pitchpoint.viz.quantities import Array
+from pitchpoint.viz.same_curves import grouped
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -186,15 +187,7 @@ def mark_curves(
 
 def _shared(curves: Mapping[str, Array]) -> dict[str, Array]:
     """Curves by name; equal ones once, with all names."""
-    found: list[tuple[list[str], Array]] = []
-    for name, curve in curves.items():
-        same = next(
-            (names for names, other in found if np.allclose(other, curve, rtol=EQUAL, atol=0.0)), None
-        )
-        if same is None:
-            found.append(([name], curve))
-        else:
-            same.append(name)
+    found = grouped(curves, lambda one, other: np.allclose(one, other, rtol=EQUAL, atol=0.0))
     return {", ".join(names): curve for names, curve in found}
 
 

@@ -77,7 +77,7 @@ def points_for(gear: Any, chord: float) -> int:
     return n
 
 
-def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> str:
+def gear_svg(gear: Any, *, name: str = "gear") -> str:
     """Drawing of one gear.
 
     Parameters
@@ -86,14 +86,12 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> st
         A `CylindricalGear`.
     name
         Text below the drawing.
-    n_flank
-        Points per flank; as many as the size of the drawing needs if omitted.
     """
     from pitchpoint.geometry.tooth_form import gear_outline
 
     reach = _outer_radius(gear)
     view = View(np.array([-reach, -reach]) * 1.04, WIDTH / (2.08 * reach), WIDTH)
-    outline = gear_outline(gear, n_flank or points_for(gear, CHORD / view.scale))
+    outline = gear_outline(gear, points_for(gear, CHORD / view.scale))
     middle = view([0.0, 0.0])
     parts = [
         body(gear, view, outline, "pp-gear"),
@@ -104,7 +102,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> st
     return svg.document(WIDTH, WIDTH + 30.0, parts, name)
 
 
-def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flank: int | None = None) -> str:
+def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2")) -> str:
     """Drawing of both gears of a pair in mesh, seen along their axes.
 
     Parameters
@@ -113,15 +111,13 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
         A `GearPair`.
     names
         Names of gear 1 and gear 2.
-    n_flank
-        Points per flank; as many as the size of the drawing needs if omitted.
     """
     r1, r2 = _outer_radius(pair.gear1), _outer_radius(pair.gear2)
     low = np.array([min(-r1, pair.a_w - r2), -max(r1, r2)])
     high = np.array([max(r1, pair.a_w + r2), max(r1, r2)])
     size = high - low
     drawn = WIDTH / (1.06 * size[0])
-    one, two = _outlines(pair, n_flank, CHORD / drawn)
+    one, two = _outlines(pair, CHORD / drawn)
     height = 1.06 * size[1] * drawn
     view = View(low - 0.03 * size, drawn, height)
     parts = [
@@ -141,15 +137,13 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
     return svg.document(WIDTH, height + 46.0, parts, f"{names[0]} and {names[1]} in mesh")
 
 
-def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
+def mesh_zone_svg(pair: Any) -> str:
     """Drawing of the mesh zone: flanks with active parts, circles, line of action, path of contact A to E.
 
     Parameters
     ----------
     pair
         A `GearPair` with a contact ratio above zero.
-    n_flank
-        Points per flank; as many as the size of the drawing needs if omitted.
     """
     along = np.array([sin(pair.alpha_wt), cos(pair.alpha_wt)])
     pole = np.array([pair.d_w1 / 2.0, 0.0])
@@ -158,7 +152,7 @@ def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
     middle = 0.5 * (where["A"] + where["E"])
     half = max(0.72 * abs(pair.g_alpha), 1.9 * pair.gear1.m_t)
     view = View(middle - half, WIDTH / (2.0 * half), WIDTH)
-    one, two = _outlines(pair, n_flank, CHORD / view.scale)
+    one, two = _outlines(pair, CHORD / view.scale)
     low, high = middle - 1.05 * half, middle + 1.05 * half
     parts = [
         body(pair.gear2, view, svg.clip(two, low, high), "pp-gear", window=(low, high)),
@@ -183,11 +177,11 @@ def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
     return svg.document(WIDTH, WIDTH + 92.0, parts, "mesh zone with path of contact")
 
 
-def _outlines(pair: Any, n_flank: int | None, chord: float) -> tuple[Array, Array]:
+def _outlines(pair: Any, chord: float) -> tuple[Array, Array]:
     """Both outlines [m] in one plane, rotated so that the front flanks just touch."""
     from pitchpoint.geometry.tooth_form import gear_outline
 
-    first, second = (n_flank or points_for(gear, chord) for gear in (pair.gear1, pair.gear2))
+    first, second = (points_for(gear, chord) for gear in (pair.gear1, pair.gear2))
     touch = 0.5 * pair.j_bt / (0.5 * pair.gear1.d_b)
     one = gear_outline(pair.gear1, first, rotation=touch)
     # a space of gear 2 faces tooth 0 of gear 1: on its left side for an external pair, on its right for a

@@ -149,6 +149,18 @@ def _covered(
     return np.asarray(np.prod(np.maximum(high - low, 0.0), axis=2).sum(axis=1))
 
 
+def common_area(a: Rectangle, b: Rectangle) -> float:
+    """Common area of two rectangles.
+
+    Examples
+    --------
+    >>> common_area((0.0, 0.0, 3.0, 2.0), (1.0, 1.0, 4.0, 4.0))
+    2.0
+    """
+    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+    return max(wide, 0.0) * max(high, 0.0)
+
+
 def outside(height: float) -> list[Rectangle]:
     """Rectangles above and below a plot of some height [pixels], in which labels would be cut off."""
     return [(-FAR, -FAR, FAR, 0.0), (-FAR, height, FAR, FAR)]

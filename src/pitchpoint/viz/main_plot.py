@@ -19,7 +19,7 @@ MAX_ROWS, MAX_LINES = 6, len(theme.SERIES)
 """Maximum number of rows, and of curves in a row."""
 
 
-def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int = 5000) -> go.Figure:
+def plot_main_channels(time: Array, channels: Sequence[Channel]) -> go.Figure:
     """Plot of channels of several units over time, the first quantities in rows below each other.
 
     Parameters
@@ -28,8 +28,6 @@ def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int 
         Times [s], shape (n,).
     channels
         Channels in the order of importance, shape (n,) each; further quantities and curves are omitted.
-    points
-        Maximum number of points per curve, see `plot_signals`.
     """
     groups: dict[tuple[str, str], list[Channel]] = {}
     for channel in channels:
@@ -44,7 +42,7 @@ def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int 
         rows.append([len(figure.data) + n for n in range(len(group))])
         titles.append(f"[{unit.unit}]" if unit.unit else "")
         for index, channel in zip(rows[-1], group, strict=True):
-            add_curve(figure, channel, index, k, time, (clock, unit), points)
+            add_curve(figure, channel, index, k, time, (clock, unit), 5000)
     arrange_rows(figure, drawn, rows, "")
     for k, title in enumerate(titles, start=1):
         figure.update_layout({f"yaxis{k}" if k > 1 else "yaxis": {"title": {"text": title}}})

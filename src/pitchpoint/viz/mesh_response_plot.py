@@ -222,15 +222,13 @@ def _along(x: Array, y: Array) -> list[tuple[float, float, float, float]]:
     ]
 
 
-def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:
-    """Maxima of a curve of levels that stand out of their neighbourhood, highest first.
+def peaks(decibels: ArrayLike) -> list[int]:
+    """Maxima of a curve of levels, highest first, at least 6 dB above the higher of the minima on both sides.
 
     Parameters
     ----------
     decibels
         Levels [dB], shape (n,).
-    prominence
-        Height above the higher of the minima on both sides of a maximum [dB].
 
     Examples
     --------
@@ -240,7 +238,7 @@ def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:
     from scipy.signal import find_peaks
 
     values = np.asarray(decibels, dtype=np.float64)
-    found, _ = find_peaks(np.where(np.isfinite(values), values, -1e3), prominence=prominence)
+    found, _ = find_peaks(np.where(np.isfinite(values), values, -1e3), prominence=6.0)
     return [int(k) for k in found[np.argsort(-values[found], kind="stable")]]
 
 

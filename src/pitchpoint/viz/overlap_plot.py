@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 
-def plot_overlap_map(
-    data: Any, marks: Mapping[str, tuple[float, float]] | None = None, *, height: int = 520
-) -> go.Figure:
+def plot_overlap_map(data: Any, marks: Mapping[str, tuple[float, float]] | None = None) -> go.Figure:
     """Map of the variation of the mesh stiffness: dark where it is small.
 
     Parameters
@@ -25,12 +23,10 @@ def plot_overlap_map(
         Anything with `eps_alpha` (n,), `eps_beta` (m,), `peak_to_peak` (m, n), `S_R` and `T_R`.
     marks
         Transverse contact ratio and overlap ratio of gear pairs to mark, by name.
-    height
-        Height of the figure [pixels].
     """
     law = f"stiffness ratio {data.S_R:g}, tip-relief factor {data.T_R:g}"
     across = f"transverse contact ratio ε<sub>α</sub> ({law})"
-    figure = theme.figure(across, "overlap ratio ε<sub>β</sub>", height=height)
+    figure = theme.figure(across, "overlap ratio ε<sub>β</sub>", height=520)
     figure.add_heatmap(
         x=np.asarray(data.eps_alpha),
         y=np.asarray(data.eps_beta),

@@ -263,7 +263,7 @@ ROUND_OFF = 1e-7
 """Magnitude of a damping ratio below which it is round-off."""
 
 
-def damping_words(ratio: float, digits: int = 3) -> str:
+def damping_words(ratio: float) -> str:
     """Damping ratio in per cent; round-off is zero.
 
     Examples
@@ -271,7 +271,7 @@ def damping_words(ratio: float, digits: int = 3) -> str:
     >>> damping_words(0.0123456), damping_words(-2.21e-17), damping_words(-0.002)
     ('1.23 %', '0 %', '−0.2 %')
     """
-    return f"{number(100.0 * ratio if abs(ratio) > ROUND_OFF else 0.0, digits)} %"
+    return f"{number(100.0 * ratio if abs(ratio) > ROUND_OFF else 0.0, 3)} %"
 
 
 def channels(data: Any) -> tuple[Array, dict[str, Channel]]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.viz import svg
-from pitchpoint.viz.label_placement import LINE, Label, Rectangle, search
+from pitchpoint.viz.label_placement import LINE, Label, Rectangle, common_area, search
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis
 
 Array = NDArray[np.float64]
@@ -121,7 +121,7 @@ def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectan
         upper = box[1] <= float(view(axis.origin)[1]) if level else sign > 0.0
         label = Label(middle, box[1] - 9.0 if upper else box[3] + 17.0, "middle", line)
         tried.append(_Wanted(label, np.array([middle, 0.5 * (box[1] + box[3])]), box))
-    covered = [sum(_common(each.label.box, block) for block in blocks) for each in tried]
+    covered = [sum(common_area(each.label.box, block) for block in blocks) for each in tried]
     return tried[int(covered[1] < covered[0])]
 
 
@@ -134,8 +134,3 @@ def _inside(label: Label, room: tuple[float, float, float]) -> Label:
 def _box(points: Array) -> Rectangle:
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     return float(x0), float(y0), float(x1), float(y1)
-
-
-def _common(a: Rectangle, b: Rectangle) -> float:
-    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-    return max(wide, 0.0) * max(high, 0.0)

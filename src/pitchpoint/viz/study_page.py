@@ -116,10 +116,10 @@ def _result(summary: StudySummary, one: ResultSummary, index: int) -> Section:
     section.add(f"<p>{escape(_sentence(summary, one))}</p>")
     section.add_figure(
         plot_distribution(summary, one),
-        "Number of cases over the result.",
+        "Histogram.",
         name=f"distribution[{name}]",
         beside=plot_cumulative(summary, one),
-        beside_caption="Share of the cases below a value.",
+        beside_caption="Cumulative distribution.",
         beside_name=f"cumulative[{name}]",
     )
     coefficients = plot_coefficients(summary, one)
@@ -135,17 +135,17 @@ def _result(summary: StudySummary, one: ResultSummary, index: int) -> Section:
     )
     section.add_figure(
         plot_over_factors(summary, one),
-        "Result over the factors; diamond: the model without changes.",
+        "Scatter of the result over the factors; diamond: the model without changes.",
         name=f"over_factors[{name}]",
     )
     section.add_figure(
         plot_convergence(summary, one),
-        "Mean of the first cases.",
+        "Convergence of the mean with the number of cases.",
         name=f"convergence[{name}]",
         beside=plot_convergence_of_deviation(summary, one),
-        beside_caption="Total indices of the first points."
+        beside_caption="Convergence of the total indices."
         if indices
-        else "Standard deviation of the first cases.",
+        else "Convergence of the standard deviation.",
         beside_name=f"convergence_of_deviation[{name}]",
     )
     return section

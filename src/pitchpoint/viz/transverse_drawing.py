@@ -48,7 +48,7 @@ class Wheel:
     name
         Names of the gears with teeth.
     speed
-        Speed, anticlockwise positive; None if not known [rad/s].
+        Speed, counter-clockwise positive; None if not known [rad/s].
     """
 
     centre: Array
@@ -151,7 +151,7 @@ def _axis(wheel: Wheel, at: object) -> list[str]:
 
 
 def _turn(centre: Array, radius: float, way: float) -> str:
-    """Arc with an arrow head around the bottom of a gear; anticlockwise for `way` 1."""
+    """Arc with an arrow head around the bottom of a gear; counter-clockwise for `way` 1."""
     middle = -0.5 * math.pi
     ends = [middle - 0.5 * SPAN * way, middle + 0.5 * SPAN * way]
     angles = np.linspace(ends[0], ends[1], 24)

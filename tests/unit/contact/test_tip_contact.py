@@ -13,7 +13,6 @@ from scipy.optimize import brentq
 
 from pitchpoint.contact.tip_contact import (
     arc_less_sine,
-    edge_radius,
     tip_gap,
     tip_gap_curvature,
     tip_gap_floor,
@@ -283,12 +282,6 @@ def test_lower_bound():
         for eta in reach * np.linspace(0.02, 1.0, 30):
             closest = min(closest, tip_gap(eta, *given)[0] / (q * eta * eta))
     assert 1.0 < closest < 1.26
-
-
-def test_edge_radius_is_that_of_two_cylinders():
-    assert edge_radius(12e-3, 0.0) == 0.0
-    assert 1.0 / edge_radius(12e-3, 0.4e-3) == pytest.approx(1.0 / 12e-3 + 1.0 / 0.4e-3)
-    assert 1.0 / edge_radius(-30e-3, 0.4e-3) == pytest.approx(1.0 / 0.4e-3 - 1.0 / 30e-3)
 
 
 def test_arc_less_sine():

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import UnitError
+from pitchpoint.core.unit_expression import parse_unit
 from pitchpoint.core.units import (
     DIMENSIONS,
     display_unit,
@@ -16,7 +17,6 @@ from pitchpoint.core.units import (
     in_unit,
     natural_si,
     parse_quantity,
-    parse_unit,
 )
 
 

@@ -300,7 +300,7 @@ def test_what_balance_does_not_decide_is_not_given() -> None:
     )
     flow = flow_of(twice)
     assert torques(flow)["drive of input"] is None and flow["links"]["ab"]["torques"] == [None, None]
-    assert any("does not determine" in note for note in flow["notes"])
+    assert any("statically indeterminate" in note for note in flow["notes"])
     loose = flow_of(loads_model(PATHS.replace("torque: balance", "torque: -500 N m")))
     assert loose["power_in"] is None and any("do not balance" in note for note in loose["notes"])
     assert "-94 N m on output" in loose["notes"][-1]  # 90 * 3 * 55/25 = 594

@@ -35,7 +35,7 @@ MACHINES = (
             "bevel-drive/spiral.yaml",
             "bevel-drive/differential.yaml",
             "camshaft-drive/train.yaml",
-            "camshaft-train/train.yaml",
+            "camshaft-drive/shafts.yaml",
             "catalogue-bearings/model.yaml",
             "overlap-ratio/pairs.yaml",
             "phm-2009-rig/model.yaml",

@@ -123,7 +123,7 @@ def test_chains_tied_by_a_ratio():
 
 @pytest.mark.filterwarnings("ignore::pitchpoint.core.errors.ValidityWarning")
 @pytest.mark.parametrize(
-    ("file", "scenario"), [("geared-rotor/model.yaml", "fast"), ("camshaft-train/train.yaml", "engine")]
+    ("file", "scenario"), [("geared-rotor/model.yaml", "fast"), ("camshaft-drive/shafts.yaml", "engine")]
 )
 def test_both_ways_agree_on_machines(file, scenario, sparse_ways):
     """Gyroscopic, damped, with a driven spin; eigenvalues within the 1e-8 that rounding leaves both."""

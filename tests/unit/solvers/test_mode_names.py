@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.mode_names import ordinal
+from pitchpoint.solvers.modes.names import ordinal
 from pitchpoint.system.compile import compile_model
 from tests.support.planet_stages import planet_set
 from tests.support.planetary import lin_parker
@@ -120,7 +120,7 @@ def test_modes_of_a_set_whose_central_gears_only_rotate() -> None:
 @pytest.mark.filterwarnings("ignore::pitchpoint.core.errors.ValidityWarning")
 def test_modes_of_an_engine_train_and_of_a_gearbox() -> None:
     """Camshaft train on flexible shafts, and a gearbox in an elastic housing on mounts."""
-    train = find_modes(compile_model(load_model(EXAMPLES / "camshaft-train" / "train.yaml")), count=8).names
+    train = find_modes(compile_model(load_model(EXAMPLES / "camshaft-drive" / "shafts.yaml")), count=8).names
     assert train[:4] == (
         "rigid rotation",
         "axial mode of camshaft",

@@ -21,7 +21,7 @@ from pitchpoint.system.residual import NEWTON
 from tests.support.machines import compiled, pair
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-CASES = {"geared-rotor/model.yaml": "fast", "camshaft-train/train.yaml": "engine"}
+CASES = {"geared-rotor/model.yaml": "fast", "camshaft-drive/shafts.yaml": "engine"}
 
 
 def fastest(start):
@@ -54,7 +54,7 @@ def test_without_finite_elements_all_modes_count():
 @pytest.mark.filterwarnings("ignore:profile shifts")
 def test_steps_that_leave_the_highest_modes_out_are_small_enough():
     """Rattling gears of a camshaft train; 200 steps in a period leave 3e-4 of the rms, impacts some more."""
-    model = load_model(EXAMPLES / "camshaft-train/train.yaml")
+    model = load_model(EXAMPLES / "camshaft-drive/shafts.yaml")
     found = []
     for share in (1.0, 0.25):
         scenario = replace(model.scenarios["engine"], step=None, duration=0.01, settle_time=0.002)

@@ -16,7 +16,7 @@ from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.critical_speeds import DAMPED
 from pitchpoint.solvers.linear_system import linearise
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.unstable_modes import unstable_notes
+from pitchpoint.solvers.modes.unstable import unstable_notes
 from tests.support.machines import compiled
 from tests.unit.solvers.test_modal import TWO_ROTORS, whirl_roots
 

@@ -17,7 +17,7 @@ from pitchpoint.contact.tooth_fe.section_mesh import Density
 from pitchpoint.contact.tooth_fe.solve import tooth_fe
 from pitchpoint.contact.tooth_fe.tooth_model import Resolution, ToothModel
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.system.rules import flank_contact
+from pitchpoint.system.rules import flexible_teeth
 
 PAIR = """
 gears:
@@ -51,14 +51,13 @@ def acute_end(outward: float, slope: float) -> float:
 @pytest.mark.parametrize("hand", ["right", "left"])
 @pytest.mark.parametrize("internal", [False, True])
 def test_the_acute_end_of_each_flank_is_soft(monkeypatch, hand: str, internal: bool) -> None:
-    monkeypatch.setattr(flank_contact, "finite_elements_of", lambda gear: coarse(gear.geometry))
+    monkeypatch.setattr(flexible_teeth, "finite_elements_of", lambda gear: coarse(gear.geometry))
     two, kind = (hand, ", type: internal") if internal else (OTHER[hand], "")
     model = loads_model(PAIR.format(one=hand, two=two, kind=kind, z=70 if internal else 31))
     gears = [model.gears[name] for name in ("g1", "g2")]
     contact = model.meshes["m"].contact
-    found = flank_contact.flexible_surfaces(contact, model.pairs["m"], gears, (0.0, 0.0))
-    assert found.elastic is not None
-    for k, (gear, influence) in enumerate(zip(gears, found.elastic.gears, strict=True)):
+    found = flexible_teeth.elastic_flanks(contact, model.pairs["m"], gears, (0.0, 0.0))
+    for k, (gear, influence) in enumerate(zip(gears, found.gears, strict=True)):
         assert influence.back is not None
         for flank, teeth in ((1.0, influence.teeth), (-1.0, influence.back)):
             # contact on the x axis: the front flank of gear 1 faces +y, that of gear 2 faces -y

@@ -18,7 +18,7 @@ from pitchpoint.multibody.joints import FIXED, FLOATING
 from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.node_shapes import node_shapes
+from pitchpoint.solvers.modes.node_shapes import node_shapes
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.residual import EXACT

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 import pitchpoint
-from pitchpoint.cli.planets import position_words
+from pitchpoint.cli.planet_loads import position_words
 from pitchpoint.system.planet_loads import as_data, planet_loads
 from pitchpoint.system.planet_positions import SECTORS, shares_at_positions
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from pitchpoint.contact.stiffness.description import Array
-from pitchpoint.contact.stiffness.tooth_compliance import fillet_section, section
+from pitchpoint.contact.stiffness.tooth_compliance import bending_terms, fillet_section, section
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.tooth_form import ToothForm
 
@@ -123,16 +123,8 @@ def crack_compliance(
         roll = roll[::-1]
     each, which = np.unique(h_c, return_inverse=True)
     J0, J1, J2, S0 = _integrals(form, roll, each)
-    x, eta, _ = section(form, roll)
-    angle_1 = np.arctan(roll) - form.sign * (form.psi_b - form.sign * (roll - np.arctan(roll)))
-    c, s = np.cos(angle_1), np.sin(angle_1)
+    bending, c, _, _ = bending_terms(form, roll, beta, (J0, J1, J2))
     cb = math.cos(beta) ** 2
-    lever = s * x * cb
-    bending = (
-        c * c * (eta * eta * J0 - 2.0 * eta * J1 + J2)
-        - 2.0 * c * lever * (eta * J0 - J1)
-        + lever * lever * J0
-    )
     added = bending / (E * cb * cb) + 1.2 * c * c * S0 * 2.0 * (1.0 + nu) / (E * cb)
     return np.asarray((added[:, ::-1] if flip else added)[which.ravel()])
 

@@ -212,6 +212,54 @@ def _body_compliance(form: ToothForm, c: Array, height: Array, bore: float | Non
     return np.asarray(c * c * (L * u * u + M * u + P * (1.0 + Q * (1.0 / (c * c) - 1.0))))
 
 
+def bending_terms(
+    form: ToothForm, roll: Array, beta: float, moments: tuple[Array, Array, Array]
+) -> tuple[Array, Array, Array, Array]:
+    """Bending of a tooth by forces at contact points; symbols as in `tooth_compliance`.
+
+    Parameters
+    ----------
+    form
+        Exact tooth.
+    roll
+        Roll angles of the contact points [rad], shape (n,).
+    beta
+        Helix angle [rad].
+    moments
+        Integrals of eta^k/I from the root per unit face width, k = 0, 1, 2, shape (n,) each.
+
+    Returns
+    -------
+    tuple of ndarray
+        Compliance times E cos^4(beta), cos a1, sin a1 and half thickness x [m], shape (n,) each.
+
+    Examples
+    --------
+    With the compliance at the root alone, its root is the lever of the force about the root:
+
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> form = tooth_form(CylindricalGear(z=62, m_n=2e-3))
+    >>> one, none = np.ones(1), np.zeros(1)
+    >>> bending, c, s, x = bending_terms(form, np.array([0.4]), 0.0, (one, none, none))
+    >>> height = section(form, np.array([0.4]))[1]
+    >>> bool(abs(np.sqrt(bending) - (c * height - s * x))[0] < 1e-12)
+    True
+    """
+    J0, J1, J2 = moments
+    x, eta, _ = section(form, roll)
+    psi = form.psi_b - form.sign * (roll - np.arctan(roll))
+    angle = np.arctan(roll) - form.sign * psi
+    c, s = np.cos(angle), np.sin(angle)
+    lever = s * x * math.cos(beta) ** 2
+    bending = (
+        c * c * (eta * eta * J0 - 2.0 * eta * J1 + J2)
+        - 2.0 * c * lever * (eta * J0 - J1)
+        + lever * lever * J0
+    )
+    return bending, c, s, x
+
+
 def tooth_compliance(
     form: ToothForm, rho: Array, *, beta: float, E: float, nu: float, bore: float | None, body: str
 ) -> ToothCompliance:
@@ -263,17 +311,9 @@ def tooth_compliance(
     if flip:
         roll = roll[::-1]
     J0, J1, J2, S0 = _cumulative_integrals(form, roll)
-    x, eta, _ = section(form, roll)
+    bending, c, s, x = bending_terms(form, roll, beta, (J0, J1, J2))
     psi = form.psi_b - form.sign * (roll - np.arctan(roll))
-    angle = np.arctan(roll) - form.sign * psi
-    c, s = np.cos(angle), np.sin(angle)
     cb = math.cos(beta) ** 2
-    lever = s * x * cb
-    bending = (
-        c * c * (eta * eta * J0 - 2.0 * eta * J1 + J2)
-        - 2.0 * c * lever * (eta * J0 - J1)
-        + lever * lever * J0
-    )
     G = 0.5 * E / (1.0 + nu)
     rigid = body == "rigid" or form.is_internal
     height = form.r_b / c if body == "load_line" else form.r_b * np.hypot(1.0, roll) * np.cos(psi)

@@ -38,8 +38,8 @@ from pitchpoint.core.formula.language import (
     SUB,
     TAN,
 )
+from pitchpoint.core.unit_expression import parse_unit
 from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.core.units import parse_unit
 
 VARIABLES = {
     "t": (0.0, 1.0),

@@ -264,6 +264,21 @@ def evaluate_slope(ops, n, work, x0, x1, x2, k):
 
 
 @kernel
+def evaluate_curvature(ops, n, work, x, h):
+    """Value, slope and second derivative of a programme of one variable.
+
+    The second derivative is a difference quotient of fourth order of the exact slope with the step h.
+    """
+    value, slope = evaluate_slope(ops, n, work, x, 0.0, 0.0, 0)
+    second = 0.0
+    for k in range(-2, 3):
+        if k != 0:
+            _, s = evaluate_slope(ops, n, work, x + k * h, 0.0, 0.0, 0)
+            second += s * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
+    return value, slope, second / (12.0 * h)
+
+
+@kernel
 def evaluate(ops, n, work, x0, x1, x2):
     """Evaluate a programme without derivative; arguments as in `evaluate_slope`."""
     value, _ = evaluate_slope(ops, n, work, x0, x1, x2, -1)

@@ -25,31 +25,19 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple
+from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, row, set_row, times, triple
 
 TWO_PI = 6.283185307179586
 XI, XJ, E, TI, TJ, PI, PJ = 0, 1, 2, 3, 4, 5, 6
 
 
 @kernel
-def _set(x, k, a):
-    x[k, 0] = a[0]
-    x[k, 1] = a[1]
-    x[k, 2] = a[2]
-
-
-@kernel
-def _row(x, k):
-    return x[k, 0], x[k, 1], x[k, 2]
-
-
-@kernel
 def _fix(b, k, w, o, e):
     """Write a body-fixed vector with its first and second time derivative."""
     first = cross(o, w)
-    _set(b["w"], k, w)
-    _set(b["w1"], k, first)
-    _set(b["w2"], k, add(cross(e, w), cross(o, first)))
+    set_row(b["w"], k, w)
+    set_row(b["w1"], k, first)
+    set_row(b["w2"], k, add(cross(e, w), cross(o, first)))
 
 
 @kernel
@@ -58,13 +46,13 @@ def node(b, side, f, axes, p, B):
     arm = into_world(axes, triple(p, 0))
     o = triple(f["tw"], 3)
     e = triple(f["ac"], 3)
-    _set(b["arm"], side, arm)
-    _set(b["omega"], side, o)
-    _set(b["alpha"], side, e)
+    set_row(b["arm"], side, arm)
+    set_row(b["omega"], side, o)
+    set_row(b["alpha"], side, e)
     swept = cross(o, arm)
-    _set(b["w"], XI + side, add(triple(f["r"], 0), arm))
-    _set(b["w1"], XI + side, add(triple(f["tw"], 0), swept))
-    _set(b["w2"], XI + side, add(triple(f["ac"], 0), add(cross(e, arm), cross(o, swept))))
+    set_row(b["w"], XI + side, add(triple(f["r"], 0), arm))
+    set_row(b["w1"], XI + side, add(triple(f["tw"], 0), swept))
+    set_row(b["w2"], XI + side, add(triple(f["ac"], 0), add(cross(e, arm), cross(o, swept))))
     _fix(b, TI + side, into_world(axes, (B[0, 2], B[1, 2], B[2, 2])), o, e)
     _fix(b, PI + side, into_world(axes, (B[0, 0], B[1, 0], B[2, 0])), o, e)
     return into_world(axes, (B[0, 1], B[1, 1], B[2, 1]))
@@ -73,8 +61,8 @@ def node(b, side, f, axes, p, B):
 @kernel
 def turned(b, second_i, second_j):
     """Twist angle of the second end relative to the first, along the shortest rotation between their axes."""
-    one_i = _row(b["w"], PI)
-    one_j = _row(b["w"], PJ)
+    one_i = row(b["w"], PI)
+    one_j = row(b["w"], PJ)
     return math.atan2(
         dot(second_i, one_j) - dot(one_i, second_j), dot(one_i, one_j) + dot(second_i, second_j)
     )
@@ -83,9 +71,9 @@ def turned(b, second_i, second_j):
 @kernel
 def _chord(b):
     """Set length and direction of the chord with their time derivatives."""
-    d = less(_row(b["w"], XJ), _row(b["w"], XI))
-    d1 = less(_row(b["w1"], XJ), _row(b["w1"], XI))
-    d2 = less(_row(b["w2"], XJ), _row(b["w2"], XI))
+    d = less(row(b["w"], XJ), row(b["w"], XI))
+    d1 = less(row(b["w1"], XJ), row(b["w1"], XI))
+    d2 = less(row(b["w2"], XJ), row(b["w2"], XI))
     ell = math.sqrt(dot(d, d))
     e = times(1.0 / ell, d)
     ell1 = dot(e, d1)
@@ -93,9 +81,9 @@ def _chord(b):
     e2 = times(1.0 / ell, less(less(d2, times(dot(e, d2), e)), times(2.0 * ell1, e1)))
     b["ell"] = ell
     b["ell1"] = ell1
-    _set(b["w"], E, e)
-    _set(b["w1"], E, e1)
-    _set(b["w2"], E, less(e2, times(dot(e1, e1), e)))
+    set_row(b["w"], E, e)
+    set_row(b["w1"], E, e1)
+    set_row(b["w2"], E, less(e2, times(dot(e1, e1), e)))
 
 
 @kernel
@@ -122,12 +110,12 @@ def _arc(w):
 def _bend(b):
     """Set difference of the normals and sum of the slopes, with their rates in world axes and in axes that
     rotate with the chord."""
-    e = _row(b["w"], E)
-    e1 = _row(b["w1"], E)
-    ti = _row(b["w"], TI)
-    tj = _row(b["w"], TJ)
-    ti1 = _row(b["w1"], TI)
-    tj1 = _row(b["w1"], TJ)
+    e = row(b["w"], E)
+    e1 = row(b["w1"], E)
+    ti = row(b["w"], TI)
+    tj = row(b["w"], TJ)
+    ti1 = row(b["w1"], TI)
+    tj1 = row(b["w1"], TJ)
     both = add(ti, tj)
     both1 = add(ti1, tj1)
     b["cos"] = dot(both, e)
@@ -136,14 +124,14 @@ def _bend(b):
     D1 = less(tj1, ti1)
     S = less(both, times(b["cos"], e))
     S1 = less(both1, add(times(b["cos1"], e), times(b["cos"], e1)))
-    b["s"] = 0.5 * dot(e, add(_row(b["omega"], 0), _row(b["omega"], 1)))
+    b["s"] = 0.5 * dot(e, add(row(b["omega"], 0), row(b["omega"], 1)))
     frame = add(cross(e, e1), times(b["s"], e))
-    _set(b["D"], 0, D)
-    _set(b["D"], 1, D1)
-    _set(b["D"], 2, less(D1, cross(frame, D)))
-    _set(b["S"], 0, S)
-    _set(b["S"], 1, S1)
-    _set(b["S"], 2, less(S1, cross(frame, S)))
+    set_row(b["D"], 0, D)
+    set_row(b["D"], 1, D1)
+    set_row(b["D"], 2, less(D1, cross(frame, D)))
+    set_row(b["S"], 0, S)
+    set_row(b["S"], 1, S1)
+    set_row(b["S"], 2, less(S1, cross(frame, S)))
     b["arc"], b["arc1"] = _arc(dot(ti, tj))
 
 
@@ -151,53 +139,53 @@ def _bend(b):
 def _strain(b):
     """Set the axial force and the generalised bending forces."""
     _bend(b)
-    D = _row(b["D"], 0)
-    S = _row(b["S"], 0)
+    D = row(b["D"], 0)
+    S = row(b["S"], 0)
     length = b["length"]
     eta = b["eta"]
     # a^2 from sin^2 a, accurate for small angles; `arc` is a / sin a
-    w = dot(_row(b["w"], TI), _row(b["w"], TJ))
+    w = dot(row(b["w"], TI), row(b["w"], TJ))
     square = b["arc"] * b["arc"] * (1.0 - w * w)
     u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / 40.0)
-    u1 = b["ell1"] + length * (b["arc"] * dot(D, _row(b["D"], 1)) / 12.0 + dot(S, _row(b["S"], 1)) / 20.0)
+    u1 = b["ell1"] + length * (b["arc"] * dot(D, row(b["D"], 1)) / 12.0 + dot(S, row(b["S"], 1)) / 20.0)
     N = b["k_u"] * (u + eta * u1)
     b["axial"] = N
     fd = times((b["k_d"] + N * length / 12.0) * b["arc"], D)
     fs = times(b["k_s"] + N * length / 20.0, S)
-    fd = add(fd, times(eta * b["k_d"], _row(b["D"], 2)))
-    fs = add(fs, times(eta * b["k_s"], _row(b["S"], 2)))
+    fd = add(fd, times(eta * b["k_d"], row(b["D"], 2)))
+    fs = add(fs, times(eta * b["k_s"], row(b["S"], 2)))
     c = add(cross(D, fd), cross(S, fs))
     for r in range(3):
         b["f_d"][r] = fd[r]
         b["f_s"][r] = fs[r]
         b["c"][r] = c[r]
-    e = _row(b["w"], E)
-    e1 = _row(b["w1"], E)
+    e = row(b["w"], E)
+    e1 = row(b["w1"], E)
     for k in range(2):
-        own = dot(_row(b["w"], PI + k), e)
-        other = dot(_row(b["w"], PJ - k), e)
-        own += eta * (dot(_row(b["w1"], PI + k), e) + dot(_row(b["w"], PI + k), e1))
-        other += eta * (dot(_row(b["w1"], PJ - k), e) + dot(_row(b["w"], PJ - k), e1))
+        own = dot(row(b["w"], PI + k), e)
+        other = dot(row(b["w"], PJ - k), e)
+        own += eta * (dot(row(b["w1"], PI + k), e) + dot(row(b["w"], PI + k), e1))
+        other += eta * (dot(row(b["w1"], PJ - k), e) + dot(row(b["w"], PJ - k), e1))
         b["h"][k] = b["c_a"] * own + b["c_b"] * other
 
 
 @kernel
 def _elastic(b):
     """Set generalised force of the chord direction and moments at both ends; `_cut` sets the node force V."""
-    e = _row(b["w"], E)
+    e = row(b["w"], E)
     c = triple(b["c"], 0)
     fd = triple(b["f_d"], 0)
     fs = triple(b["f_s"], 0)
     G = times(-1.0, add(times(b["cos"], fs), cross(c, e)))
     for k in range(2):
-        first = _row(b["w"], PI + k)
+        first = row(b["w"], PI + k)
         h = b["h"][k]
         sign = 1.0 if k == 1 else -1.0
         G = add(G, times(h, first))
-        mu = cross(_row(b["w"], TI + k), add(fs, times(sign, fd)))
+        mu = cross(row(b["w"], TI + k), add(fs, times(sign, fd)))
         mu = add(mu, cross(first, times(h, e)))
         mu = less(mu, times(0.5 * dot(c, e), e))
-        _set(b["mu"], k, add(mu, times(sign * b["torque"], triple(b["m"], 0))))
+        set_row(b["mu"], k, add(mu, times(sign * b["torque"], triple(b["m"], 0))))
     for r in range(3):
         b["G"][r] = G[r]
 
@@ -206,10 +194,10 @@ def _elastic(b):
 def _twisted(b, angle):
     """Set torque and gradient m of the twist: its scalar product with a rotation of the second end is the
     change of the twist."""
-    ti = _row(b["w"], TI)
-    tj = _row(b["w"], TJ)
+    ti = row(b["w"], TI)
+    tj = row(b["w"], TJ)
     m = times(1.0 / (1.0 + dot(ti, tj)), add(ti, tj))
-    rate = dot(m, less(_row(b["omega"], 1), _row(b["omega"], 0)))
+    rate = dot(m, less(row(b["omega"], 1), row(b["omega"], 0)))
     b["torque"] = b["k_t"] * (angle - b["twist"] + b["eta"] * rate)
     for r in range(3):
         b["m"][r] = m[r]
@@ -219,35 +207,35 @@ def _twisted(b, angle):
 def _inertia(b):
     """Add the inertia forces of the five vectors to the force of the chord direction and to the moments."""
     M = b["M"]
-    e = _row(b["w"], E)
+    e = row(b["w"], E)
     for k in range(5):
         f = (0.0, 0.0, 0.0)
         for n in range(5):
-            w2 = _row(b["w2"], n)
+            w2 = row(b["w2"], n)
             if n < 2:
                 w2 = less(w2, triple(b["gravity"], 0))
             f = add(f, times(M[k, n], w2))
         if k >= E:
             g = (0.0, 0.0, 0.0)
             for n in range(3):
-                g = add(g, times(b["gyro"][k - E, n], _row(b["w1"], E + n)))
+                g = add(g, times(b["gyro"][k - E, n], row(b["w1"], E + n)))
             f = add(f, times(b["s"], cross(g, e)))
-        _set(b["inert"], k, f)
+        set_row(b["inert"], k, f)
     for r in range(3):
         b["G"][r] += b["inert"][E, r]
     for k in range(2):
-        t = _row(b["w"], TI + k)
-        mu = cross(t, _row(b["inert"], TI + k))
+        t = row(b["w"], TI + k)
+        mu = cross(t, row(b["inert"], TI + k))
         for n in range(2):
-            s1 = dot(_row(b["alpha"], n), _row(b["w"], TI + n))
+            s1 = dot(row(b["alpha"], n), row(b["w"], TI + n))
             mu = add(mu, times(b["polar"][k, n] * s1, t))
-        _set(b["mu"], k, add(_row(b["mu"], k), mu))
+        set_row(b["mu"], k, add(row(b["mu"], k), mu))
 
 
 @kernel
 def _cut(b):
     """Set the node force V: axial force and the transverse force that rotates the chord."""
-    e = _row(b["w"], E)
+    e = row(b["w"], E)
     G = triple(b["G"], 0)
     V = add(times(b["axial"], e), times(1.0 / b["ell"], less(G, times(dot(G, e), e))))
     for r in range(3):
@@ -261,9 +249,9 @@ def _gather(b, f, g):
     for k in range(2):
         F = V if k == 0 else times(-1.0, V)
         if b["mass"] > 0.0:
-            F = less(F, _row(b["inert"], XI + k))
-        _set(b["F"], k, F)
-        moment = less(cross(_row(b["arm"], k), F), _row(b["mu"], k))
+            F = less(F, row(b["inert"], XI + k))
+        set_row(b["F"], k, F)
+        moment = less(cross(row(b["arm"], k), F), row(b["mu"], k))
         at = f if k == 0 else g
         for r in range(3):
             at["F"][r] += F[r]
@@ -290,7 +278,7 @@ def internal(b, out, first, axes_i, axes_j):
     _cut(b)
     V = triple(b["V"], 0)
     for k in range(2):
-        mu = _row(b["mu"], k)
+        mu = row(b["mu"], k)
         if k == 0:
             mu = times(-1.0, mu)
         A = axes_i if k == 0 else axes_j

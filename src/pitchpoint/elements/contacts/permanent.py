@@ -14,9 +14,9 @@ constraint force lambda acts at Q in the direction n and follows both.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.contacts.wrench import change, moved
+from pitchpoint.elements.contacts.wrench import add_change, moved
 from pitchpoint.multibody.channels import F8
-from pitchpoint.multibody.vectors import cross, dot, plus, triple
+from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 FORCE = ("contact_force", "N", "normal force between the bodies; negative in tension")
 
@@ -27,7 +27,7 @@ def _rate(A, f, g):
     x = (0.0, 0.0, 0.0)
     for k in range(12):
         speed = f["tw"][k] if k < 6 else g["tw"][k - 6]
-        x = plus(x, speed, change(A, k))
+        x = plus(x, speed, column(A, k))
     return x
 
 
@@ -70,8 +70,8 @@ def _tangent(b, ctl, f, g, lam):
         if k >= 6 and b["j"] == 0:
             break
         c = k % 6
-        dn = change(b["dn"], k)
-        di = change(b["dQ"], k)
+        dn = column(b["dn"], k)
+        di = column(b["dQ"], k)
         dj = di
         if c < 3 and k < 6:
             di = plus(di, -1.0, moved(c, ai))
@@ -81,12 +81,7 @@ def _tangent(b, ctl, f, g, lam):
         mj = plus(cross(dj, n), 1.0, cross(aj, dn))
         ki = kk[b["ii"]] if k < 6 else kk[b["ij"]]
         kj = kk[b["ji"]] if k < 6 else kk[b["jj"]]
-        for r in range(3):
-            ki[r, c] += s * dn[r]
-            ki[3 + r, c] += s * mi[r]
-            if b["j"] != 0:
-                kj[r, c] -= s * dn[r]
-                kj[3 + r, c] -= s * mj[r]
+        add_change(ki, kj, c, s, dn, mi, mj, b["j"])
 
 
 @kernel

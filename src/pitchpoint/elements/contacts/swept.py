@@ -20,7 +20,7 @@ import math
 from pitchpoint.contact.surface import CYLINDER, distance, of_length
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
-from pitchpoint.elements.contacts.wrench import act, change, put, put_3, turned
+from pitchpoint.elements.contacts.wrench import act, put, put_3, turned
 from pitchpoint.multibody.vectors import column, dot, into_world, plus, row, triple
 
 SAMPLES = 48
@@ -98,8 +98,8 @@ def _place(b, f, g, along, r, r_rate, bend, weight, free):
     slope = dot(along, Wp) + dot(n, bend)
     scale = math.sqrt(dot(along, along))
     for k in range(12):
-        dn = change(b["dn"], k)
-        dQ = change(b["dQ"], k)
+        dn = column(b["dn"], k)
+        dQ = column(b["dQ"], k)
         ds = 0.0
         if free and slope > FLAT * scale:
             dp = turned(k, along) if k < 6 else (0.0, 0.0, 0.0)

@@ -19,12 +19,6 @@ from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 
 @kernel
-def change(A, k):
-    """Change of a vector for motion k, from an array (3, 12)."""
-    return A[0, k], A[1, k], A[2, k]
-
-
-@kernel
 def put_3(a, x):
     """Write a triple into an array of three."""
     a[0] = x[0]
@@ -150,10 +144,10 @@ def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
             ds = plus(motion, -sign * dh, n)
             ds = (sign * ds[0], sign * ds[1], sign * ds[2])
             dF = _change(n, s, law, slip, 0.0, dh, (0.0, 0.0, 0.0), ds)
-            _add(ki, kj, c, -ctl["cd"], dF, cross(ai, dF), cross(aj, dF), b["j"])
+            add_change(ki, kj, c, -ctl["cd"], dF, cross(ai, dF), cross(aj, dF), b["j"])
         if ctl["ck"] != 0.0:
-            dn = change(b["dn"], k)
-            dP = plus(change(b["dQ"], k), -(b["r"] + 0.5 * b["side"] * b["h"]), dn)
+            dn = column(b["dn"], k)
+            dP = plus(column(b["dQ"], k), -(b["r"] + 0.5 * b["side"] * b["h"]), dn)
             dP = plus(dP, -0.5 * b["side"] * dh, n)
             di = dP
             dj = dP
@@ -167,11 +161,11 @@ def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
             dF = _change(n, s, law, slip, dh, drate, dn, ds)
             mi = plus(cross(di, F), 1.0, cross(ai, dF))
             mj = plus(cross(dj, F), 1.0, cross(aj, dF))
-            _add(ki, kj, c, -ctl["ck"], dF, mi, mj, b["j"])
+            add_change(ki, kj, c, -ctl["ck"], dF, mi, mj, b["j"])
 
 
 @kernel
-def _add(ki, kj, c, s, dF, mi, mj, j):
+def add_change(ki, kj, c, s, dF, mi, mj, j):
     """Add s times a change of the force on i and of its moments to column c of the blocks of i and j."""
     for r in range(3):
         ki[r, c] += s * dF[r]

@@ -11,21 +11,17 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message
 from pitchpoint.geometry.bevel.tooth import crown_tool
-from pitchpoint.geometry.tooth_problems import (
+from pitchpoint.geometry.meshing_problems import (
     INTERFERENCE_TOLERANCE,
-    Found,
     Words,
-    at_key,
-    full_rounding,
     interferences,
     odd_contact,
-    problems_of_gear,
     problems_of_pair,
-    thin_tip,
     tips_in_roots,
     unequal,
     wrong_hands,
 )
+from pitchpoint.geometry.tooth_problems import Found, at_key, full_rounding, problems_of_gear, thin_tip
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel.gear import BevelGear

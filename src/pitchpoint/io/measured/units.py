@@ -7,8 +7,9 @@ import re
 from functools import lru_cache
 
 from pitchpoint.core.errors import UnitError
+from pitchpoint.core.unit_expression import parse_unit
 from pitchpoint.core.unit_table import DIMENSIONS, Unit
-from pitchpoint.core.units import TWO_PI, parse_unit
+from pitchpoint.core.units import TWO_PI
 
 _PREFERRED = """
     length angle mass time angular_speed angular_acceleration speed acceleration force torque power pressure

@@ -11,6 +11,7 @@ from pitchpoint.model.checks.references import ends_of
 from pitchpoint.model.frames import beam_length, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.shafts import in_mm
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam
@@ -53,14 +54,10 @@ def _listed(parts: Parts, name: str, beam: Beam) -> str:
         return f"{name} has pieces: 1 and no stations; give pieces: 2 or more"
     length = beam_length(parts, beam)
     words = {
-        k: f"{x:.3g} of its length" if length is None else f"{_mm(x * length)}"
+        k: f"{x:.3g} of its length" if length is None else f"{in_mm(x * length)}"
         for k, x in beam.stations.items()
     }
     listed = [f"{name}.{k} at {words[k]}" for k in beam.stations]
     if len(listed) > LISTED:
         return f"there are {listed[0]} from {beam.ends[0]}, {listed[1]}, and so on to {listed[-1]}"
     return f"there are {', '.join(listed)} from {beam.ends[0]}"
-
-
-def _mm(length: float) -> str:
-    return f"{round(length * 1e3, 9) + 0.0:.6g} mm"

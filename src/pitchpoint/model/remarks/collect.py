@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import GeometryError, Message, ValidityWarning, remark
 from pitchpoint.core.units import format_quantity
-from pitchpoint.geometry.tooth_problems import NO_PAIR_IN_CONTACT
+from pitchpoint.geometry.meshing_problems import NO_PAIR_IN_CONTACT
 from pitchpoint.model.checks.bearing_faults import track_radius
 from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS

@@ -11,6 +11,7 @@ from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.words import listed
 from pitchpoint.model.frames import split
 from pitchpoint.model.locked_loops import locked_loops
+from pitchpoint.model.speed_ratios import joined
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -73,7 +74,6 @@ def unconnected_shafts(model: Model) -> Iterator[Message]:
 
 def _groups(model: Model) -> list[set[str]]:
     """Sets of bodies that any component connects."""
-    groups: list[set[str]] = [{name} for name in model.mechanism.seats]
     links = [{seat.body, seat.parent} for seat in model.mechanism.seats.values()]
     for field in fields(model):
         parts = getattr(model, field.name)
@@ -81,11 +81,7 @@ def _groups(model: Model) -> list[set[str]]:
             continue
         links += [_named(model, part) for part in parts.values() if is_dataclass(part)]
     links += [_named(model, part) for group in model.others.values() for part in group.values()]
-    for link in links:
-        touched = [g for g in groups if g & link]
-        if len(touched) > 1:
-            groups = [g for g in groups if not g & link] + [set().union(*touched)]
-    return groups
+    return joined(model.mechanism.seats, links)
 
 
 def _named(model: Model, part: Any) -> set[str]:

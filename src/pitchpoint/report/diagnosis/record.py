@@ -167,14 +167,14 @@ def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: flo
     return float(tried[best]) if gain[best] > np.log(100.0) + np.log(tried.size) else frequency
 
 
-def strongest_lines(values: Array, samples_per_turn: float, count: int = 4) -> list[float]:
-    """Orders of the strongest lines [-], by falling amplitude."""
+def strongest_lines(values: Array, samples_per_turn: float) -> list[float]:
+    """Orders of the four strongest lines [-], by falling amplitude."""
     spectrum = fine_spectrum(values, samples_per_turn)
     size = spectrum.amplitude.copy()
     apart = max(int(np.ceil(3.0 * spectrum.resolution / spectrum.step)), 1)
     size[:apart] = 0.0
     found = []
-    for _ in range(count):
+    for _ in range(4):
         top = int(np.argmax(size))
         found.append(top * spectrum.step)
         size[max(top - apart, 0) : top + apart + 1] = 0.0

@@ -253,7 +253,7 @@ def roller_profile(size: BearingSize, row: int = 0) -> Line:
     return [(low - edge, -h), (low, edge - h), (high, h - edge), (high - edge, h)]
 
 
-def spall(size: BearingSize, inner: bool, half: float, sides: int = 12) -> shapes.Surface:
+def spall(size: BearingSize, inner: bool, half: float) -> shapes.Surface:
     """Patch over the width of a track around the first axis, over the angle 2 `half` [rad]."""
     line = raceway(size, inner)
     at = rows_of(size)[0]
@@ -266,8 +266,8 @@ def spall(size: BearingSize, inner: bool, half: float, sides: int = 12) -> shape
         if not inner:
             track = track[track[:, 0] > at.radius + 0.4 * size.element * math.cos(at.angle)]
         track = track - [lift, 0.0]
-    angles = np.linspace(-half, half, sides + 1)
-    rows, wide = sides + 1, len(track)
+    angles = np.linspace(-half, half, 13)
+    rows, wide = len(angles), len(track)
     points = np.array([(r * math.cos(a), r * math.sin(a), z) for a in angles for r, z in track])
     k = np.array([i * wide + j for i in range(rows - 1) for j in range(wide - 1)])
     faces = np.concatenate([np.c_[k, k + wide, k + 1], np.c_[k + 1, k + wide, k + wide + 1]])

@@ -24,15 +24,13 @@ _CELLS, _COARSER = 512, 0.75
 """Initial number of grid cells along a solid for merging corners, and its reduction per attempt."""
 
 
-def surface_of(reference: SolidReference, most: int = MAX_TRIANGLES) -> tuple[Array, Indices]:
+def surface_of(reference: SolidReference) -> tuple[Array, Indices]:
     """Points [m] in the axes of the file, shape (n, 3), and triangles of the solid of a body.
 
     Parameters
     ----------
     reference
         The solid.
-    most
-        Triangles that are not too many.
 
     Raises
     ------
@@ -48,7 +46,7 @@ def surface_of(reference: SolidReference, most: int = MAX_TRIANGLES) -> tuple[Ar
     else:
         corners = placed_triangles(read_triangles(reference.file), reference.unit or 1.0)
     first, triangles = join_corners(corners)
-    return fewer_triangles(corners.reshape(-1, 3)[first], triangles, most)
+    return fewer_triangles(corners.reshape(-1, 3)[first], triangles, MAX_TRIANGLES)
 
 
 def fewer_triangles(points: Array, triangles: Indices, most: int) -> tuple[Array, Indices]:

@@ -27,7 +27,7 @@ SPEED, TORQUE, POWER = "angular_speed", "torque", "power"
 SCHEMATIC = {
     "spindle": "shafts of bodies without sections",
     "plate": "carriers",
-    "linear": "bearings of given stiffness",
+    "linear": "bearings by stiffness",
     "mass": "bodies without gears",
     "seat": "housing",
 }
@@ -84,7 +84,7 @@ def section_of(model: Model, flow: Mapping[str, Any] | None = None) -> Section |
         )
     walls, notes = walls_of(axes), []
     if at.schematic:
-        notes.append("positions along the axes are schematic: the model places gears over each other")
+        notes.append("axial positions are schematic: gears overlap in the model")
     kinds = {p.kind for pieces in drawn.values() for p in pieces}
     schematic = [words for kind, words in SCHEMATIC.items() if kind in kinds]
     if schematic:

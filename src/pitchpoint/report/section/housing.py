@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.report.section.bearings import box_line
 from pitchpoint.report.section.layout import gaps
 from pitchpoint.viz.section_content import SectionAxis
 
@@ -69,12 +70,12 @@ def walls_of(axes: Sequence[SectionAxis]) -> list[Array]:
             if reach:
                 y = float(axis.origin[1])
                 taken.append((y - max(reach), y + max(reach)))
-        found += [_box(*edges[-1], a, b) for a, b in gaps(taken, low, high)]
+        found += [box_line(*edges[-1], a, b) for a, b in gaps(taken, low, high)]
     across = [(float(c[:, 0].min()), float(c[:, 0].max())) for c in inside]
     if any(a < edge and b > start for start, edge in edges for a, b in across):
         return []  # bearings between gears, such as those of a carrier
     start, end = edges[0][0], edges[1][1]
-    return [*found, _box(start, end, low - thick, low), _box(start, end, high, high + thick)]
+    return [*found, box_line(start, end, low - thick, low), box_line(start, end, high, high + thick)]
 
 
 def _middle(axis: SectionAxis, line: Array) -> float:
@@ -89,7 +90,3 @@ def _shafts_at(axis: SectionAxis, x: float) -> list[float]:
         if piece.kind in ("shaft", "spindle", "flange", "mass", "plate") and ends.min() <= x <= ends.max():
             found.append(float(piece.line[:, 1].max()))
     return found
-
-
-def _box(x0: float, x1: float, y0: float, y1: float) -> Array:
-    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.report.section.axes import Joined, Line
+from pitchpoint.viz.label_placement import common_area
 
 Array = NDArray[np.float64]
 Box = tuple[float, float, float, float]
@@ -124,7 +125,7 @@ def _placed(
         ]
     size = sum((b[2] - b[0]) * (b[3] - b[1]) for b in _boxes(tried[0], hull))
     covered = [
-        sum(_shared(one, other) for one in _boxes(each_frame, hull) for other in taken)
+        sum(common_area(one, other) for one in _boxes(each_frame, hull) for other in taken)
         for each_frame in tried
     ]
     best = min((0, 1), key=lambda k: (round(covered[k] / max(size, 1e-12), 3), k))
@@ -162,12 +163,6 @@ def _boxes(frame: Frame, hull: Sequence[Box]) -> list[Box]:
             (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
             found.append((float(x0), float(y0), float(x1), float(y1)))
     return found
-
-
-def _shared(a: Box, b: Box) -> float:
-    """Common area of two rectangles."""
-    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-    return max(wide, 0.0) * max(high, 0.0)
 
 
 def gaps(taken: Sequence[tuple[float, float]], low: float, high: float) -> list[tuple[float, float]]:

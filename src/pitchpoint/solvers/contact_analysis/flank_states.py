@@ -133,3 +133,9 @@ class FlankStates:
     def period(self) -> float:
         """Base pitch in radians of gear 1."""
         return 2.0 * math.pi / int(self.record["z1"])
+
+
+def under_load(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_]:
+    """Contact nodes under load, shape (n, max_nodes)."""
+    used = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
+    return np.asarray(used & (nodes["force"] > 0.0))

@@ -17,7 +17,7 @@ from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
-from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.flank_states import FlankStates, under_load
 from pitchpoint.solvers.contact_analysis.load_checks import flank_problem, refuse, torque_problem
 from pitchpoint.solvers.contact_analysis.solve import mesh_of
 
@@ -165,8 +165,7 @@ def _loaded_nodes(flanks: FlankStates, force: float) -> tuple[_Nodes, float]:
     if states["status"].max() != OK:
         status = int(states["status"].max())
         raise SolverError(f"mesh {flanks.mesh}: no contact state: {sentence(status)}", status)
-    held = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
-    at, k = np.nonzero(held & (nodes["force"] > 0.0))
+    at, k = np.nonzero(under_load(states, nodes))
     node = nodes[at, k]
     record = flanks.record
     now = record["now"]

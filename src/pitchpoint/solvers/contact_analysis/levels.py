@@ -40,7 +40,7 @@ from pitchpoint.solvers.contact_analysis.mesh_data import contact_options
 from pitchpoint.solvers.contact_analysis.mesh_path import MeshPath
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
 from pitchpoint.solvers.contact_analysis.solve import contact_dataset, mesh_of, solve_contact
-from pitchpoint.system.rules.flank_contact import flexible_options
+from pitchpoint.system.rules.flexible_teeth import flexible_options
 
 if TYPE_CHECKING:
     import xarray as xr

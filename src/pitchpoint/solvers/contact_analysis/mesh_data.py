@@ -9,7 +9,7 @@ import numpy as np
 
 from pitchpoint.model.components.flank_contact import PrecomputedContact, default_clamp
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.system.rules.flank_contact import flexible_options
+from pitchpoint.system.rules.flexible_teeth import flexible_options
 
 MARKS = ("A", "B", "C", "D", "E")
 """Points of the path of contact: start, start of single contact, pitch point, end of single contact, end."""

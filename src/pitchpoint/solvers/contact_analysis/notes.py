@@ -4,16 +4,13 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, note
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH, TIP_2
-
-if TYPE_CHECKING:
-    from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.flank_states import FlankStates, under_load
 
 FINE = 1e-3
 """Length of roll below the root form circle that is not reported, in base pitches."""
@@ -37,7 +34,7 @@ def contact_notes(
     found
         States, shape (m,), and nodes, shape (m, max_nodes), for each torque.
     """
-    loaded = [nodes[_held(states, nodes)] for states, nodes in found]
+    loaded = [nodes[under_load(states, nodes)] for states, nodes in found]
     if not any(nodes.size for nodes in loaded):
         return ()
     node = np.concatenate(loaded)
@@ -47,12 +44,6 @@ def contact_notes(
         *_few_planes(flanks, found, loaded),
         *_one_plane(flanks, found),
     )
-
-
-def _held(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_]:
-    """Nodes under load."""
-    used = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
-    return np.asarray(used & (nodes["force"] > 0.0))
 
 
 def _interference(flanks: FlankStates, node: NDArray[np.void]) -> list[Message]:

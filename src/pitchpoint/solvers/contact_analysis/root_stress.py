@@ -27,7 +27,7 @@ from pitchpoint.contact.tooth_fe.fillet_stress import stress_by_planes, stress_o
 from pitchpoint.core.errors import GeometryError, join_notes, split_notes
 from pitchpoint.core.nomenclature import attributes
 from pitchpoint.solvers.contact_analysis.lubrication import OVER
-from pitchpoint.system.rules.flank_contact import (
+from pitchpoint.system.rules.flexible_teeth import (
     blank_of,
     common_width,
     finite_elements_of,

@@ -16,7 +16,7 @@ from pitchpoint.core.errors import Message, SolverError, join_notes, note
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
-from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.flank_states import FlankStates, under_load
 from pitchpoint.solvers.contact_analysis.load_checks import (
     flank_problem,
     method_problem,
@@ -268,8 +268,7 @@ def _pairs(found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> range:
 
 def _loaded(states: NDArray[np.void], nodes: NDArray[np.void]) -> tuple[NDArray[np.intp], NDArray[np.void]]:
     """Indices of the phases of all nodes under load, and the nodes."""
-    held = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
-    at, k = np.nonzero(held & (nodes["force"] > 0.0))
+    at, k = np.nonzero(under_load(states, nodes))
     return at, nodes[at, k]
 
 

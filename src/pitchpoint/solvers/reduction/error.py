@@ -14,7 +14,7 @@ from pitchpoint.solvers.eigen import undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.linear_system import SPARSE
-from pitchpoint.solvers.sparse_modes import lowest_modes
+from pitchpoint.solvers.modes.sparse import lowest_modes
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System

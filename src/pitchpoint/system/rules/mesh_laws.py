@@ -145,14 +145,6 @@ def put_losses(row: Any, laws: MeshLaws) -> None:
     row["rubs"] = laws.mu > 0.0
 
 
-def contact_damping(
-    damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
-) -> dict[str, Any]:
-    """Contact damping of cylindrical gears; see `flank_damping`."""
-    whole = stiffness.c_prime * pair.b_w if isinstance(stiffness, PairShape) else None
-    return flank_damping(damping, math.cos(pair.gear1.beta_b), whole, k, critical)
-
-
 def flank_damping(
     damping: ContactDamping, cos_b: float, whole: float | None, k: float, critical: float
 ) -> dict[str, Any]:

@@ -40,12 +40,12 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
     section = Section("campbell", "Campbell diagram")
     for name, data in diagrams.items():
         if isinstance(data, str):
-            section.add(f"<h3>{escape(name)}</h3>" if len(diagrams) > 1 else "")
+            section.add_name(name, diagrams)
             section.add(f"<p>{escape(data)}</p>")
             continue
         if not data["frequency"].size or data.sizes["speed"] < 2:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(diagrams) > 1 else "")
+        section.add_name(name, diagrams)
         section.add(f"<p>{escape(_conditions(data))}</p>")
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."

@@ -39,7 +39,7 @@ def case_section(tables: Mapping[str, Any]) -> Section:
     for name, table in tables.items():
         if not table.cases:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(tables) > 1 else "")
+        section.add_name(name, tables)
         paths = list(dict.fromkeys(path for case in table.cases for path in case["values"]))
         found = case_quantities(table.cases)
         for html in _tables(table.cases, paths, found):

@@ -44,7 +44,7 @@ def compare_section(families: Sequence[tuple[str, Mapping[str, str]]], results: 
     """
     section = Section("comparison", "Comparison")
     for title, members in families:
-        section.add(f"<h3>{escape(title)}</h3>" if len(families) > 1 else "")
+        section.add_name(title, families)
         runs = {label: results.runs[name] for label, name in members.items() if name in results.runs}
         sweeps = {label: results.sweeps[name] for label, name in members.items() if name in results.sweeps}
         if len(runs) > 1:

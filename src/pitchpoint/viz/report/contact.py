@@ -87,7 +87,7 @@ def contact_section(analyses: Mapping[str, ContactData]) -> Section:
     rolled = {name: one for name, one in analyses.items() if _on_shafts(one)}
     section.add(_meshes(rolled) if len(rolled) > 1 else "")
     for name, analysis in analyses.items():
-        section.add(f"<h3>{escape(name)}</h3>" if len(analyses) > 1 else "")
+        section.add_name(name, analyses)
         section.add(f"<p>{escape(analysis.note)}</p>" if analysis.note else "")
         if analysis.data.sizes.get("torque", 0):
             _add_analysis(section, analysis.data, analysis.numbers)

@@ -19,6 +19,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
 from pitchpoint.viz.quantities import amount, channel_scale, number, scale, span
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.planets import planet_table
+from pitchpoint.viz.same_curves import grouped
 from pitchpoint.viz.tables import common_name
 
 MAX_CYCLES = 4
@@ -36,9 +37,9 @@ ROUND_OFF_WAY = 1e-6
 def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
     """Section with stiffness and transmission error over the mesh cycle."""
     section = Section("cycle", "Mesh cycle")
-    for meshes, cycle in _distinct(cycles):
+    for meshes, cycle in grouped(cycles, _same):
         mesh = common_name(meshes)
-        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
+        section.add_name(mesh, cycles)
         if cycle.stiffness is not None:
             _add_stiffness(section, mesh, cycle)
         if cycle.errors and all(float(np.ptp(e)) <= ROUND_OFF for e in cycle.errors.values()):
@@ -58,19 +59,6 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
             drawn = plot_load_sharing(cycle.share_way, cycle.share)
             section.add_figure(drawn, f"{words}.", name=f"load_share[{mesh}]")
     return section
-
-
-def _distinct(cycles: Mapping[str, Any]) -> list[tuple[list[str], Any]]:
-    """Cycles with the names of all meshes that have the same curves."""
-    found: list[tuple[list[str], Any]] = []
-    for mesh, cycle in cycles.items():
-        for names, other in found:
-            if _same(cycle, other):
-                names.append(mesh)
-                break
-        else:
-            found.append(([mesh], cycle))
-    return found
 
 
 def _same(one: Any, other: Any) -> bool:

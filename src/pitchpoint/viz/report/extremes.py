@@ -50,7 +50,7 @@ def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         time, found = channels(run.data)
         if time.size < 2 or not found:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        section.add_name(name, runs)
         settled = settled_part(time, run.settle_time)
         found = with_resultants(found)
         main = [n for _, names in groups_of(run, found) for n in names]

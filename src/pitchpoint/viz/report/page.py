@@ -7,7 +7,7 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from dataclasses import dataclass, field
 from functools import cache
 from html import escape
@@ -43,6 +43,11 @@ class Section:
         """Append a piece of HTML unless it is empty."""
         if html:
             self.parts.append(html)
+
+    def add_name(self, name: str, among: Sized) -> None:
+        """Append a name as a heading if it is one of several."""
+        if len(among) > 1:
+            self.parts.append(f"<h3>{escape(name)}</h3>")
 
     def add_figure(
         self,

@@ -46,9 +46,9 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         words = f"{escape(name)}: mesh load factor K<sub>γ</sub> = {factor:.4f}, from mean mesh forces."
         if positions is not None:
             words += (
-                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, at a "
-                f"carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn each, in "
-                f"{positions['turns']:.3g} turns of the carrier."
+                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, "
+                f"at a carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn "
+                f"each, in {positions['turns']:.3g} turns of the carrier."
             )
         found.append(f"{plain_table(head, body)}<p>{words}</p>")
     return "".join(found)

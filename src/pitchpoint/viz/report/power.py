@@ -13,6 +13,7 @@ from pitchpoint.viz.power_flow_drawing import NEGLIGIBLE as SMALLEST
 from pitchpoint.viz.power_flow_drawing import power_flow_svg, undrawn
 from pitchpoint.viz.quantities import Scale, amount, number, scale, span
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.same_curves import grouped
 from pitchpoint.viz.tables import plain_table
 
 NEGLIGIBLE = 1e-6
@@ -38,7 +39,7 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
     section = Section("power", "Power flow")
     for group in _same_paths(flows):
         first, flow = next(iter(group.items()))
-        section.add(f"<h3>{escape(', '.join(group))}</h3>" if len(flows) > 1 else "")
+        section.add_name(", ".join(group), flows)
         drawing = power_flow_svg(flow)
         whose = f" of {first}" if len(group) > 1 else ""
         words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power."
@@ -73,23 +74,13 @@ def _same_paths(flows: Mapping[str, PowerFlow | str]) -> list[dict[str, PowerFlo
 
 def _unlike(group: Mapping[str, PowerFlow]) -> dict[str, PowerFlow]:
     """Flows under the names of all that have the same powers within the width of a line."""
-    found: list[tuple[list[str], PowerFlow]] = []
-    for name, flow in group.items():
-        most = max((link.given for link in flow.links), default=0.0)
-        alike = (
-            names
-            for names, other in found
-            if all(
-                abs(a.given - b.given) <= ALIKE * most for a, b in zip(flow.links, other.links, strict=True)
-            )
-            and abs(flow.lost - other.lost) <= ALIKE * max(flow.lost, other.lost)
-        )
-        names = next(alike, None)
-        if names is None:
-            found.append(([name], flow))
-        else:
-            names.append(name)
-    return {", ".join(names): flow for names, flow in found}
+    return {", ".join(names): flow for names, flow in grouped(group, _alike)}
+
+
+def _alike(one: PowerFlow, flow: PowerFlow) -> bool:
+    most = max((link.given for link in flow.links), default=0.0)
+    equal = all(abs(a.given - b.given) <= ALIKE * most for a, b in zip(flow.links, one.links, strict=True))
+    return equal and abs(flow.lost - one.lost) <= ALIKE * max(flow.lost, one.lost)
 
 
 def _common_table(group: Mapping[str, PowerFlow]) -> str:

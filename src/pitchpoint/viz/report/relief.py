@@ -24,7 +24,7 @@ def relief_section(designs: Mapping[str, xr.Dataset]) -> Section:
     """Section with relief designs by the name of the mesh."""
     section = Section("relief", "Relief design")
     for name, data in designs.items():
-        section.add(f"<h3>{escape(name)}</h3>" if len(designs) > 1 else "")
+        section.add_name(name, designs)
         section.add(_modifications(data))
         section.add(_errors(data))
         section.add_figure(

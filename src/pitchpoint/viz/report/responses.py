@@ -28,7 +28,7 @@ def response_section(responses: Mapping[str, xr.Dataset]) -> Section:
     """Section with datasets of `solve_frequency_response` and `solve_mesh_response` by name."""
     section = Section("responses", "Frequency response")
     for name, data in responses.items():
-        section.add(f"<h3>{escape(name)}</h3>" if len(responses) > 1 else "")
+        section.add_name(name, responses)
         if "order" in data.dims:
             section.add_figure(
                 _mesh_response(data),

@@ -101,7 +101,7 @@ def spectrum_section(
             parts = parts[-1:]  # of many meshes, the forces
         if not any(drawn for drawn, _, _ in parts):
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        section.add_name(name, runs)
         words = dict.fromkeys(sentence for _, _, own in parts for sentence in own)
         section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
         missing: dict[str, list[str]] = {}

@@ -25,7 +25,7 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
         points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
         if not points:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(sweeps) > 1 else "")
+        section.add_name(name, sweeps)
         found = mesh_sweeps(points)
         several = len(swept_meshes(points)) > 1
         swept = points_of_mesh(points, swept_meshes(points)[0])

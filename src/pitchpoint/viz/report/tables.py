@@ -22,7 +22,7 @@ def mode_section(modes: Mapping[str, Any]) -> Section:
     section = Section("modes", "Modes")
     shown = {name: own for name, own in modes.items() if len(own.names)}
     for name, own in shown.items():
-        section.add(f"<h3>{escape(name)}</h3>" if len(shown) > 1 else "")
+        section.add_name(name, shown)
         _add_modes(section, own)
     return section
 

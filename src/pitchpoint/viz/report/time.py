@@ -60,7 +60,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         if time.size < 2 or not found:
             continue
         found = with_resultants(found)
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        section.add_name(name, runs)
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)

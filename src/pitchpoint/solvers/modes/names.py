@@ -30,9 +30,9 @@ from numpy.typing import NDArray
 from pitchpoint.elements.kind import MESH
 from pitchpoint.multibody.ring_modes import waves_of
 from pitchpoint.solvers.gear_trains import rotations, turning_spins
-from pitchpoint.solvers.machine_groups import SHAFT
-from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
-from pitchpoint.solvers.planet_modes import PLANET, TRANSLATIONAL, PlanetSet, planet_sets, type_of_mode
+from pitchpoint.solvers.modes.energies import PLANAR, Energies, Motions
+from pitchpoint.solvers.modes.machine_groups import SHAFT
+from pitchpoint.solvers.modes.planets import PLANET, TRANSLATIONAL, PlanetSet, planet_sets, type_of_mode
 
 if TYPE_CHECKING:
     from pitchpoint.system.system import System

@@ -34,8 +34,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.body_shapes import body_motions, inertia_wrenches
-from pitchpoint.solvers.machine_groups import Groups, groups_of
 from pitchpoint.solvers.mesh_law import MeshLaw, mesh_law
+from pitchpoint.solvers.modes.machine_groups import Groups, groups_of
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names
 

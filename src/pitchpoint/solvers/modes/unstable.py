@@ -31,7 +31,7 @@ from pitchpoint.core.errors import Message, note
 from pitchpoint.solvers.campbell import Campbell, at_speeds
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.linear_system import Linearised
-from pitchpoint.solvers.machine_groups import Groups
+from pitchpoint.solvers.modes.machine_groups import Groups
 from pitchpoint.solvers.stiffness_parts import element_list
 from pitchpoint.system.system import State, System
 

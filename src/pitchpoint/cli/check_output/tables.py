@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.cli.flexible_rims import show_rims
+from pitchpoint.cli.check_output.flexible_rims import show_rims
 from pitchpoint.cli.output import show, shown, table
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
@@ -51,8 +51,8 @@ def _show_joints(found: Mapping[str, Any]) -> None:
     if count["constraints"]:
         show(
             f"{count['coordinates']} coordinates{_modes(found)} - {count['constraints']} constraints = "
-            f"{count['by_count']} degrees of freedom by count; redundant constraints, which assembly "
-            "detects, leave more"
+            f"{count['by_count']} degrees of freedom by count; more with redundant constraints, which "
+            "are detected at assembly"
         )
 
 
@@ -84,10 +84,10 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     drawing
         File of the drawing, if there is one.
     """
-    from pitchpoint.cli.balance import show_balance
-    from pitchpoint.cli.gearbox import show_gearbox
+    from pitchpoint.cli.check_output.balance import show_balance
+    from pitchpoint.cli.check_output.gearbox import show_gearbox
+    from pitchpoint.cli.check_output.power_flow import show_power_flows
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
-    from pitchpoint.cli.power_flow import show_power_flows
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
     passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
@@ -131,11 +131,11 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     _show_joints(found)
     _show_meshes(found)
     if found["planetary_stages"]:
-        from pitchpoint.cli.planets import show_stages
+        from pitchpoint.cli.check_output.planets import show_stages
 
         show_stages(found["planetary_stages"])
     if found["scissor_gears"]:
-        from pitchpoint.cli.scissor_gears import show_scissors
+        from pitchpoint.cli.check_output.scissor_gears import show_scissors
 
         show_scissors(found["scissor_gears"])
     show_gearbox(found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example `camshaft-train`: means, period and twist of the hammering train on elastic shafts."""
+"""The example `camshaft-drive` on elastic shafts: means, period and twist of the hammering train."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
 
-FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-train"
+FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
 BASE_RADIUS = 0.2494884  # of the cam gear [m]
 CYLINDERS = 6
 
@@ -31,7 +31,7 @@ def script():
 
 def test_tables_are_those_of_the_script_and_their_means_the_work(script):
     """Springs do no work in a revolution; the pump does p A times the stroke in the delivery."""
-    train, rigid = (load_model(FOLDER / name) for name in ("train.yaml", "rigid.yaml"))
+    train, rigid = (load_model(FOLDER / name) for name in ("shafts.yaml", "cylinders.yaml"))
     for model, load, name in (
         (train, "pump_1", "pump.csv"),
         (train, "valves_1", "valves.csv"),
@@ -58,7 +58,7 @@ def test_tables_are_those_of_the_script_and_their_means_the_work(script):
 # the study's profile shifts lie outside the range of the stiffness polynomial, and the model says so
 @pytest.mark.filterwarnings("ignore::pitchpoint.core.errors.ValidityWarning")
 def test_hammering_train():
-    model = load_model(FOLDER / "train.yaml").replace("scenarios.engine.step", "0.02 ms")
+    model = load_model(FOLDER / "shafts.yaml").replace("scenarios.engine.step", "0.02 ms")
     system = compile_model(model, "engine")
     memory = Memory()
     run_time(system, sink=memory)

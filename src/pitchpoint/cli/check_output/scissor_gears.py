@@ -24,6 +24,6 @@ def show_scissors(scissors: Mapping[str, Mapping[str, Any]]) -> None:
         for name, row in scissors.items()
     ]
     notes = [
-        "the fixed half stays on its flank up to a torque of the spring against it, including inertia torques"
+        "the fixed half lifts off at a load, with inertia torques, above the spring torque and against it"
     ]
     table("Scissor gears", head, rows, notes)

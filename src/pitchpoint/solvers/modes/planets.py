@@ -45,7 +45,7 @@ from pitchpoint.core.words import listed
 from pitchpoint.system.meshes import mesh_records
 
 if TYPE_CHECKING:
-    from pitchpoint.solvers.machine_groups import Groups
+    from pitchpoint.solvers.modes.machine_groups import Groups
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
