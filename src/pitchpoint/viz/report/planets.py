@@ -47,8 +47,8 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         if positions is not None:
             words += (
                 f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, "
-                f"at a carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 turn "
-                f"each, in {positions['turns']:.3g} turns of the carrier."
+                f"at a carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 "
+                f"turn each, in {positions['turns']:.3g} turns of the carrier."
             )
         found.append(f"{plain_table(head, body)}<p>{words}</p>")
     return "".join(found)
