@@ -17,6 +17,9 @@ import pytest
 
 import pitchpoint
 from pitchpoint.report.frequencies import frequencies_of, turning_speeds
+from pitchpoint.report.static_power import static_power
+from pitchpoint.report.statics import meshes_rolled_together
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
 
 # the profile shifts of stages 2 and 3 increase from the smaller to the larger gear
@@ -113,11 +116,46 @@ def test_mesh_forces_of_the_reports(whole):
 
 
 def test_the_brake_stops_the_torque_of_the_generator(torsion):
-    """The stop with the torque of the wind fading: the high-speed mesh crosses its backlash."""
+    """The stop with the torque of the wind fading: the high-speed mesh crosses its backlash.
+
+    With the published damping the teeth carry up to 1.5 times the rated force, the back flanks 0.8 times.
+    """
     short = {"parameters.stop": 0.2, "scenarios.stop.duration": 2.0}
     run = pitchpoint.solve_time(pitchpoint.compile_model(torsion.replace_all(short), "stop"))
     assert set(np.unique(run["contact_state[stage_3]"])) == {-1.0, 0.0, 1.0}
     force = run["mesh_force[stage_3]"]
     rated = 40953.0 / (0.5 * 0.320026)
     assert float(force.sel(time=slice(0.0, 0.19)).mean()) == pytest.approx(rated, rel=2e-3)
-    assert float(force.min()) < -0.3 * rated
+    assert float(force.min()) / rated == pytest.approx(-0.8, abs=0.1)
+    assert float(force.max()) / rated == pytest.approx(1.46, abs=0.05)
+
+
+def test_the_power_flows_through_main_shaft_and_carrier(whole):
+    """Rotor, main shaft and carrier are fixed to each other: all three transmit the torque of the wind."""
+    shafts = static_power(whole, whole.scenarios["rated"], "rated")["shafts"]
+    assert list(shafts)[:3] == ["rotor", "main_shaft", "carrier_1"]
+    assert list(shafts)[-1] == "generator"
+    for name, before, after in (
+        ("rotor", ["wind"], ["main_shaft"]),
+        ("main_shaft", ["rotor"], ["carrier_1"]),
+        ("carrier_1", ["main_shaft"], ["planet_1", "planet_2", "planet_3"]),
+        ("carrier_2", ["shaft_1"], ["small_planet_1", "small_planet_2", "small_planet_3"]),
+    ):
+        row = shafts[name]
+        torque = 3945.99e3 / (1.0 if name != "carrier_2" else float(RATIOS[0]))
+        assert row["torque"] == pytest.approx(torque, rel=1e-9), name
+        assert row["power"] == pytest.approx(3945.99e3 * TURN * math.tau, rel=1e-9), name
+        assert (row["driven_by"], row["drives"]) == (before, after), name
+
+
+def test_loads_by_formula_balance_up_to_rounding(whole):
+    """Gravity leaves 1.3 N m of 3.9 MN m: not worth a note."""
+    start = prepare_start(pitchpoint.compile_model(whole, "rated"), whole.scenarios["rated"])
+    assert not [said for said in start.notes if "do not balance" in str(said)]
+
+
+def test_one_roll_serves_all_meshes_of_a_stage(torsion):
+    groups = meshes_rolled_together(torsion, list(torsion.every_mesh))
+    assert sorted({len(group) for group in groups.values()}) == [1, 6]
+    own = {f"sun_1-planet_{k}" for k in (1, 2, 3)} | {f"planet_{k}-ring_1" for k in (1, 2, 3)}
+    assert set(groups["planet_2-ring_1"]) == own

@@ -102,19 +102,23 @@ def compute(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished, header_of
     from pitchpoint.io.dataset_tables import write_variables
+    from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import COORDINATES, find_modes, modal_variables
+    from pitchpoint.solvers.modes.unstable import unstable_notes
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
     system = compile_model(model, name)
     with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
-        found = find_modes(system, name, phase=phase, count=count, progress=progress)
+        linear = linearise(system, name, phase=phase, progress=progress)
+        found = find_modes(system, name, phase=phase, count=count, linear=linear)
+    notes = (*found.notes, *unstable_notes(linear, found))
     if target is not None:
         header = header_of(model, file, name or "", "modes", "modal")
-        write_variables(target, header, modal_variables(found), COORDINATES, notes=found.notes)
+        write_variables(target, header, modal_variables(found), COORDINATES, notes=notes)
     if animation is not None:
         animate(animation, found, model)
-    summary = finished(begun, target, found.notes) | {
+    summary = finished(begun, target, notes) | {
         "total": found.total,
         "modes": rows_of(found),
         "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import show, shown, table
+from pitchpoint.cli.output import shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.io.container import Header
@@ -203,22 +203,6 @@ def statistics_table(
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
 
 
-def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
-    """Print mean mesh force and share of every planet, and the mesh load factor of every stage."""
-    for stage, found in loads.items():
-        if found["load_sharing_factor"] is None:
-            show(f"{stage}: no load on the planets, no mesh load factor K_γ")
-            continue
-        rows = [
-            [planet, mesh, shown(force, "force", 5), f"{round(100.0 * share, 2) + 0.0:.2f} %"]
-            for planet, mesh, force, share in zip(
-                found["planets"], found["meshes"], found["mean_force"], found["share"], strict=True
-            )
-        ]
-        title = f"{stage}: mesh load factor K_γ = {found['load_sharing_factor']:.4f}"
-        table(title, ["planet", "mesh", "mean mesh force", "share"], rows)
-
-
 def _largest_force(row: Mapping[str, Any] | None) -> str:
     """Mesh force of the largest magnitude, negative on the back flank; a dash if it is not a channel."""
     return "-" if row is None else shown(max(row["min"], row["max"], key=abs), "force", 4)
@@ -226,7 +210,10 @@ def _largest_force(row: Mapping[str, Any] | None) -> str:
 
 def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
     """Print impacts and contact loss of the meshes that lose contact."""
-    rows, notes = [], []
+    from pitchpoint.core.words import ranges
+
+    rows: list[list[str]] = []
+    short: dict[str, tuple[float, float]] = {}
     for name, row in channels.items():
         if not row.get("contact_loss_share", 0.0) > 0.0:
             continue
@@ -244,13 +231,15 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 (f"{index:.3g}" if index >= 1e-3 else "0") if math.isfinite(index) else "not known",
             ]
         )
-        shortest = row["shortest_contact"]
-        if 0.0 < shortest < FEWEST_STEPS * row["resolution"]:
-            step = shown(row["resolution"], "time", 3)
-            notes.append(
-                f"{mesh}: the shortest contact lasts {shown(shortest, 'time', 3)}, and contacts are checked "
-                f"every {step}, so impacts may be missed; use a smaller step"
-            )
+        if 0.0 < row["shortest_contact"] < FEWEST_STEPS * row["resolution"]:
+            short[mesh] = row["shortest_contact"], row["resolution"]
+    notes = []
+    if short:
+        least, step = min(short.values())
+        notes.append(
+            f"{ranges(list(short))}: the shortest contact lasts {shown(least, 'time', 3)}, and contacts are "
+            f"checked every {shown(step, 'time', 3)}, so impacts may be missed; use a smaller step"
+        )
     if rows:
         head = [
             "mesh",

@@ -47,6 +47,7 @@ def compute(
     model: Model, file: str, name: str, target: Path, *, quiet: bool = False
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Compute a slow roll into a file; return the output of `run --json`, and the error that stopped it."""
+    from pitchpoint.cli.planet_loads import with_stored_positions
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -81,7 +82,7 @@ def compute(
         "periods_rolled": roll.position,
         "meshes": meshes,
         "channels": channels,
-        "planet_loads": loads_in(model, channels),
+        "planet_loads": with_stored_positions(model, loads_in(model, channels), target),
     }
     return summary, None if roll.status == OK else SolverError(roll.sentence, roll.status, str(target))
 

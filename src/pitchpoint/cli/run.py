@@ -75,12 +75,12 @@ def run(
     The result file can be read during the run. Ctrl-C stops the run; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.planet_loads import show_planets
     from pitchpoint.cli.results import (
         choose_scenario,
         rattle_table,
         refuse_without_effect,
         result_path,
-        show_planets,
         statistics_table,
         unless_it_cannot_begin,
     )
@@ -141,7 +141,8 @@ def run(
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Compute the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.results import result_path, show_planets, unless_it_cannot_begin
+    from pitchpoint.cli.planet_loads import show_planets
+    from pitchpoint.cli.results import result_path, unless_it_cannot_begin
     from pitchpoint.cli.roll import NOT_BEGUN, compute, show_forces, show_roll
 
     target = result_path(output, file, name)
@@ -173,6 +174,7 @@ def compute(
 
     For a reduced system the summary also contains `inner`: channels of condensed parts and their modes.
     """
+    from pitchpoint.cli.planet_loads import with_stored_positions
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -232,7 +234,9 @@ def compute(
         "notes": notes,
         "events": len(done.events),
         "channels": statistics,
-        "planet_loads": loads_in(model, statistics),
+        "planet_loads": with_stored_positions(
+            model, loads_in(model, statistics), target, chosen.statistics_start
+        ),
         **({"contact_solver": done.contact_solver} if done.contact_solver else {}),
         **inner,
     }

@@ -343,7 +343,9 @@ def _spin(mechanism: Mechanism, machine: Machine, body: str) -> tuple[str, int, 
     seat = mechanism.seats.get(body)
     if seat is None or seat.kind in (*TUMBLING, *FUNCTIONS) or "spin" not in seat.coordinates:
         how = "" if seat is None or seat.joint is None else f" ({seat.joint}: {seat.kind})"
-        return f"names {body}{how}, which has no spin"
+        own = spinner_of(machine, mechanism, body)
+        with_it = f" of its own; it rotates with {own}" if own not in (None, body) else ""
+        return f"names {body}{how}, which has no spin{with_it}"
     return body, seat.coordinates.index("spin"), "angle"
 
 

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.linear_system import Linearised
-    from pitchpoint.solvers.modal import Modes
     from pitchpoint.system.system import System
     from pitchpoint.viz.report.build import ModeData
 
@@ -164,7 +163,7 @@ def _add_modes(
     """Add the modes of one set of prescribed motions; `others` are scenarios with further sets."""
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.solvers.modes.unstable import is_undamped
+    from pitchpoint.solvers.modes.unstable import is_undamped, sources
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report.build import ModeData
 
@@ -183,22 +182,10 @@ def _add_modes(
         components=modes.groups.components,
         strain_share=modes.energies.strain,
         at=linear.at,
-        sources=_sources(linear, modes),
+        sources=sources(linear, modes),
         undamped=is_undamped(linear),
     )
     return system, linear
-
-
-def _sources(linear: Linearised, modes: Modes) -> list[str]:
-    """Components that feed the unstable modes about a state, by mode; "" for the others."""
-    from pitchpoint.solvers.modes.unstable import UNDAMPED, feeding
-
-    return [
-        feeding(linear.system, linear.state, modes.groups, modes.elements, value, modes.damped_shape[k])
-        if modes.damping_ratio[k] < -UNDAMPED
-        else ""
-        for k, value in enumerate(modes.eigenvalue.tolist())
-    ]
 
 
 def _diagram(

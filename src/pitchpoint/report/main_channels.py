@@ -80,6 +80,7 @@ def channel_groups(model: Model, names: Iterable[str], scenario: str = "") -> li
         "Speeds of input and output": [f"speed[{body}]" for body in ends],
         "Meshes": [f"{quantity}[{mesh}]" for mesh in model.every_mesh for quantity in MESH],
         "Bearings": _bearing_channels(given),
+        "Torques in the middle of shafts": [_middle_torque(model, shaft) for shaft in model.shafts],
         "Connections": [name for kind in CONNECTIONS for name in given if _kind(name) == kind],
         "Signals": [name for name in given if _kind(name) == "signal" and "." not in name],
     }
@@ -150,6 +151,12 @@ def end_bodies(model: Model, scenario: str = "") -> list[str]:
     loaded = [load.body for load in model.loads.values() if load.torque is not None]
     found = [body for body in dict.fromkeys((*driven, *swept, *loaded)) if body in model.bodies]
     return found or [name for name, body in model.bodies.items() if body.gears or body.bevel_gears]
+
+
+def _middle_torque(model: Model, shaft: str) -> str:
+    """Torque in the middle piece of a shaft; the first and last ones often only carry bearings."""
+    pieces = len(model.stations[shaft]) - 1
+    return f"beam_force[{shaft}.{pieces // 2 + 1}.i.mz]"
 
 
 def _kind(name: str) -> str:

@@ -14,6 +14,7 @@ from pitchpoint.model.checks.planet_room import planet_gaps
 from pitchpoint.model.components.planetary_stage import MeshGroup, PinError
 from pitchpoint.model.planet_places import nominal_distance
 from pitchpoint.system.planet_loads import as_data, loads_in, planet_loads
+from pitchpoint.system.planet_positions import with_positions
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -43,7 +44,10 @@ def load_sharing(model: Model, data: xr.Dataset, settle_time: float = 0.0) -> di
     if not model.planetary_stages:
         return {}
     stored = {str(n): s for n, v in data.data_vars.items() if (s := stored_statistics(v.attrs)) is not None}
-    return loads_in(model, stored) or as_data(planet_loads(model, data, settle_time))
+    known = loads_in(model, stored)
+    if not known:
+        return as_data(planet_loads(model, data, settle_time))
+    return with_positions(model, known, data, settle_time)
 
 
 def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:

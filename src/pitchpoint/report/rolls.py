@@ -58,6 +58,15 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
 
+def equal_periods(model: Model, one: str, two: str) -> bool:
+    """Whether two meshes of a train have the same mesh frequency and repeat together."""
+    turning, order = _rates(model, one)
+    other = _order_of(model, two, turning) if order else 0.0
+    return abs(other - order) <= 1e-9 * order and periods_until_repeat(model, one) == periods_until_repeat(
+        model, two
+    )
+
+
 def points_to_roll(coordinates: int) -> int:
     """Total number of points of a roll, fewer for a large machine."""
     return POINTS_OF_LARGE if coordinates > LARGE else ALL_POINTS

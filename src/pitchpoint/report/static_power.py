@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.words import listed, ranges
+from pitchpoint.report.acting_torques import acting_torques
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -215,8 +216,12 @@ def _shafts(
     """Speed, frequency, transmitted torque and power of every body that rotates or transmits a torque."""
     found = {}
     reference = rates["shafts"][first]["speed"] if first else 0.0
-    for body, row in rates["shafts"].items():
-        acting = _acting(model, balance, outer, body)
+    torques = acting_torques(model, balance, outer)
+    for body in _along_the_power(model, balance, first):
+        row = rates["shafts"].get(body)
+        if row is None:
+            continue
+        acting = torques[body]
         known = [torque for _, torque in acting if torque is not None]
         largest = max((abs(t) for t in known), default=0.0)
         if not row["speed"] and not largest:
@@ -242,48 +247,19 @@ def _shafts(
     return found
 
 
-def _acting(
-    model: Model, balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str
-) -> list[tuple[list[str], float | None]]:
-    """Torques on a body about its axis, by what they come from; that of bodies on it is the remainder.
-
-    A body that is fixed to one that rotates hands its torques on to it.
-    """
-    from pitchpoint.model.mechanism import spinner_of
-
-    found = _own(balance, outer, body)
-    carried = model.mechanism.carried_by(body)
-    fixed = [name for name in carried if spinner_of(model, model.mechanism, name) == body]
-    riders = [
-        name
-        for name in carried
-        if name not in fixed and (model.bodies[name].gears or model.bodies[name].bevel_gears)
-    ]
-    for name in fixed:
-        torques = [torque for _, torque in _own(balance, outer, name)]
-        if torques:
-            found.append(([name], None if None in torques else sum(t for t in torques if t is not None)))
-    known = [torque for _, torque in found if torque is not None]
-    rest = riders or [name for name in (spinner_of(model, model.mechanism, body),) if name is not None]
-    if rest and len(known) == len(found):
-        found.append((rest, -sum(known)))
-    return found
-
-
-def _own(
-    balance: TorqueBalance, outer: Sequence[Mapping[str, Any]], body: str
-) -> list[tuple[list[str], float | None]]:
-    """Torques of loads, meshes and other links on a body about its axis."""
-    found: list[tuple[list[str], float | None]] = []
-    for each in outer:
-        if body in (each["body"], each["reaction"]):
-            way = 1.0 if each["body"] == body else -1.0
-            found.append(([each["name"]], None if each["torque"] is None else way * each["torque"]))
-    for link in balance.links.values():
-        for end, torque in zip(link.bodies, link.torques, strict=True):
-            if end == body:
-                found.append(([str(link.place[1])], _finite(torque)))
-    return found
+def _along_the_power(model: Model, balance: TorqueBalance, first: str | None) -> list[str]:
+    """Bodies from the input along joints, meshes and couplings, all others as in the file."""
+    beside: dict[str, list[str]] = {body: [] for body in model.bodies}
+    pairs = [(name, seat.parent) for name, seat in model.mechanism.seats.items()]
+    pairs += [(one, two) for link in balance.links.values() for one in link.bodies for two in link.bodies]
+    for one, two in pairs:
+        if one != two and {one, two} <= beside.keys():
+            beside[one].append(two)
+            beside[two].append(one)
+    found = [] if first is None else [first]
+    for body in found:  # grows
+        found += [name for name in dict.fromkeys(beside[body]) if name not in found]
+    return [*found, *(body for body in model.bodies if body not in found)]
 
 
 def _carrier(model: Model, rates: Mapping[str, Any], body: str) -> str | None:

@@ -15,11 +15,12 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.words import ranges
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.quasistatic.roll import Roll
     from pitchpoint.viz.report.build import MeshCycleData
 
 
@@ -66,6 +67,8 @@ def with_rolls(
     except PitchpointError as error:
         return found, [f"No slow roll: {error}."]
     fewer: list[str] = []
+    common = meshes_rolled_together(model, rolled)
+    shared: dict[str, tuple[Roll, int]] = {}
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
@@ -81,7 +84,12 @@ def with_rolls(
             if periods * points < (whole := periods_to_roll(model, name)) * points_per_period(whole):
                 fewer.append(name)
             part = part_of(progress, k, len(rolled) + after)
-            roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
+            first = common[name][0]
+            if first not in shared:
+                same = common[name][1:]
+                roll = roll_through(system, still, points, periods, mesh=name, others=same, progress=part)
+                shared[first] = roll, points
+            roll, points = shared[first]
             if roll.status == INTERRUPTED:  # an incomplete report was not requested
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
@@ -99,6 +107,21 @@ def with_rolls(
             "A scenario with a slow roll sets its own number."
         )
     return found, notes
+
+
+def meshes_rolled_together(model: Model, meshes: Sequence[str]) -> dict[str, list[str]]:
+    """Meshes with the same period in one train, by mesh, such as those of all planets: one roll for all."""
+    from pitchpoint.report.rolls import equal_periods
+
+    found: dict[str, list[str]] = {}
+    for name in meshes:
+        if name not in found:
+            group = [
+                name,
+                *(n for n in meshes if n not in found and n != name and equal_periods(model, name, n)),
+            ]
+            found |= dict.fromkeys(group, group)
+    return found
 
 
 def part_of(progress: Progress, before: int, parts: int) -> Progress:

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -51,6 +52,8 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
+RECENT = 4
+"""Number of the last speeds at which the linear system is kept."""
 ALL, FEW = 24, 16
 """Largest number of modes of which all are followed by default, and the number followed of more."""
 SIMILAR, DIVISIONS = 0.6, 4
@@ -133,9 +136,8 @@ def follow_modes(
     rates = rates_of(linear, body, scenario)
     total = linear.basis.shape[1]
     wanted = min(count if count is not None else total if total <= ALL else FEW, total)
-    modes = WhirlModes(
-        linear, lambda speed: at_speeds(linear, speed * rates), omega, wanted if wanted < total else None
-    )
+    at = lru_cache(RECENT)(lambda speed: at_speeds(linear, speed * rates))
+    modes = WhirlModes(linear, at, omega, wanted if wanted < total else None)
     n = min(wanted, len(modes.modes.omega))
     at_rest = modes.modes.shapes[:n]
     values, shapes = _branches(modes, omega, at_rest, symmetric(parts.M), progress)

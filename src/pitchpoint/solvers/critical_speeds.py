@@ -54,6 +54,7 @@ from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
+from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.modes.energies import (
     WAYS,
     Energies,
@@ -67,6 +68,7 @@ from pitchpoint.solvers.modes.unstable import UNDAMPED
 from pitchpoint.solvers.speed_sensitivity import Sensitivity, sensitivities
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.tooth_response import Phases, Source, errors_of, teeth_of, tooth_response
+from pitchpoint.solvers.whirl_basis import Complex
 
 ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
 SHUTTLING = "shuttling force"
@@ -160,32 +162,31 @@ class CriticalSpeed:
 def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalSpeed, ...]:
     """Crossings of all branches and orders in the range of the speeds, in order of their rank."""
     forward = np.argsort(found.speed, kind="stable")
-    solved = [
-        (order, mode, *_solve(found, order.value, mode, at))
-        for order in orders
-        for mode in range(len(found.names))
-        for at in _brackets(found, forward, order.value, mode)
-    ]
+    phases: Phases | None = None
+    solved, turning = [], []
+    by_teeth: list[ByTeeth | None] = []
+    for order in orders:
+        crossings = [
+            (k, at) for k in range(len(found.names)) for at in _brackets(found, forward, order.value, k)
+        ]
+        if not crossings:
+            continue
+        phases = phases or moving_phases(found.motions.system, found.motions.state, found.rates)
+        source = _source(found, order, phases)
+        for mode, ends in crossings:
+            speed, value, shape, slope = _solve(found, order.value, mode, ends)
+            at = found.modes.at(speed)  # as in the last step of the solution
+            solved.append((order, mode, speed, value, shape, slope))
+            turning.append(gyroscopic_terms(shape[None], at.D)[0])
+            near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
+            by_teeth.append(_by_teeth(at, source, (speed, value, shape), near))
     if not solved:
         return ()
     _, _, speeds, values, shapes, slopes = zip(*solved, strict=True)
     z, spins = np.array(shapes), spins_of(found.motions, found.rates)
-    turning = np.zeros(z.shape)
-    phases = moving_phases(found.motions.system, found.motions.state, found.rates)
-    sources = {order: _source(found, order, phases) for order in orders}
-    by_teeth: list[ByTeeth | None] = []
-    for k, (order, _, speed, value, shape, _) in enumerate(solved):
-        at = found.modes.at(speed)
-        turning[k] = gyroscopic_terms(z[k : k + 1], at.D)[0]
-        near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
-        source = sources[order]
-        if source is None:
-            by_teeth.append(None)
-            continue
-        source = source.reversed() if speed < 0.0 else source
-        gain = tooth_response(at, source, value, shape, near)
-        by_teeth.append(ByTeeth(source.energy(shape), gain, source.shuttles(shape)))
-    energies = energies_of(found.motions, z, np.array(values), turning, np.array(speeds)[:, None] * spins)
+    energies = energies_of(
+        found.motions, z, np.array(values), np.array(turning), np.array(speeds)[:, None] * spins
+    )
     words = whirl_words(energies)
     moved = sensitivities(found.motions, energies, np.array(slopes))
     listed = [
@@ -193,6 +194,18 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         for k, (order, mode, speed, value, _, _) in enumerate(solved)
     ]
     return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
+
+
+def _by_teeth(
+    at: Linearised, source: Source | None, mode: tuple[float, complex, Complex], near: Complex
+) -> ByTeeth | None:
+    """Share and amplification of a mode driven by the meshes; `mode`: speed, eigenvalue and shape."""
+    if source is None:
+        return None
+    speed, value, shape = mode
+    source = source.reversed() if speed < 0.0 else source
+    gain = tooth_response(at, source, value, shape, near)
+    return ByTeeth(source.energy(shape), gain, source.shuttles(shape))
 
 
 def _source(found: Campbell, order: Order, phases: Phases) -> Source | None:

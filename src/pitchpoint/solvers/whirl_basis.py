@@ -28,6 +28,7 @@ from pitchpoint.solvers.linear_system import Linearised, damped_modes, lowest
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Found = tuple[Complex, Complex]
+One = tuple[complex, Complex]
 
 GUARD = 6
 """Modes computed beyond those that are followed: a curve may pass its neighbours."""
@@ -90,7 +91,7 @@ class WhirlModes:
 
     def near(self, speed: float, value: complex, shape: Complex) -> tuple[complex, Complex]:
         """The mode at a speed that is similar to a given mode at a near speed: eigenvalue, shape (nd,)."""
-        found = self._inverse_iteration(speed, value, shape) if self.reducible else None
+        found = (self._in_basis_near if self.reducible else self._whole_near)(speed, value, shape)
         if found is not None:
             return found
         values, z = self.solve(speed)
@@ -188,29 +189,56 @@ class WhirlModes:
         scale = np.abs(values) ** 2
         return bool(np.all(energy <= RESIDUAL**2 * scale**2 / (scale + s)))
 
-    def _inverse_iteration(
-        self, speed: float, value: complex, shape: Complex
-    ) -> tuple[complex, Complex] | None:
-        """Mode from a start close to it; None if it does not converge to that mode."""
-        B, M = self._free[0] if self.basis is None else self.basis, self.linear.at_rest.M
-        m, d, k = self._projected(speed)
-        x = np.linalg.solve(m, B.T @ (M @ shape))
-        start = x
-        for _ in range(ITERATIONS):
-            try:
-                u = np.linalg.solve(value**2 * m + value * d + k, 2.0 * value * (m @ x) + d @ x)
-            except np.linalg.LinAlgError:  # the eigenvalue is exact
-                break
-            step = np.vdot(x, x) / np.vdot(x, u)
-            value, x = complex(value - step), u / np.linalg.norm(u)
-            if abs(step) < CONVERGED * abs(value):
-                break
-        else:
-            return None
-        alike = abs(np.vdot(start, m @ x)) ** 2 / (np.vdot(start, m @ start) * np.vdot(x, m @ x)).real
-        if alike < OWN or value.imag <= 0.0:
-            return None
-        return value, normalised((B @ x)[None], M)[0]
+    def _in_basis_near(self, speed: float, value: complex, shape: Complex) -> One | None:
+        """Mode in the basis from a start close to it."""
+        B = self._free[0] if self.basis is None else self.basis
+        return inverse_iteration(self._projected(speed), B, self.linear.at_rest.M, (value, shape))
+
+    def _whole_near(self, speed: float, value: complex, shape: Complex) -> One | None:
+        """Mode of the whole system from a start close to it; states are rates of their own coordinates."""
+        system = self.at(speed)
+        given: Any = system.basis
+        B = given if isinstance(given, np.ndarray) else given.toarray()
+        bare = [s for s in system.states if not B[s].any()]
+        B = np.hstack([B, np.eye(len(B))[:, bare]])
+        M = system.at_rest.M
+        m, d, k = (B.T @ A @ B for A in (M, system.D, system.K))
+        return inverse_iteration((m, d, k), B, M, (value, shape))
+
+
+def inverse_iteration(matrices: tuple[Array, Array, Array], B: Array, M: Array, start: One) -> One | None:
+    """Mode of a quadratic eigenvalue problem from a start close to it; None if it converges to another mode.
+
+    Parameters
+    ----------
+    matrices
+        Mass, damping and stiffness in the columns of B, shape (n, n).
+    B
+        Directions, shape (nd, n).
+    M
+        Mass matrix of the whole system, shape (nd, nd).
+    start
+        Eigenvalue and shape (nd,) close to the mode.
+    """
+    m, d, k = matrices
+    value, shape = start
+    x = np.linalg.solve(m, B.T @ (M @ shape))
+    begun = x
+    for _ in range(ITERATIONS):
+        try:
+            u = np.linalg.solve(value**2 * m + value * d + k, 2.0 * value * (m @ x) + d @ x)
+        except np.linalg.LinAlgError:  # the eigenvalue is exact
+            break
+        step = np.vdot(x, x) / np.vdot(x, u)
+        value, x = complex(value - step), u / np.linalg.norm(u)
+        if abs(step) < CONVERGED * abs(value):
+            break
+    else:
+        return None
+    alike = abs(np.vdot(begun, m @ x)) ** 2 / (np.vdot(begun, m @ begun) * np.vdot(x, m @ x)).real
+    if alike < OWN or value.imag <= 0.0:
+        return None
+    return value, normalised((B @ x)[None], M)[0]
 
 
 @dataclass(frozen=True, eq=False)

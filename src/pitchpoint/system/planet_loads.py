@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.load_sharing import FACTOR, factor_name, factor_row
+from pitchpoint.system import planet_positions
 from pitchpoint.system.no_load import least_forces
+from pitchpoint.system.planet_positions import PositionLoads, loads_at_positions
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -39,6 +41,8 @@ class PlanetLoads:
         Share of the sum of the forces by planet [-]; NaN without load.
     factor
         Mesh load factor K_gamma [-]; None without load.
+    positions
+        Extremes of the shares over the positions of the carrier; None if they are not known.
     """
 
     planets: tuple[str, ...]
@@ -46,6 +50,7 @@ class PlanetLoads:
     force: tuple[float, ...]
     share: tuple[float, ...]
     factor: float | None
+    positions: PositionLoads | None = None
 
 
 def mesh_load_factor(forces: Sequence[float], least: float = 0.0) -> float | None:
@@ -138,7 +143,12 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
             values = values.isel(mesh_phase_position=slice(None, -1))
         return float(values.mean()) if values.size else None
 
-    return loads_of_planets(model, mean)
+    return {
+        name: replace(loads, positions=loads_at_positions(model, result, loads.meshes, settle_time))
+        if loads.factor is not None
+        else loads
+        for name, loads in loads_of_planets(model, mean).items()
+    }
 
 
 def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
@@ -174,6 +184,7 @@ def as_data(stages: Mapping[str, PlanetLoads]) -> dict[str, dict[str, Any]]:
             "mean_force": list(loads.force),
             "share": list(loads.share),
             FACTOR: loads.factor,
+            "positions": planet_positions.as_data(loads.positions),
         }
         for name, loads in stages.items()
     }

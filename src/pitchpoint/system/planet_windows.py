@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,7 +44,7 @@ def window_notes(
     found = []
     for name, stage in model.planetary_stages.items() if model is not None else ():
         assert model is not None
-        body = _turning(model, stage.carrier, statistics)
+        body = turning_body(model, stage.carrier, "speed", statistics)
         what = _lateral(model, stage.carrier)
         if body is None or not what:
             continue
@@ -57,17 +57,17 @@ def window_notes(
                 f"the statistics are those of {turns:.3g} turns of {body}; under {what} the loads of the "
                 "planets vary over a turn, so that their means and K_γ depend on the window",
                 f"planetary_stages.{name}",
-                remedy="use a window of whole turns, or a slow roll for one position of the carrier",
+                remedy="take the largest K_γ at a carrier position, or use a window of whole turns",
             )
         )
     return tuple(found)
 
 
-def _turning(model: Model, carrier: str, statistics: Mapping[str, Any]) -> str | None:
-    """Body whose speed is that of the carrier: itself, or the one to which it is fixed."""
+def turning_body(model: Model, carrier: str, kind: str, channels: Container[str]) -> str | None:
+    """Body with the channel `kind` of a carrier: itself, or the one to which it is fixed; None if at rest."""
     seats = model.mechanism.seats
     name = carrier
-    while f"speed[{name}]" not in statistics:
+    while f"{kind}[{name}]" not in channels:
         seat = seats.get(name)
         if seat is None or seat.coordinates:
             return None

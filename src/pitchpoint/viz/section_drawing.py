@@ -133,12 +133,13 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
         ]
     parts += [_centre_line(view, axis, width) for axis in section.axes]
     parts += [_apart(view, link) for link in section.apart]
-    dims, width = _dimensions(view, section.distances, width)
-    parts += dims
     parts += _axis_names(view, level, names, height)
     labels, leaders = section_labels(
         view, section, (view.left - AXIS_END, head, view.left + wide * scale + AXIS_END)
     )
+    beside = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
+    dims, width = _dimensions(view, section.distances, max(width, beside))
+    parts += dims
     parts += [*leaders, *(label.svg() for label in labels)]
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
     highest = min([head, *(label.box[1] for label in labels)])

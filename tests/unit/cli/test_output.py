@@ -10,7 +10,7 @@ import re
 import numpy as np
 import pytest
 
-from pitchpoint.cli import output, progress, results
+from pitchpoint.cli import output, planet_loads, progress, results
 from pitchpoint.cli.columns import Column
 from pitchpoint.core.progress import report_step
 
@@ -56,7 +56,7 @@ def test_shares_have_no_negative_zero(capsys: pytest.CaptureFixture[str]) -> Non
         "mean_force": [-1e-6, 2.0],
         "share": [-4e-5, 1.0],
     }
-    results.show_planets({"set": {**loads, "load_sharing_factor": 2.0}})
+    planet_loads.show_planets({"set": {**loads, "load_sharing_factor": 2.0}})
     printed = capsys.readouterr().out
     assert " 0.00 %" in printed and "-0.00 %" not in printed
 

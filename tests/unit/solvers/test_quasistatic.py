@@ -13,6 +13,8 @@ from pitchpoint.contact.cycle_pieces import cycle_pieces
 from pitchpoint.contact.mesh_cycle import mesh_cycle
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import SINGULAR
+from pitchpoint.solvers.quasistatic import holding
 from pitchpoint.solvers.quasistatic.roll import roll_through, solve_quasistatic, statistics, tables
 from tests.support.machines import R_B1, STAGES, compiled, pair
 
@@ -283,3 +285,22 @@ def test_a_balanced_torque_of_a_slow_roll_holds_no_friction():
     (note,) = roll.notes
     assert note.startswith("friction of mesh stage and of joint pin is neglected")
     assert channel(system, roll, "mesh_force[stage]") == pytest.approx(200.0 / R_B1, rel=1e-9)
+
+
+def test_a_roll_goes_on_in_smaller_steps(monkeypatch):
+    """An equilibrium that is not found from the rolled state is reached in parts of the step before."""
+    system = compiled(FAN, "slow")[1]
+    expected = roll_through(system, "stage", 4).rows
+    search, calls = holding.find_equilibrium, []
+
+    def fails_twice(own, state, held):
+        """Search that fails for the third point, and once more at the middle of the way."""
+        calls.append(state)
+        if len(calls) in (3, 4):
+            raise SolverError("no equilibrium", SINGULAR)
+        return search(own, state, held)
+
+    monkeypatch.setattr(holding, "find_equilibrium", fails_twice)
+    roll = roll_through(system, "stage", 4)
+    assert roll.sentence == "finished" and len(calls) == 5 + 2 + 2
+    assert roll.rows == pytest.approx(expected, rel=1e-9, abs=1e-9)

@@ -12,7 +12,11 @@ from scipy.optimize import brentq
 
 import pitchpoint as pp
 from pitchpoint.analysis.campbell_ranking import ranked_speeds, select_modes, unstable_ranges
+from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.critical_speeds import DAMPED
+from pitchpoint.solvers.linear_system import linearise
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.modes.unstable import unstable_notes
 from tests.support.machines import compiled
 from tests.unit.solvers.test_modal import TWO_ROTORS, whirl_roots
 
@@ -174,3 +178,27 @@ def test_a_model_without_damping_is_noted_with_its_unstable_modes():
     damped = PINION.replace("DAMPING", ", damping: {ratio: 0.02}")
     data = pp.solve_campbell(compiled(damped, "s")[1], speeds, "pinion")
     assert unstable_ranges(data) == () and "dissipation" not in data.attrs
+
+
+def test_modes_at_one_speed_name_unstable_ones_and_their_source():
+    linear = linearise(compiled(PINION.replace("DAMPING", ""), "s")[1], "s")
+    (said,) = unstable_notes(linear, find_modes(linear.system, "s", linear=linear))
+    assert "unstable" in str(said) and "fed by torque t)" in str(said)
+    damped = PINION.replace("DAMPING", ", damping: {ratio: 0.02}")
+    linear = linearise(compiled(damped, "s")[1], "s")
+    assert unstable_notes(linear, find_modes(linear.system, "s", linear=linear)) == ()
+
+
+def test_a_mode_near_another_is_that_of_all_modes_with_states_of_a_brake():
+    """Inverse iteration from 50 to 60 rad/s, against all modes there; the brake has a state."""
+    text = (
+        SET.replace("MOTOR", "2 N m")
+        + "clutches:\n  b: {bodies: [carrier], capacity: 1 N m, wind_up: 0.002}\n"
+    )
+    found = follow_modes(compiled(text, "s")[1], [50.0, 60.0], "sun", "s")
+    assert not found.modes.reducible
+    for mode in (1, 4):
+        value, shape = found.modes.near(60.0, complex(found.eigenvalue[0, mode]), found.shape[0, mode])
+        assert value == pytest.approx(complex(found.eigenvalue[1, mode]), rel=1e-9)
+        M = found.modes.at(60.0).at_rest.M
+        assert abs(shape.conj() @ M @ found.shape[1, mode]) == pytest.approx(1.0, abs=1e-6)

@@ -311,11 +311,17 @@ def _rounding(system: System, state: State) -> float:
     return ROUNDING * float((abs(K) @ (np.abs(state.q) + 1.0)).max(initial=0.0))
 
 
+def _largest_torque(system: System, found: Equilibrium) -> float:
+    """Largest torque of the loads at an equilibrium [N m], of formulas and tables too."""
+    names = [f"torque[{name}]" for kind in system.kinds(TORQUE) for name in system.names[kind]]
+    places = [k for k, c in enumerate(system.layout.channels) if c.name in names]
+    return float(np.abs(found.observe(system)[places]).max(initial=0.0)) if places else 0.0
+
+
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message, ...]:
     """Notes on loads that do not balance, so that the speed will change."""
-    largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
     notes = []
-    least = max(IMBALANCE * largest, 1e-9)
+    least = max(IMBALANCE * _largest_torque(system, found), 1e-9)
     left = [abs(r) for s, r in zip(found.held, found.reaction, strict=True) if s not in known]
     if max(left, default=0.0) > least:
         least = max(least, _rounding(system, found.state))

@@ -22,10 +22,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import Message, note
 from pitchpoint.solvers.campbell import Campbell, at_speeds
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.linear_system import Linearised
@@ -33,10 +35,15 @@ from pitchpoint.solvers.modes.machine_groups import Groups
 from pitchpoint.solvers.stiffness_parts import element_list
 from pitchpoint.system.system import State, System
 
+if TYPE_CHECKING:
+    from pitchpoint.solvers.modal import Modes
+
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
 ANTISYMMETRIC = 1e-12
 """Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
+SHOWN = 3
+"""Unstable modes that a note names."""
 EXACT = 1e-9
 """Relative accuracy of a limit of stability."""
 
@@ -157,6 +164,33 @@ def feeding(
         name = component.get(label, label)
         power[name] = power.get(name, 0.0) - 0.5 * omega * float(fed)
     return max(power, key=power.__getitem__) if power and max(power.values()) > 0.0 else ""
+
+
+def sources(linear: Linearised, modes: Modes) -> list[str]:
+    """Components that feed the unstable modes about a state, by mode; "" for the others."""
+    return [
+        feeding(linear.system, linear.state, modes.groups, modes.elements, value, modes.damped_shape[k])
+        if modes.damping_ratio[k] < -UNDAMPED
+        else ""
+        for k, value in enumerate(modes.eigenvalue.tolist())
+    ]
+
+
+def unstable_notes(linear: Linearised, modes: Modes) -> tuple[Message, ...]:
+    """Note on the unstable modes about a state: names, damping ratios and what feeds them."""
+    listed = [
+        f"{modes.names[k]} ({100.0 * float(modes.damping_ratio[k]):.2g} %"
+        + (f", fed by {source})" if source else ")")
+        for k, source in enumerate(sources(linear, modes))
+        if modes.damping_ratio[k] < -UNDAMPED
+    ]
+    if not listed:
+        return ()
+    verb = "modes are" if len(listed) > 1 else "mode is"
+    text = f"{len(listed)} {verb} unstable: {'; '.join(listed[:SHOWN])}"
+    more = f"; {len(listed) - SHOWN} more" if len(listed) > SHOWN else ""
+    remedy = "add damping to shafts or bearings; a Campbell diagram gives the range of speeds"
+    return (note(f"{text}{more}", remedy=remedy),)
 
 
 def is_undamped(linear: Linearised) -> bool:

@@ -13,11 +13,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import Equilibrium, find_equilibrium
 from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
+from pitchpoint.solvers.quasistatic.path import rolled_on
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.system import State, System
 
@@ -25,6 +27,9 @@ PRECISE = 1e-9
 """Relative change of a balancing torque below which a position is in balance."""
 MAX_ITERATIONS = 10
 """Largest number of equilibria per position for a balancing torque at another body of the train."""
+
+DIVISIONS = (2, 3, 5)
+"""Parts of a step of a roll in which the next equilibrium is searched if it is not found at once."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +102,38 @@ class Holding:
             torques[record] += left[place]
             left[place] = 0.0
         return replace(found, reaction=left)
+
+    def reach(
+        self, system: System, start: State, last: State | None, spin: int, step: float, rates: Array
+    ) -> Equilibrium:
+        """Equilibrium at the next position of a roll; if it is not found from there, in smaller steps.
+
+        Parameters
+        ----------
+        system
+            The system.
+        start
+            State in which the search begins.
+        last
+            Equilibrium at the position before; None at the first one.
+        spin, step, rates
+            Rotation from there, as in `path.rolled_on`.
+        """
+        try:
+            return self.equilibrium(system, start)
+        except SolverError:
+            if last is None:
+                raise
+            for parts in DIVISIONS:
+                try:
+                    state = last
+                    for _ in range(parts):
+                        found = self.equilibrium(system, rolled_on(system, state, spin, step / parts, rates))
+                        state = found.state
+                except SolverError:
+                    continue
+                return found
+            raise
 
     def observe(self, system: System, found: Equilibrium) -> Array:
         """All channels at an equilibrium, with the torques of the drives."""

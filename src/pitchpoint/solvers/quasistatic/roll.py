@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -154,7 +154,7 @@ def roll_through(
     periods: int = 1,
     *,
     mesh: str | None = None,
-    others: bool = True,
+    others: bool | Collection[str] = True,
     progress: Progress = silent,
     look: Callable[[System, State, Array], None] | None = None,
     at: Sequence[int] | None = None,
@@ -162,10 +162,10 @@ def roll_through(
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
-    Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
-    evaluated system, its state and its channels. `at`: numbers of the rolled periods, counted from the
-    initial position, instead of the first ones. `along`: rates of the coordinates in whose direction
-    the roll goes; default: the speeds of the scenario.
+    `Roll.meshes` contains the rolled mesh and `others`: names, or True for all. `look` is called at each
+    position with the evaluated system, its state and its channels. `at`: numbers of the rolled periods,
+    counted from the initial position, instead of the first ones. `along`: rates of the coordinates in whose
+    direction the roll goes; default: the speeds of the scenario.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -184,29 +184,29 @@ def roll_through(
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)
     where = np.arange(periods) if at is None else np.array(at)
-    jumps = np.append(np.diff(where) - 1, 0) * points  # steps from one period to the next one that is rolled
+    jumps = np.append(np.diff(where) - 1, 0) * points  # steps to the next period that is rolled
     n = points * where.size + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
-    observed = range(len(names)) if others else (k,)
+    observed = [m for m, x in enumerate(names) if others is True or m == k or (others and x in others)]
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
     owners = Holding.of(own, held)
-    done, status, text = 0, OK, sentence(OK)
+    done, status, text, on, last = 0, OK, sentence(OK), 1, None
     try:
         for s in range(n):
-            found = owners.equilibrium(own, state)
+            found = owners.reach(own, state, last, spin, on * step, rates)
             state, reaction[s] = found.state, found.reaction
             rows[s] = owners.observe(own, found)
             if look is not None:
                 look(own, state, rows[s])
             for m in observed:
-                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
+                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 unloaded[m, s] = unloaded_error(own, clear, m, contact)
             on = 1 + int(jumps[s // points]) if (s + 1) % points == 0 else 1
-            state, clear = (rolled_on(own, x, spin, step, rates, on) for x in (state, clear))
+            last, (state, clear) = state, [rolled_on(own, x, spin, step, rates, on) for x in (state, clear)]
             done = s + 1
             progress(done, n, f"{mesh}: roll")
     except KeyboardInterrupt:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from html import escape
 from typing import Any
@@ -17,8 +18,8 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
     Parameters
     ----------
     stages
-        By stage: `planets`, `meshes`, `mean_force` [N], `share` [-] and `load_sharing_factor` [-], None
-        without load (`system.planet_loads.loads_in`).
+        By stage: `planets`, `meshes`, `mean_force` [N], `share` [-], `load_sharing_factor` [-], None
+        without load, and `positions` (`system.planet_loads.as_data`).
     """
     found = []
     for name, stage in stages.items():
@@ -28,12 +29,26 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
             continue
         force = scale("N", stage["mean_force"])
         head = ["planet", "mesh", f"mean mesh force [{force.unit}]", "share [%]"]
-        rows = zip(stage["planets"], stage["meshes"], stage["mean_force"], stage["share"], strict=True)
+        positions = stage.get("positions")
+        pairs: list[tuple[float, ...]] = [()] * len(stage["planets"])
+        if positions is not None:
+            head += ["smallest share [%]", "largest share [%]"]
+            pairs = list(zip(positions["least_share"], positions["largest_share"], strict=True))
+        means = zip(stage["planets"], stage["meshes"], stage["mean_force"], stage["share"], strict=True)
+        rows = zip(means, pairs, strict=True)
         body = [
             f'<tr><th scope="row">{escape(planet)}</th><td>{escape(mesh)}</td>'
-            f"<td class=num>{number(load * force.factor, 4)}</td><td class=num>{100.0 * share:.2f}</td></tr>"
-            for planet, mesh, load, share in rows
+            f"<td class=num>{number(load * force.factor, 4)}</td>"
+            + "".join(f"<td class=num>{100.0 * part:.2f}</td>" for part in (share, *extremes))
+            + "</tr>"
+            for (planet, mesh, load, share), extremes in rows
         ]
         words = f"{escape(name)}: mesh load factor K<sub>γ</sub> = {factor:.4f}, from mean mesh forces."
+        if positions is not None:
+            words += (
+                f" Largest at a carrier position {positions['load_sharing_factor']:.4f}, "
+                f"at a carrier angle of {math.degrees(positions['carrier_angle']):.0f} deg; shares over 1/12 "
+                f"turn each, in {positions['turns']:.3g} turns of the carrier."
+            )
         found.append(f"{plain_table(head, body)}<p>{words}</p>")
     return "".join(found)

@@ -133,7 +133,7 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         found, "transmission_error", window, lambda low, high: _without_noise(high - low, low, high)
     )
     row |= {
-        f"mesh load factor K_γ of the planets, {stage}": number(loads["load_sharing_factor"], 4)
+        f"mesh load factor K_γ of the planets, {stage}": _factor(loads)
         for stage, loads in run.planets.items()
         if loads["load_sharing_factor"] is not None
     }
@@ -145,6 +145,13 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         if top and sizes[top] > 1e-6 * max(force.maximum for force in forces.values()):
             row[f"maximum {key} bearing force"] = f"{amount(sizes[top], 'N')}, {escape(top)}"
     return row
+
+
+def _factor(loads: Mapping[str, Any]) -> str:
+    """Mesh load factor of the means, and the largest at a carrier position."""
+    words = number(loads["load_sharing_factor"], 4)
+    positions = loads.get("positions")
+    return words if positions is None else f"{words}, largest {number(positions['load_sharing_factor'], 4)}"
 
 
 def _torques(found: Mapping[str, Channel], window: np.ndarray) -> dict[str, float]:
