@@ -184,7 +184,7 @@ def summary_of(
 
 
 def is_constant(values: NDArray[np.float64]) -> bool:
-    """Whether values are equal up to rounding.
+    """Whether values, shape (n,), are equal up to rounding.
 
     Examples
     --------
