@@ -142,7 +142,7 @@ def test_rounding_is_no_load():
 
 
 def test_what_has_no_equilibrium_names_the_mesh_and_a_coordinate():
-    """Of an iteration that diverges, the coordinate with the largest rest depends on the rounding of the processor."""
+    """Where an iteration that diverges has its largest rest depends on the rounding of the processor."""
     model = loads_model(two_stages().replace("torque: 250 N m", "torque: 1e8 N m"))
     where = r"are unbalanced on (input|middle|output)\.\d\.(x|y|z|alpha|beta|spin) \(line \d+\)"
     with pytest.raises(SolverError, match=rf"^mesh fast: no equilibrium found after \d+ steps: .* {where}"):
