@@ -26,7 +26,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import pitchpoint.system.rules.flank_contact as rules
+import pitchpoint.system.rules.flexible_teeth as rules
 from pitchpoint.contact.tooth_fe.solve import tooth_fe
 from pitchpoint.contact.tooth_fe.tooth_model import Resolution
 from pitchpoint.geometry.tooth_form import tooth_form

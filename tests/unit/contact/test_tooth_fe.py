@@ -20,7 +20,7 @@ from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.materials import material
 from pitchpoint.geometry.tooth_form import tooth_form
 from pitchpoint.geometry.tooth_outline import ToothOutline
-from pitchpoint.system.rules import flank_contact
+from pitchpoint.system.rules import flexible_teeth
 from tests.support.plane_teeth import PlaneTooth, approach, clamped_radius
 
 SMALL = Resolution(heights=4, widths=6, fillet_points=5, density=Density(body=(0.0, 1.0), across=(0.0, 1.0)))
@@ -260,13 +260,13 @@ def test_storage(spur, tmp_path, monkeypatch):
 
 def test_a_given_outline_has_the_stored_elements_of_the_generated_tooth(monkeypatch):
     """Finite elements use the generated tooth: no other file, no other calculation."""
-    monkeypatch.setattr(flank_contact, "stored_tooth_fe", store.file_of)
+    monkeypatch.setattr(flexible_teeth, "stored_tooth_fe", store.file_of)
     gear = CylindricalGear(z=17, m_n=1e-3, b=8e-3)
     given = gear.replace(outline=ToothOutline(((7e-3, -1e-3), (9e-3, 0.0), (7e-3, 1e-3))))
     settings = {"material_data": material("steel"), "bore_diameter": 0.0}
     settings |= {"rim_thickness": None, "web_thickness": None}
     files = {
-        flank_contact.finite_elements_of(SimpleNamespace(geometry=geometry, **settings))
+        flexible_teeth.finite_elements_of(SimpleNamespace(geometry=geometry, **settings))
         for geometry in (gear, given)
     }
     assert len(files) == 1

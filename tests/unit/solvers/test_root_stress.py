@@ -20,7 +20,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.contact_analysis import root_stress
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
-from pitchpoint.system.rules import flank_contact
+from pitchpoint.system.rules import flexible_teeth
 from tests.support.contact_files import fzg
 
 PAIR = """
@@ -42,7 +42,7 @@ def coarse(geometry):
 @pytest.fixture
 def elements(monkeypatch):
     """Finite elements that take a fraction of a second."""
-    for module in (root_stress, flank_contact):
+    for module in (root_stress, flexible_teeth):
         monkeypatch.setattr(module, "finite_elements_of", lambda gear: coarse(gear.geometry))
 
 

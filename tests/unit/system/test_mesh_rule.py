@@ -123,7 +123,7 @@ def test_a_users_stiffness_that_fails_later_is_named_with_the_time(tmp_path):
 
 def test_equal_pairs_share_the_stiffness_of_their_flexible_teeth(monkeypatch):
     """Three planets with sun and ring: two kinds of pairs, each computed once and kept."""
-    from pitchpoint.system.rules import flank_contact
+    from pitchpoint.system.rules import flexible_teeth
 
     found = []
 
@@ -131,8 +131,8 @@ def test_equal_pairs_share_the_stiffness_of_their_flexible_teeth(monkeypatch):
         found.append(pair.gear2.z)
         return pair_slice(pair, *rest)
 
-    flank_contact._shape_of.cache_clear()
-    monkeypatch.setattr(flank_contact, "pair_slice", counted)
+    flexible_teeth._shape_of.cache_clear()
+    monkeypatch.setattr(flexible_teeth, "pair_slice", counted)
     text = planets(0.0)
     assert len(loads_model(text).meshes) == 6
     for _ in range(2):

@@ -22,7 +22,7 @@ def add_shafts(draft: Draft) -> None:
     for name, body in draft.model.bodies.items():
         if body.of_housing:
             continue
-        if body.elastic is not None:
+        if body.elastic is not None and name not in carriers:
             draft.omit(f"elastic_bodies.{name}", "reduced elastic bodies are not written")
         elif body.shaft is not None:
             _add_shaft(draft, name, body)
@@ -98,6 +98,9 @@ def _add_carrier(draft: Draft, name: str, body: Body) -> None:
     """Add the shaft of a carrier, with its mass."""
     id = draft.part("shaft", f"{name} shaft", draft.unit, **draft.place(name))
     draft.shafts[name] = id
+    if body.elastic is not None:
+        draft.omit(f"elastic_bodies.{name}", "a carrier without mass and compliance in the file")
+        return
     _add_cylinder(draft, name, id)
     if body.motion not in ("free", None):
         draft.omit(f"bodies.{name}.motion", f"motion: {body.moves} becomes free")
