@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import ast
+import importlib
+import importlib.util
 import subprocess
 import sys
 import tomllib
@@ -11,7 +13,7 @@ import tomllib
 import pytest
 
 import pitchpoint
-from tests.contracts.source import PACKAGE, ROOT, circles, import_graph, tree
+from tests.contracts.source import PACKAGE, ROOT, circles, import_graph, name_of, python_files, tree
 
 HEAVY = (
     "numba",
@@ -27,6 +29,7 @@ HEAVY = (
     "pywt",
 )
 
+HOUSE = ("pitchpoint", "tests", "benchmarks")
 
 CIRCLES_LEFT = ({"core.compiler.public_numba", "core.compiler.private_numba", "core.kernel"},)
 """Groups of modules that import each other through imports inside functions; only to be shortened."""
@@ -111,6 +114,22 @@ def test_the_layer_contract_names_every_layer():
 @pytest.mark.parametrize("name", pitchpoint.__all__)
 def test_every_public_name_can_be_imported(name):
     assert getattr(pitchpoint, name) is not None
+
+
+@pytest.mark.parametrize("path", python_files("benchmarks", "docs", "examples"), ids=name_of)
+def test_names_imported_within_functions_exist(path):
+    """Benchmarks and scripts run rarely, and import within functions."""
+    missing = []
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in HOUSE:
+            module = importlib.import_module(str(node.module))
+            missing += [
+                f"{node.module}.{name.name}"
+                for name in node.names
+                if not hasattr(module, name.name)
+                and importlib.util.find_spec(f"{node.module}.{name.name}") is None
+            ]
+    assert not missing
 
 
 def test_type_checkers_see_the_same_names():
