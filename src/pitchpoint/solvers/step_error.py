@@ -31,6 +31,7 @@ from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.implicit.generalized_alpha import RHO_INF
+from pitchpoint.solvers.implicit.step import coefficients
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise
 from pitchpoint.solvers.mesh_excitation import MeshExcitation
@@ -88,9 +89,7 @@ def equivalent(omega: float, h: float, rho_inf: float = RHO_INF) -> tuple[comple
     """
     if h == 0.0:
         return 1j * omega, complex(-(omega**2))
-    alpha_m, alpha_f = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0), rho_inf / (rho_inf + 1.0)
-    gamma = 0.5 - alpha_m + alpha_f
-    beta = 0.25 * (gamma + 0.5) ** 2
+    beta, gamma, alpha_m, alpha_f = coefficients(rho_inf)
     z = cmath.exp(1j * omega * h)
     rate = h * (1.0 - gamma + gamma * z) / (z - 1.0)  # per unit of the algorithmic acceleration
     place = (h * rate + h * h * (0.5 - beta + beta * z)) / (z - 1.0)

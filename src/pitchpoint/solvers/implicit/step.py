@@ -25,6 +25,15 @@ KEPT = OLD + 2
 
 
 @kernel
+def coefficients(rho):
+    """Parameters beta, gamma, alpha_m and alpha_f of generalised-alpha; rho: spectral radius at infinity."""
+    alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
+    alpha_f = rho / (rho + 1.0)
+    gamma = 0.5 - alpha_m + alpha_f
+    return 0.25 * (gamma + 0.5) * (gamma + 0.5), gamma, alpha_m, alpha_f
+
+
+@kernel
 def _predict(q, v, a, al, ap, h, method):
     """Prediction of a step: linear extrapolation of the acceleration.
 
@@ -84,10 +93,7 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
     a = view(c["a"], nd, F8)
     al = view(m["al"], nd, F8)
     ap = view(m["ap"], nd, F8)
-    alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
-    alpha_f = rho / (rho + 1.0)
-    gamma = 0.5 - alpha_m + alpha_f
-    beta = 0.25 * (gamma + 0.5) * (gamma + 0.5)
+    beta, gamma, alpha_m, alpha_f = coefficients(rho)
     cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
     cd = gamma / (h * beta)
     share = (1.0 - alpha_f) / (1.0 - alpha_m)

@@ -64,8 +64,9 @@ def load_notes(system: System, holding: Mapping[str, Array], rows: Array) -> tup
         why = f", and {' and '.join(over)} are balanced by holding torques" if over else ""
         found.append(
             note(
-                f"{_meshes(empty)} no load{why}: load the bodies on both sides of a mesh, "
-                "one of them with torque: balance"
+                f"{_meshes(empty)} no load{why}",
+                remedy="load the bodies on both sides of a mesh, one of them with torque: balance, "
+                "if this is not intended",
             )
         )
     elif over:
