@@ -58,7 +58,9 @@ def test_every_control_has_an_effect(open_page: OpenPage) -> None:
     found["curves"] = walk.over(".ppv-curves")
     assert [name for name in found if not found[name]] == ["Fit", "Notes (1)"], "those have nothing to press"
     assert sum(map(len, found.values())) >= 50
-    assert [file.rpartition(".")[2] for file in walk.files] == ["png", "png", "mp4", "glb", "stl"]
+    endings = [file.rpartition(".")[2] for file in walk.files]
+    assert [ending for ending in endings if ending != "mp4"] == ["png", "png", "glb", "stl"]
+    assert endings.count("mp4") in (1, 2), "a recording that ends just before stop is pressed starts again"
 
 
 def test_every_key_is_told_and_has_an_effect(open_page: OpenPage) -> None:
