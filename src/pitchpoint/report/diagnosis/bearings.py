@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rolling bearings of the option `--bearing`: by rolling elements, by designation, by fault orders."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.turning_parts import Bearing, TurningParts
+from pitchpoint.core.errors import GeometryError, UnitError
+from pitchpoint.report.machine_parts import BEARING_PARTS
+
+EXAMPLES = (
+    "left:8,7.94 mm,33.5 mm,0 deg@2 (elements, diameter, pitch diameter, contact angle), left:6205@2, or "
+    "left:BPFO=3.58,BPFI=5.42,BSF=2.36,FTF=0.398@2"
+)
+_OPTION = re.compile(r"([^:@]+):([^@]+)(?:@(.+))?")
+_FAULTS = {"BPFO": ("outer ring", 1.0), "BPFI": ("inner ring", 1.0), "BSF": ("rolling element", 2.0), "FTF": ("cage", 1.0)}
+
+
+@dataclass(frozen=True)
+class GivenBearing:
+    """Bearing of an option, and the source of its orders in words."""
+
+    bearing: Bearing
+    source: str
+
+
+def given_bearing(text: str, parts: TurningParts, names: Mapping[str, str]) -> GivenBearing:
+    """Bearing of `NAME:WHAT[@SHAFT]`, where WHAT are rolling elements, a designation or fault orders.
+
+    Parameters
+    ----------
+    text
+        The option.
+    parts
+        Rotating parts of the machine.
+    names
+        Names of shafts by what the user may write.
+
+    Raises
+    ------
+    SignalError
+        If the option cannot be read, or the bearing or its shaft is unknown.
+    """
+    match = _OPTION.fullmatch(text.strip())
+    if match is None:
+        raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
+    name, what, at = match[1].strip(), match[2].strip(), (match[3] or "").strip()
+    shaft = _shaft(text, at, parts, names)
+    turn = float(parts.shaft(shaft).order)
+    if "=" in what:
+        orders, source = _of_orders(text, what), "fault orders of --bearing"
+    elif "," in what:
+        orders, source = _of_elements(text, what), "rolling elements of --bearing"
+    else:
+        orders, source = _of_designation(text, what)
+    return GivenBearing(Bearing(name, {part: turn * order for part, order in orders.items()}, shaft), source)
+
+
+def _shaft(text: str, at: str, parts: TurningParts, names: Mapping[str, str]) -> str:
+    """Name of the shaft; the only one of the machine if it is not given."""
+    if not at:
+        if len(parts.shafts) == 1:
+            return parts.shafts[0].name
+        raise SignalError(f"--bearing: {text!r} has no shaft; write {text}@SHAFT; there are: {', '.join(names)}")
+    shaft = names.get(at)
+    if shaft is None:
+        raise SignalError(f"--bearing: no shaft {at!r}; there are: {', '.join(names)}")
+    return shaft
+
+
+def _of_orders(text: str, what: str) -> dict[str, float]:
+    """Events per revolution of the shaft by part."""
+    found = {}
+    for field in what.split(","):
+        key, _, value = field.partition("=")
+        part, times = _FAULTS.get(key.strip().upper(), ("", 0.0))
+        try:
+            order = float(value)
+        except ValueError:
+            order = math.nan
+        if not part or not 0.0 < order < 1e4:
+            raise SignalError(
+                f"--bearing: {text!r}: {field.strip()!r} is not a fault order; write {', '.join(_FAULTS)} with the "
+                "events per revolution of the shaft, such as BPFO=3.58"
+            )
+        found[part] = times * order
+    return found
+
+
+def _of_elements(text: str, what: str) -> dict[str, float]:
+    """Orders of rolling elements N,d,D[,angle]."""
+    from pitchpoint.core.units import parse_quantity
+
+    fields = what.split(",")
+    if len(fields) not in (3, 4):
+        raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
+    try:
+        return _orders(
+            int(fields[0]),
+            parse_quantity(fields[1].strip(), "length", positive=True),
+            parse_quantity(fields[2].strip(), "length", positive=True),
+            parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0,
+        )
+    except (ValueError, UnitError) as error:
+        raise SignalError(f"--bearing: {text!r}: {error}; write it as in {EXAMPLES}") from None
+
+
+def _of_designation(text: str, what: str) -> tuple[dict[str, float], str]:
+    """Orders of a bearing of the tables, and their source."""
+    from pitchpoint.geometry.bearings.published import rolling_elements
+
+    try:
+        found = rolling_elements(what)
+    except GeometryError as error:
+        raise SignalError(f"--bearing: {text!r}: {error}; or write it as in {EXAMPLES}") from None
+    orders = _orders(found.elements, found.element_diameter, found.pitch_diameter, found.contact_angle)
+    size = f"{found.elements} elements of {1e3 * found.element_diameter:.4g} mm on {1e3 * found.pitch_diameter:.4g} mm"
+    return orders, f"{size}, {found.source or 'estimated from the load ratings of ' + found.designation}"
+
+
+def _orders(elements: int, diameter: float, pitch: float, angle: float) -> dict[str, float]:
+    """Events per revolution of the inner ring by part."""
+    rates = bearing_frequencies(
+        elements=elements,
+        element_diameter=diameter,
+        pitch_diameter=pitch,
+        contact_angle=angle,
+        speed_inner=math.tau,
+    )
+    orders = {part: float(getattr(rates, key)) for part, key in BEARING_PARTS.items()}
+    return {part: order for part, order in orders.items() if order > 0.0}

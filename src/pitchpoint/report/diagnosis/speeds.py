@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Speeds as users know them: a nominal value with a tolerance."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.core.errors import UnitError
+
+TOLERANCE = 0.02
+"""Relative tolerance of a speed without a stated one: nominal speeds deviate by the slip of the motor and by the
+accuracy of drives and displays."""
+LARGEST = 0.1
+"""Largest relative tolerance: beyond it harmonics of neighbouring numbers overlap."""
+_SIGN = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
+_HERTZ = re.compile(r"\s*[-+.\deE]+\s*[kM]?Hz\s*")
+
+
+@dataclass(frozen=True)
+class GivenSpeed:
+    """Speed of a shaft.
+
+    Attributes
+    ----------
+    shaft
+        Name of the shaft; empty if not given.
+    frequency
+        Nominal rotation frequency [Hz].
+    tolerance
+        Relative tolerance [-].
+    stated
+        Whether the tolerance was stated.
+    """
+
+    shaft: str
+    frequency: float
+    tolerance: float
+    stated: bool
+
+
+def given_speed(text: str, option: str = "--speed") -> GivenSpeed:
+    """Speed of `[SHAFT=]QUANTITY[±TOLERANCE]`.
+
+    Parameters
+    ----------
+    text
+        Such as "30Hz", "fan=1750rpm±2%" or "1750 rpm +- 20 rpm".
+    option
+        Name of the option in messages.
+
+    Raises
+    ------
+    SignalError
+        If the speed or its tolerance is not a quantity, or the tolerance is not below 10 %.
+
+    Examples
+    --------
+    >>> given_speed("fan=1500rpm±1%")
+    GivenSpeed(shaft='fan', frequency=25.0, tolerance=0.01, stated=True)
+    >>> given_speed("25 Hz +- 0.5 Hz").tolerance, given_speed("25 Hz").stated
+    (0.02, False)
+    """
+    name, equals, quantity = text.rpartition("=")
+    nominal, *rest = _SIGN.split(quantity.strip())
+    value = _frequency(nominal, option)
+    tolerance = TOLERANCE
+    if rest:
+        tolerance = _tolerance(rest, value, option)
+    return GivenSpeed(name.strip() if equals else "", value, tolerance, bool(rest))
+
+
+def _tolerance(rest: list[str], frequency: float, option: str) -> float:
+    """Relative tolerance of a percentage or a speed."""
+    from pitchpoint.core.units import parse_quantity
+
+    [text] = rest if len(rest) == 1 else [" ± ".join(rest)]
+    try:
+        if text.rstrip().endswith("%"):
+            found = parse_quantity(text, "dimensionless", nonnegative=True)
+        else:
+            found = _frequency(text, option, zero=True) / frequency
+    except UnitError as error:
+        raise SignalError(
+            f"{option}: {text!r} is not a tolerance; write it as in 1750rpm±2% or 1750rpm±20rpm"
+        ) from error
+    if found > LARGEST:
+        raise SignalError(f"{option}: tolerance {100.0 * found:.3g} % (limit 10 %); give the speed more closely")
+    return found
+
+
+def _frequency(text: str, option: str, *, zero: bool = False) -> float:
+    """Rotation frequency [Hz]."""
+    from pitchpoint.core.units import parse_quantity
+
+    limit = {"nonnegative": True} if zero else {"positive": True}
+    try:
+        if _HERTZ.fullmatch(text):
+            return float(parse_quantity(text, "frequency", **limit))
+        return float(parse_quantity(text, "angular_speed", **limit)) / math.tau
+    except UnitError as error:
+        raise SignalError(f"{option}: {error}") from None
