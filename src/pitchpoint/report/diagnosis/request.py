@@ -4,29 +4,22 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
-from pitchpoint.core.errors import Message, ModelError, UnitError
 from pitchpoint.core.nearest import hint
+from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
 from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
 from pitchpoint.report.diagnosis.study import Study, preferred, study, usable
 
-if TYPE_CHECKING:
-    from pitchpoint.model.model import Model
-
 Array = NDArray[np.float64]
 SIMULATED = 20.0
 """Default signal-to-noise ratio of simulation results [dB]."""
-_BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
 
 
 @dataclass(frozen=True)
@@ -43,21 +36,11 @@ class Request:
     angle: str | None = None
     channels: Sequence[str] = ()
     bearings: Sequence[str] = ()
+    shafts: Sequence[str] = ()
     false_alarm: float = 0.01
     allow_code: bool = False
     sample_rate: float | None = None
     noise: float | None = None
-
-
-@dataclass(frozen=True)
-class _Machine:
-    """Rotating parts, reference shaft, its rotation frequency if known [Hz], other names of shafts."""
-
-    parts: TurningParts
-    reference: str
-    frequency: float
-    names: dict[str, str]
-    remarks: tuple[str, ...] = ()
 
 
 def diagnose_file(request: Request) -> Study:
@@ -71,7 +54,7 @@ def diagnose_file(request: Request) -> Study:
     from pitchpoint.report.diagnosis.record import read_record
 
     record = read_record(request.file, request.sample_rate)
-    machine = _machine(request, record)
+    machine = machine_of(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
     units = record.units if record.model_text else None
@@ -138,122 +121,6 @@ def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple
     return found, [f"white noise {chosen:g} dB below the signal was added to each channel (--noise)"]
 
 
-def _machine(request: Request, record: Record) -> _Machine:
-    """Rotating parts from tooth counts or a model."""
-    if request.train is not None:
-        return _of_train(request)
-    model = _model(request, record)
-    if model is None:
-        raise SignalError(
-            f"{request.file}: does not describe the machine; give --train with the tooth counts, such as "
-            "--train 32/96-48/80, or --model MODEL.yaml"
-        )
-    return _of_model(request, record, model)
-
-
-def _of_train(request: Request) -> _Machine:
-    stages = []
-    for text in str(request.train).split("-"):
-        found = re.fullmatch(r"\s*(\d+)\s*/\s*(\d+)\s*", text)
-        if not found:
-            raise SignalError(
-                f"--train: {text!r} is not a pair of tooth counts; write them as in 32/96-48/80"
-            )
-        stages.append((int(found[1]), int(found[2])))
-    parts = train_parts(stages)
-    names = {str(k + 1): shaft.name for k, shaft in enumerate(parts.shafts)}
-    names |= {shaft.name: shaft.name for shaft in parts.shafts}
-    where = request.tacho or request.angle or ""
-    reference = _shaft_of(where, names) or parts.shafts[0].name
-    speeds = [_speed(text) for text in request.speeds]
-    frequency = math.nan
-    for name, value in speeds:
-        shaft = names.get(name or parts.shafts[0].name)
-        if shaft is None:
-            raise SignalError(f"--speed: no shaft {name!r}; there are: {', '.join(names)}")
-        given = value / float(parts.shaft(shaft).order) * float(parts.shaft(reference).order)
-        if not math.isnan(frequency) and abs(given / frequency - 1.0) > 1e-6:
-            raise SignalError("--speed: the speeds do not fit the ratios of the teeth; give one of them")
-        frequency = given
-    parts = _counted_from(parts, reference)
-    return _Machine(_with_bearings(parts, request, names), reference, frequency, names)
-
-
-def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
-    """The same machine with another reference shaft."""
-    base = parts.shaft(reference).order
-    return replace(parts, shafts=tuple(replace(shaft, order=shaft.order / base) for shaft in parts.shafts))
-
-
-def _model(request: Request, record: Record) -> Model | None:
-    """The given model, else the model stored in the file."""
-    from pitchpoint.io.yaml_model import load_model, loads_model
-
-    if request.model is not None:
-        return load_model(request.model, allow_code=request.allow_code)
-    if not record.model_text:
-        return None
-    return loads_model(record.model_text, allow_code=request.allow_code, file=request.file)
-
-
-def _of_model(request: Request, record: Record, model: Model) -> _Machine:
-    """Rotating parts of a model; speeds from options or a scenario, arbitrary with an angle channel."""
-    from pitchpoint.report.frequencies import turning_speeds
-    from pitchpoint.report.machine_parts import parts_of
-
-    where = request.tacho or request.angle or ""
-    angles = (
-        [] if where or request.speeds else [n for n in record.channels if _owner(n, "angle") in model.bodies]
-    )
-    bodies = {body: body for body in model.bodies}
-    spins, remarks = _spins(request, record, model)
-    if not any(spins.values()):
-        measured = _shaft_of(where, bodies) or next((_owner(name, "angle") for name in angles), "")
-        if not measured:
-            raise SignalError(
-                f"{request.file}: the speed is not known; give --speed BODY=QUANTITY, such as --speed "
-                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho"
-            )
-        spins = turning_speeds(model, {measured: 1.0})
-    known = {name: abs(spins.get(name, 0.0)) for name in model.bodies}
-    seen = [_owner(name, "angle") for name in angles if known[_owner(name, "angle")]]
-    reference = _shaft_of(where, bodies) or max(seen or known, key=lambda body: known[body])
-    if where and not _shaft_of(where, bodies):
-        turning = ", ".join(body for body, speed in known.items() if speed)
-        raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
-    parts, names, more = parts_of(model, spins, reference)
-    parts = _with_bearings(parts, request, names)
-    return _Machine(parts, reference, known[reference] / math.tau, names, (*remarks, *more))
-
-
-def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], list[str]]:
-    """Speeds of all bodies [rad/s] from options or a scenario; empty if neither gives any."""
-    from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
-
-    given = {}
-    for text in request.speeds:
-        name, value = _speed(text)
-        if not name:
-            raise SignalError(f"--speed: {text!r} does not name a body; write BODY={text}")
-        given[name] = value * math.tau
-    if given:
-        return turning_speeds(model, given), []
-    scenario = request.scenario or record.scenario
-    if not scenario and len(model.scenarios) == 1:
-        scenario = next(iter(model.scenarios))
-    if scenario and scenario not in model.scenarios:
-        if request.scenario is None:
-            return {}, []
-        listed = ", ".join(model.scenarios) or "none"
-        raise ModelError(
-            [Message(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")]
-        )
-    if not scenario:
-        return {}, []
-    speeds, remarks = scenario_speeds(model, scenario)
-    return turning_speeds(model, speeds, model.scenarios[scenario]), remarks
-
-
 def _chosen(request: Request, record: Record) -> dict[str, Array]:
     """Channels to diagnose."""
     used = {text.partition("@")[0] for text in (request.tacho, request.angle) if text}
@@ -270,7 +137,7 @@ def _chosen(request: Request, record: Record) -> dict[str, Array]:
     return {name: record.channels[name] for name in names}
 
 
-def _over_angle(request: Request, record: Record, machine: _Machine, signals: dict[str, Array]) -> OverAngle:
+def _over_angle(request: Request, record: Record, machine: Machine, signals: dict[str, Array]) -> OverAngle:
     """Channels over the angle of the reference shaft, from an angle, a tacho or a constant speed."""
     from pitchpoint.analysis.sampled import sample_rate_of
     from pitchpoint.analysis.tacho import angle_channel, tacho_angle
@@ -315,7 +182,7 @@ def _began(record: Record, first: int) -> str:
 
 
 def _zeros(
-    record: Record, machine: _Machine, first: int, zero: str, angle: Array
+    record: Record, machine: Machine, first: int, zero: str, angle: Array
 ) -> dict[str, tuple[float, str]]:
     """Angles of shafts at the first sample, if a channel gives them."""
     found = {}
@@ -332,68 +199,3 @@ def _zeros(
         forward = 1.0 if turned[-1] >= turned[0] else -1.0
         found[shaft.name] = (forward * float(turned[0]), words)
     return found
-
-
-def _shaft_of(where: str, names: dict[str, str]) -> str:
-    """Shaft of CHANNEL@SHAFT, or the shaft in the name of an angle channel."""
-    channel, at, shaft = where.partition("@")
-    if at:
-        if shaft not in names:
-            raise SignalError(f"{where}: no shaft {shaft!r}; there are: {', '.join(names)}")
-        return names[shaft]
-    return names.get(_owner(channel, "angle"), "")
-
-
-def _owner(channel: str, quantity: str) -> str:
-    """Name of the body in `angle[body]`; empty for other channels."""
-    found = re.fullmatch(rf"{quantity}\[([^\]]+)\]", channel)
-    return found[1] if found else ""
-
-
-def _speed(text: str) -> tuple[str, float]:
-    """Shaft (empty if not given) and speed [Hz] of SHAFT=QUANTITY or QUANTITY."""
-    from pitchpoint.core.units import parse_quantity
-
-    name, equals, quantity = text.rpartition("=")
-    try:
-        if re.fullmatch(r"\s*[-+.\deE]+\s*[kM]?Hz\s*", quantity):
-            value = parse_quantity(quantity, "frequency", positive=True)
-        else:
-            value = parse_quantity(quantity, "angular_speed", positive=True) / math.tau
-    except UnitError as error:
-        raise SignalError(f"--speed: {error}") from None
-    return (name.strip() if equals else ""), float(value)
-
-
-def _with_bearings(parts: TurningParts, request: Request, names: dict[str, str]) -> TurningParts:
-    """Add the bearings of the options to those of the model."""
-    found = [_bearing(text, parts, names) for text in request.bearings]
-    return replace(parts, bearings=(*parts.bearings, *found))
-
-
-def _bearing(text: str, parts: TurningParts, names: dict[str, str]) -> Bearing:
-    """Bearing from NAME:elements,d,D,angle@shaft."""
-    from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
-    from pitchpoint.core.units import parse_quantity
-    from pitchpoint.report.machine_parts import BEARING_PARTS
-
-    example = "as in left:8,7.94 mm,33.5 mm,0 deg@2"
-    match = _BEARING.fullmatch(text)
-    fields = match[2].split(",") if match else []
-    if match is None or len(fields) not in (3, 4):
-        raise SignalError(f"--bearing: {text!r} is not NAME:elements,d,D,angle@shaft; write it {example}")
-    shaft = names.get(match[3].strip())
-    if shaft is None:
-        raise SignalError(f"--bearing: no shaft {match[3]!r}; there are: {', '.join(names)}")
-    try:
-        rates = bearing_frequencies(
-            elements=int(fields[0]),
-            element_diameter=parse_quantity(fields[1].strip(), "length", positive=True),
-            pitch_diameter=parse_quantity(fields[2].strip(), "length", positive=True),
-            contact_angle=parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0,
-            speed_inner=math.tau * float(parts.shaft(shaft).order),
-        )
-    except (ValueError, UnitError) as error:
-        raise SignalError(f"--bearing: {text!r}: {error}; write it {example}") from None
-    orders = {part: float(getattr(rates, key)) for part, key in BEARING_PARTS.items()}
-    return Bearing(match[1].strip(), {part: rate for part, rate in orders.items() if rate > 0.0}, shaft)

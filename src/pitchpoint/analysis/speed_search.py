@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Speed of a machine from the lines of its record, near a nominal speed.
+
+Mesh lines are the most accurate; without gears, the harmonics of the shafts. Each line counts with its level
+above the surroundings up to a limit, so that one strong line of another source does not decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pitchpoint.analysis.line_tests import FineSpectrum
+from pitchpoint.analysis.sampled import Array, positive
+from pitchpoint.analysis.turning_parts import TurningParts
+
+MESH_HARMONICS, SHAFT_HARMONICS = 3, 10
+LIMIT = float(np.log(1e4))
+"""Largest contribution of one line: that of a probability of 1 in 10 000."""
+CHANCE = 1e-4
+"""Probability of noise alone below which lines determine the speed."""
+FEWEST = 3
+"""Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be mains or other machines."""
+
+
+@dataclass(frozen=True)
+class FoundSpeed:
+    """Speed of the reference shaft.
+
+    Attributes
+    ----------
+    frequency
+        Rotation frequency [Hz].
+    tolerance
+        Relative tolerance that remains [-]: 0 if lines determine the speed, else that of the nominal speed.
+    lines
+        Orders of the lines above the noise that determine the speed, relative to the reference shaft [-].
+    what
+        `mesh` or `shaft`, whose lines determine the speed; empty if none do.
+    chance
+        Probability that noise alone has such lines anywhere within the tolerance [-].
+    """
+
+    frequency: float
+    tolerance: float
+    lines: tuple[float, ...] = ()
+    what: str = ""
+    chance: float = 1.0
+
+
+def speed_from_lines(
+    spectra: Sequence[FineSpectrum], parts: TurningParts, frequency: float, tolerance: float
+) -> FoundSpeed:
+    """Speed within the tolerance of a nominal one at which the lines of the machine are strongest.
+
+    Parameters
+    ----------
+    spectra
+        Spectra of the channels, over frequency [Hz].
+    parts
+        Rotating parts; orders refer to the reference shaft.
+    frequency
+        Nominal rotation frequency of the reference shaft [Hz].
+    tolerance
+        Its relative tolerance [-].
+
+    Returns
+    -------
+    FoundSpeed
+        The speed, and the lines that determine it.
+
+    Notes
+    -----
+    For a line with the power P over noise of the mean power N, noise alone has exp(-P/N); the sum of the negative
+    logarithms over all lines and channels is compared with its gamma distribution [1]_ times the number of
+    independent speeds within the tolerance. Each term is limited, which only lowers the sum. Mesh lines are tried
+    first, then shaft harmonics. Valid for a steady speed.
+
+    References
+    ----------
+    .. [1] R. A. Fisher, Statistical Methods for Research Workers, 4th edition, Oliver and Boyd, 1932, section 21.1.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.line_tests import fine_spectrum
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> t = np.arange(40_000) / 5000.0
+    >>> noise = np.random.default_rng(1).standard_normal(t.size)
+    >>> x = sum(np.cos(2 * np.pi * 29.7 * 21 * k * t) for k in (1, 2, 3)) + noise
+    >>> found = speed_from_lines([fine_spectrum(x, 5000.0)], train_parts([(21, 40)]), 30.0, 0.02)
+    >>> round(found.frequency, 3), found.what, found.tolerance
+    (29.7, 'mesh', 0.0)
+    """
+    nominal, reach = positive(frequency, "frequency"), float(tolerance)
+    if reach <= 0.0:
+        return FoundSpeed(nominal, 0.0)
+    meshes = sorted({parts.mesh_order(mesh) for mesh in parts.meshes})
+    turns = sorted({float(shaft.order) for shaft in parts.shafts})
+    for what, steps, harmonics, fewest in (
+        ("mesh", meshes, MESH_HARMONICS, 1),
+        ("shaft", turns, SHAFT_HARMONICS, FEWEST),
+    ):
+        orders = np.unique([k * step for step in steps for k in range(1, harmonics + 1)])
+        found = _search(spectra, orders, nominal, reach)
+        if found is None:
+            continue
+        speed, seen, chance = found
+        if chance < CHANCE and seen.size >= fewest:
+            return FoundSpeed(speed, 0.0, tuple(seen.tolist()), what, chance)
+    return FoundSpeed(nominal, reach)
+
+
+def _search(
+    spectra: Sequence[FineSpectrum], orders: Array, frequency: float, reach: float
+) -> tuple[float, Array, float] | None:
+    """Best speed, orders of its lines above the noise, and the probability of their sum under noise."""
+    from scipy.stats import gamma
+
+    spectrum = spectra[0]
+    orders = orders[orders * frequency * (1.0 + reach) + 40.0 * spectrum.resolution < 0.95 * spectrum.highest]
+    orders = orders[orders * frequency * (1.0 - reach) > 4.0 * spectrum.resolution]
+    if not orders.size:
+        return None
+    step = 0.25 * spectrum.resolution / float(orders.max())
+    count = int(np.ceil(reach * frequency / step))
+    tried = frequency + step * np.arange(-count, count + 1)
+    gain, level = np.zeros((orders.size, tried.size)), np.zeros(tried.size)
+    for one in spectra:
+        for row, order in enumerate(orders):
+            ratio = one.power(order * tried) / _noise(one, order, frequency, reach)
+            gain[row] += np.minimum(ratio, LIMIT)
+            level += np.log1p(ratio)
+    # levels rank the speeds, since many of them may reach the limit of every line
+    total, best = gain.sum(axis=0), int(np.argmax(level))
+    independent = max(2.0 * reach * frequency * float(orders.max()) / spectrum.resolution, 1.0)
+    chance = float(gamma.sf(total[best], orders.size * len(spectra)))
+    seen = orders[gain[:, best] > gamma.isf(0.01, len(spectra))]
+    return float(tried[best]), seen, min(1.0, independent * chance)
+
+
+def _noise(spectrum: FineSpectrum, order: float, frequency: float, reach: float) -> float:
+    """Mean power of the noise about a line: median of the surroundings over ln 2."""
+    wide = order * frequency * reach + 40.0 * spectrum.resolution
+    low, high = max(order * frequency - wide, spectrum.resolution), order * frequency + wide
+    around = spectrum.power(np.arange(low, high, spectrum.resolution))
+    return max(float(np.median(around)) / np.log(2.0), 1e-300)
