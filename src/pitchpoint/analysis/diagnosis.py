@@ -62,6 +62,8 @@ class Diagnosis:
     ----------
     findings
         Findings, the most certain first.
+    observations
+        What sound machines show as well, such as raised lowest orders; no verdict follows from one record.
     evidence
         All tests of all channels.
     meshes
@@ -79,6 +81,7 @@ class Diagnosis:
     """
 
     findings: tuple[Finding, ...]
+    observations: tuple[Finding, ...]
     evidence: tuple[Evidence, ...]
     meshes: Mapping[str, tuple[MeshLines, ...]]
     untested: tuple[str, ...]
@@ -95,6 +98,7 @@ def diagnose(
     *,
     false_alarm: float = 0.01,
     sampled_per_turn: float | None = None,
+    speed_tolerance: float = 0.0,
 ) -> Diagnosis:
     """Evidence and findings from channels over the angle of the reference shaft.
 
@@ -110,6 +114,8 @@ def diagnose(
         Probability that a healthy record has a finding [-].
     sampled_per_turn
         Samples per revolution of the original record, if it was resampled [-].
+    speed_tolerance
+        Relative tolerance of the speed [-]. If it is not zero, the orders of shafts are not tested.
 
     Returns
     -------
@@ -165,7 +171,8 @@ def diagnose(
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         turns = {shaft: view.turns for shaft, view in mine.items()}
         meshes[name] = tuple(_mesh_lines(mine, parts, mesh) for mesh in parts.meshes)
-        raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
+        if speed_tolerance == 0.0:
+            raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
         bearings, remarks, envelopes = bearing_evidence(x, rate, parts)
         channels[name] = Channel(x, rate, mine, envelopes)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
@@ -182,7 +189,7 @@ def diagnose(
         if count < MIN_TURNS
     ]
     tests = sum(1 for row in raw if row[4].lines > 0)
-    if not tests:
+    if not tests and speed_tolerance == 0.0:
         reasons = grouped([*few, *untested]) or ["use a longer one, or a higher sample rate"]
         raise SignalError("record: is too short for any test; " + "; ".join(reasons))
     every = (_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
@@ -194,11 +201,11 @@ def diagnose(
     )
     evidence, explained = explain(evidence, channels, parts, tests)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
-    findings, spread = findings_of(evidence, views, signals, rate, parts)
+    findings, observations, spread = findings_of(evidence, views, signals, rate, parts)
     not_tested, not_reported = (
         tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
     )
-    return Diagnosis(findings, evidence, meshes, not_tested, not_reported, turns, tests, allowed)
+    return Diagnosis(findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed)
 
 
 def _of_shafts(

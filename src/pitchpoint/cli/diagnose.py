@@ -36,8 +36,9 @@ PAGE_ENDINGS = (".html", ".htm")
     "--speed",
     "speeds",
     multiple=True,
-    metavar="[SHAFT=]QUANTITY",
-    help="Constant speed, such as 30Hz or 1800rpm, of the input of --train or of a body of the model.",
+    metavar="[SHAFT=]QUANTITY[±TOL]",
+    help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; tolerance "
+    "without ±: 2 %. Lines of the record determine it more closely.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
@@ -47,15 +48,23 @@ PAGE_ENDINGS = (".html", ".htm")
     "--bearing",
     "bearings",
     multiple=True,
-    metavar="NAME:N,D_W,D_PW,ALPHA@SHAFT",
-    help="Rolling bearing with rotating inner ring: number and diameter of elements, pitch diameter, angle.",
+    metavar="NAME:BEARING[@SHAFT]",
+    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter of elements, "
+    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as left:BPFO=3.58,BPFI=5.42.",
+)
+@click.option(
+    "--shaft",
+    "shafts",
+    multiple=True,
+    metavar="NAME=RATIO[@SHAFT]",
+    help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as fan=120/280@motor.",
 )
 @click.option(
     "--false-alarm",
     type=click.FloatRange(1e-9, 0.5),
     default=0.01,
     show_default=True,
-    help="Share of healthy records with a false alarm.",
+    help="Probability of a finding in noise alone.",
 )
 @click.option(
     "--noise",
@@ -69,8 +78,8 @@ PAGE_ENDINGS = (".html", ".htm")
 def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
-    Specify the drive train by the model of a result, --model or --train, and the speed by an angle or tacho
-    channel of the file or --speed. Nothing else is assumed.
+    The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with bearings is
+    enough. The speed follows from an angle or tacho channel of the file, or from --speed and lines near it.
     """
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
@@ -125,6 +134,11 @@ def _print(found: Study, quiet: bool) -> None:
         show(text)
         if found.place_sentences and found.place_sentences[number]:
             show(f"  {found.place_sentences[number]}")
+    if found.observed:
+        show()
+        show("observed, as on sound machines; no verdict from one record:")
+    for text in found.observed:
+        show(f"  {text}")
     show()
     rows = [
         [
@@ -138,7 +152,7 @@ def _print(found: Study, quiet: bool) -> None:
         ]
         for e in found.diagnosis.evidence
     ]
-    heads = ["shaft or bearing", "test", "channel", "value", "limit", "by chance", "result"]
+    heads = ["shaft or bearing", "test", "channel", "value", "limit", "by noise", "result"]
     table("Tests", heads, rows)
     if quiet:
         return

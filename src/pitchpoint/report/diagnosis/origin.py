@@ -10,13 +10,16 @@ from pitchpoint.core.errors import split_notes
 from pitchpoint.report.diagnosis.record import Record
 
 if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis.machine import Machine
     from pitchpoint.report.diagnosis.request import Request
     from pitchpoint.report.diagnosis.study import Study
 
 Row = tuple[str, str, str]
 
 
-def origin(request: Request, record: Record, found: Study, noise: Sequence[str]) -> tuple[Row, ...]:
+def origin(
+    request: Request, record: Record, machine: Machine, found: Study, noise: Sequence[str]
+) -> tuple[Row, ...]:
     """Rows of the table of origins: quantity, value, origin.
 
     Parameters
@@ -25,6 +28,8 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
         Options of the command.
     record
         Evaluated part of the file.
+    machine
+        The machine and what is known of its speed.
     found
         The study.
     noise
@@ -42,10 +47,11 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
         ),
         ("sample rate", f"{rate:.6g} Hz", source),
         ("length", f"{length:.6g} s, {count} samples", _cut(record)),
-        ("machine", *_machine(request)),
+        ("machine", *_machine(request, bool(record.model_text))),
         ("speed", _speed(found), found.over.source),
     ]
-    rows += [("bearing", text, "--bearing") for text in request.bearings]
+    rows += [("bearing", text, "--bearing") for text in machine.sources]
+    rows += [("shaft", text, "--shaft") for text in request.shafts]
     if any(bearing.name not in _given(request) for bearing in found.parts.bearings):
         rows.append(("bearings", "all others" if request.bearings else "all", "model"))
     chosen = (
@@ -60,7 +66,7 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
         ("noise", "; ".join(noise), "--noise" if request.noise is not None else "default for results")
     ] * bool(noise)
     given = "default" if request.false_alarm == type(request).false_alarm else "--false-alarm"
-    rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", given))
+    rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of records of noise alone", given))
     notes = record.about.get("notes", "")
     rows += [("note in the file", note, "file") for note in split_notes(notes)]
     assumed = "shafts with fixed axes; teeth of equal pitch"
@@ -75,11 +81,13 @@ def _cut(record: Record) -> str:
     return "file"
 
 
-def _machine(request: Request) -> tuple[str, str]:
+def _machine(request: Request, found_in_file: bool) -> tuple[str, str]:
     if request.train is not None:
         return f"train of gears {request.train}", "--train"
     if request.model is not None:
         return request.model, "--model"
+    if not found_in_file:
+        return "one shaft" if not request.shafts else "shafts of the options", "options"
     return "model stored in the file", "file"
 
 
@@ -89,7 +97,8 @@ def _speed(found: Study) -> str:
     hertz = found.over.frequency
     if hertz != hertz:
         return f"{shaft}: variable"
-    return f"{shaft}: {hertz:.6g} Hz ({60.0 * hertz:.6g} rpm)"
+    near = f" ±{100.0 * found.over.tolerance:.3g} %" if found.over.tolerance else ""
+    return f"{shaft}: {hertz:.6g} Hz ({60.0 * hertz:.6g} rpm){near}"
 
 
 def _given(request: Request) -> set[str]:

@@ -66,6 +66,7 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis
     for words, texts in (
+        ("Observed, as on sound machines; no verdict from one record:", study.observed),
         ("Above the limit, but not a finding:", found.unreported),
         ("Not tested:", found.untested),
     ):
@@ -89,8 +90,8 @@ def _tests(study: Study) -> Section:
     section = Section("tests", "All tests")
     section.add(
         f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
-        f"{percent(study.diagnosis.false_alarm)} of healthy records have a finding. “By chance” is the "
-        "probability that any test of a healthy record reaches this value. Combs are rated in standard "
+        f"{percent(study.diagnosis.false_alarm)} of records of noise alone have a finding. “By noise” is the "
+        "probability that any test of such a record reaches this value. Combs are rated in standard "
         "deviations of a rank test, lines in decibels above the adjacent spectrum.</p>"
     )
     section.add(tables.test_table(study))
@@ -107,7 +108,7 @@ def _limits(study: Study) -> Section:
         f"<p>{escape(channel)}: faults above these limits are reported. Lines below 1 % of the rms of the "
         "channel and sidebands below 3 % of their mesh line are never reported, because every machine has "
         "them. A local fault must raise all orders of its shaft and act at one angle of the synchronous "
-        "average: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"
+        "average: the kurtosis of its residual must exceed 4.5 and the limit in the table of indicators.</p>"
     )
     section.add(tables.limit_table(study, channel))
     return section

@@ -10,15 +10,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.line_tests import fine_spectrum
 from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length
+from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 
 Array = NDArray[np.float64]
 
-SPEED_REACH = 0.01
-"""Relative error of a given speed within which the mesh lines are searched."""
-HARMONICS = 3
 STEADY = 1e-3
 """Relative spread of the speed within which frequencies are given in Hz."""
 
@@ -77,6 +75,10 @@ class OverAngle:
         First sample in words.
     source
         Source of the speed.
+    tolerance
+        Relative tolerance of the speed [-]; 0 if an angle, a tacho or lines of the record determine it.
+    lines
+        Lines that determine the speed: `mesh`, `shaft`, or empty.
     """
 
     signals: dict[str, Array]
@@ -87,6 +89,8 @@ class OverAngle:
     zeros: Mapping[str, tuple[float, str]] = field(default_factory=dict)
     began: str = "the start of the record"
     source: str = ""
+    tolerance: float = 0.0
+    lines: str = ""
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
@@ -117,9 +121,13 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
 
 
 def at_speed(
-    signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float
+    signals: Mapping[str, Array],
+    sample_rate: float,
+    parts: TurningParts,
+    frequency: float,
+    tolerance: float,
 ) -> OverAngle:
-    """Channels at a constant speed [Hz] known to 1 %; the mesh lines give the exact value.
+    """Channels at a steady speed near a nominal one [Hz]; lines of the record give the exact value.
 
     Raises
     ------
@@ -133,38 +141,28 @@ def at_speed(
             "of the reference shaft (limit 1); use a longer record"
         )
     spectra = [fine_spectrum(values, sample_rate) for values in signals.values()]
-    found = _best_speed(spectra, parts, frequency)
+    found = speed_from_lines(spectra, parts, frequency, tolerance)
     remarks = []
-    if abs(found / frequency - 1.0) > 1e-6:
+    if found.what and abs(found.frequency / frequency - 1.0) > 1e-6:
+        listed = ", ".join(f"{order * found.frequency:.4g}" for order in found.lines[:4])
+        more = ", ..." if len(found.lines) > 4 else ""
         remarks.append(
-            f"speed from the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) instead of {frequency:.6g} Hz"
+            f"speed from the {found.what} lines at {listed}{more} Hz: {found.frequency:.6g} Hz "
+            f"({found.frequency * 60:.6g} rpm) instead of {frequency:.6g} Hz"
         )
-    return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
+    elif found.tolerance > 0.0:
+        remarks.append(
+            f"speed: no mesh or shaft lines determine it within ±{100.0 * found.tolerance:.3g} % of {frequency:.6g} "
+            "Hz; shafts and gears are not tested, bearings over the whole range"
+        )
+    per_turn = sample_rate / found.frequency
+    return OverAngle(
+        dict(signals), per_turn, found.frequency, per_turn, tuple(remarks), tolerance=found.tolerance, lines=found.what
+    )
 
 
 def _rpm(speed: float) -> float:
     return float(speed) * 30.0 / math.pi
-
-
-def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: float) -> float:
-    """Speed near the given one at which the mesh lines are strongest; the given one if none stands out."""
-    orders = [k * parts.mesh_order(mesh) for mesh in parts.meshes for k in range(1, HARMONICS + 1)]
-    spectrum = spectra[0]
-    top = 0.95 * spectrum.highest
-    orders = [order for order in orders if order * frequency * (1.0 + SPEED_REACH) < top]
-    if not orders:
-        return frequency
-    step = 0.25 * spectrum.resolution / max(orders)
-    count = int(np.ceil(SPEED_REACH * frequency / step))
-    tried = frequency + step * np.arange(-count, count + 1)
-    gain = np.zeros(tried.size)
-    for one in spectra:
-        for order in orders:
-            power = one.power(order * tried)
-            gain += np.log(np.maximum(power, 1e-300)) - np.log(max(float(np.median(power)), 1e-300))
-    best = int(np.argmax(gain))
-    # equivalent to a line of 20 dB in one channel, more if many speeds were tried
-    return float(tried[best]) if gain[best] > np.log(100.0) + np.log(tried.size) else frequency
 
 
 def strongest_lines(values: Array, samples_per_turn: float) -> list[float]:

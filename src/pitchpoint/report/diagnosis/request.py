@@ -71,12 +71,12 @@ def diagnose_file(request: Request) -> Study:
         machine.parts,
         false_alarm=request.false_alarm,
         remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
+        units={name: record.units.get(name, "") for name in signals},
     )
     return replace(
         found,
         file=request.file,
-        origin=origin(request, record, found, noise),
-        units={name: record.units.get(name, "") for name in signals},
+        origin=origin(request, record, machine, found, noise),
     )
 
 
@@ -164,8 +164,9 @@ def _over_angle(request: Request, record: Record, machine: Machine, signals: dic
         )
     else:
         source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
-        over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
-        refined = ", refined by the mesh lines" if over.remarks else ""
+        over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency, machine.tolerance)
+        nominal = f" ±{100.0 * machine.tolerance:.3g} %" if machine.tolerance else ""
+        refined = nominal + (f", refined by the {over.lines} lines" if over.lines else "")
         return replace(over, source=source + refined, began=_began(record, 0))
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}

@@ -18,7 +18,7 @@ from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
-from pitchpoint.report.diagnosis.words import evidence_rows, mesh_remarks, nothing_found, sentence
+from pitchpoint.report.diagnosis.words import evidence_rows, mesh_remarks, nothing_found, observation, sentence
 
 Array = NDArray[np.float64]
 
@@ -48,6 +48,8 @@ class Study:
         Rotating parts.
     sentences
         One per finding, or one stating that nothing was found.
+    observed
+        One sentence per observation.
     remarks
         Remarks.
     places
@@ -66,6 +68,7 @@ class Study:
     over: OverAngle
     parts: TurningParts
     sentences: tuple[str, ...]
+    observed: tuple[str, ...]
     remarks: tuple[str, ...]
     places: tuple[tuple[GearTurn, ...], ...] = ()
     place_sentences: tuple[str, ...] = ()
@@ -99,6 +102,17 @@ class Study:
                 )
             ],
             "sentences": list(self.sentences),
+            "observations": [
+                {
+                    "kind": one.kind,
+                    "shaft": one.shaft,
+                    "gears": list(one.gears),
+                    "channel": one.channel,
+                    "amplitude": one.amplitude,
+                    "sentence": words,
+                }
+                for one, words in zip(found.observations, self.observed, strict=True)
+            ],
             "evidence": evidence_rows(found, hertz),
             "meshes": {
                 channel: [
@@ -124,7 +138,14 @@ class Study:
         }
 
 
-def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: Sequence[str] = ()) -> Study:
+def study(
+    over: OverAngle,
+    parts: TurningParts,
+    *,
+    false_alarm: float,
+    remarks: Sequence[str] = (),
+    units: Mapping[str, str] | None = None,
+) -> Study:
     """Diagnose channels over an angle and describe the findings in words.
 
     Raises
@@ -139,12 +160,15 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
         parts,
         false_alarm=false_alarm,
         sampled_per_turn=over.sampled_per_turn,
+        speed_tolerance=over.tolerance,
     )
     found, unnamed = _named(found, parts)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
         raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
+    if not found.tests:
+        raise SignalError("; ".join((*over.remarks, "give the speed more closely, --tacho or --angle")))
     words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
     notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
     places = local_turns(found, over, parts)
@@ -153,12 +177,17 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
         over=over,
         parts=parts,
         sentences=words or (nothing_found(found),),
+        observed=tuple(
+            observation(one, found, parts, over.frequency, (units or {}).get(one.channel, ""))
+            for one in found.observations
+        ),
         remarks=tuple(dict.fromkeys(notes)),
         places=places,
         place_sentences=tuple(
             place_sentence(finding, turns, found.false_alarm)
             for finding, turns in zip(found.findings, places, strict=True)
         ),
+        units=units or {},
     )
 
 

@@ -106,7 +106,7 @@ def bearing_table(study: Study) -> str:
 def test_table(study: Study) -> str:
     """Table of all tests by channel."""
     where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
-    head = ("shaft or bearing", "test", where, "value", "limit", "by chance", "result")
+    head = ("shaft or bearing", "test", where, "value", "limit", "by noise", "result")
     body = []
     for channel in study.over.signals:
         if len(study.over.signals) > 1:

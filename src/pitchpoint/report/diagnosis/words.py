@@ -34,7 +34,7 @@ def nothing_found(diagnosis: Diagnosis) -> str:
         return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
     return (
         f"nothing found: none of {tests} exceeds its limit "
-        f"(probability for a healthy record: {percent(diagnosis.false_alarm)})"
+        f"(noise alone would in {percent(diagnosis.false_alarm)} of records)"
     )
 
 
@@ -54,7 +54,7 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     """
     mine = evidence_of(finding, diagnosis)
     seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in _same_lines(mine)[:3]))
-    chance = f"by chance: {percent(finding.probability)}, {_over(diagnosis.tests)}"
+    chance = f"by noise alone: {percent(finding.probability)}, {_over(diagnosis.tests)}"
     where = f"in {finding.channel}"
     if finding.kind == "bearing":
         what = BEARING_WORDS.get(finding.shaft, f"a fault of the {finding.shaft}")
@@ -62,19 +62,65 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     gears = _gears(finding.gears)
     turning = _rate(float(parts.shaft(finding.shaft).order), frequency)
     shaft = _named(finding.shaft)
-    if finding.kind == "local fault":
-        on = f"{gears} ({shaft}, {turning})" if gears else f"{shaft} ({turning})"
-        text = f"a local fault on {on}, seen {where} as {seen}"
-        return f"{text} ({chance}){_cannot_tell(finding)}"
+    on = f"{gears} ({shaft}, {turning})" if gears else f"{shaft} ({turning})"
+    text = f"a local fault on {on}, seen {where} as {seen}"
+    return f"{text} ({chance}){_cannot_tell(finding)}"
+
+
+def observation(
+    finding: Finding, diagnosis: Diagnosis, parts: TurningParts, frequency: float, unit: str
+) -> str:
+    """One observation in words, with its level.
+
+    Parameters
+    ----------
+    finding
+        The observation.
+    diagnosis
+        Diagnosis with the observation.
+    parts
+        Rotating parts.
+    frequency
+        Rotation frequency of the reference shaft [Hz]; NaN if it varies.
+    unit
+        Unit of its channel; empty if unknown.
+    """
+    shaft = f"{_named(finding.shaft)} ({_rate(float(parts.shaft(finding.shaft).order), frequency)})"
+    mine = [e for e in diagnosis.evidence if e.channel == finding.channel and e.shaft == finding.shaft]
     if finding.kind == "modulation":
-        return (
-            f"the mesh of {gears or 'its gear'} is modulated once per turn of {shaft} ({turning}), as with "
-            f"eccentricity or misalignment, not with one damaged tooth: seen {where} as {seen} ({chance})"
+        e = max((e for e in mine if e.kind == "sidebands" and e.found), key=lambda e: e.value)
+        mesh = next(
+            line for line in diagnosis.meshes[e.channel] if line.mesh == parts.gears_of(e.shaft)[e.gear][0].name
         )
+        ratio = e.amplitude / max(float(mesh.amplitude.max(initial=0.0)), 1e-300)
+        return (
+            f"modulation of the mesh of {_gears(finding.gears).removeprefix('gear ')} once per turn of {shaft}: "
+            f"sideband {e.sideband:+d} at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % of the "
+            "largest mesh line; runout, eccentricity or misalignment"
+        )
+    if finding.kind == "once per turn":
+        e = max((e for e in mine if e.kind == "low order" and e.found), key=lambda e: e.value)
+        return (
+            f"raised lowest orders of {shaft}: line at {_rate(e.order, frequency)} in {e.channel}"
+            f"{_level(e, frequency, unit)}, {e.value:.0f} dB above its surroundings; unbalance, misalignment or a "
+            "bent shaft"
+        )
+    e = max((e for e in mine if e.kind == "comb" and e.found), key=lambda e: e.value)
+    where = "impacts at one angle of the turn are not" if parts.gears_of(finding.shaft) else "the cause is not"
     return (
-        f"{shaft} ({turning}) has raised lowest orders, as with unbalance, misalignment or a "
-        f"bent shaft: seen {where} as {seen} ({chance})"
+        f"raised orders of {shaft} about {_rate(e.order, frequency)} in {e.channel}, {e.value:.1f} standard "
+        f"deviations above the spectrum between them; {where} visible"
     )
+
+
+def _level(e: Evidence, frequency: float, unit: str) -> str:
+    """Level of a line as rms velocity if its unit is one of vibration, else as amplitude."""
+    from pitchpoint.analysis.severity import velocity_factor
+
+    factor = velocity_factor(unit, e.order * frequency)
+    if factor is not None:
+        return f" with {1e3 * factor * e.amplitude / math.sqrt(2.0):.2g} mm/s rms"
+    return f" with an amplitude of {e.amplitude:.3g} {unit}".rstrip()
 
 
 def _over(tests: int) -> str:
