@@ -17,8 +17,8 @@ from pitchpoint.analysis.sampled import Array, positive
 from pitchpoint.analysis.turning_parts import TurningParts
 
 MESH_HARMONICS, SHAFT_HARMONICS = 3, 10
-LIMIT = float(np.log(1e4))
-"""Largest contribution of one line: that of a probability of 1 in 10 000."""
+LIMIT = float(np.log(1e6))
+"""Largest contribution of one line: that of a probability of 1 in 1 000 000, too little for a single line."""
 CHANCE = 1e-4
 """Probability of noise alone below which lines determine the speed."""
 FEWEST = 3
@@ -137,7 +137,26 @@ def _search(
     independent = max(2.0 * reach * frequency * float(orders.max()) / spectrum.resolution, 1.0)
     chance = float(gamma.sf(total[best], orders.size * len(spectra)))
     seen = orders[gain[:, best] > gamma.isf(0.01, len(spectra))]
-    return float(tried[best]), seen, min(1.0, independent * chance)
+    return _refined(spectra, seen, float(tried[best])), seen, min(1.0, independent * chance)
+
+
+def _refined(spectra: Sequence[FineSpectrum], orders: Array, frequency: float) -> float:
+    """Weighted mean of the rotation frequencies of all lines, each from a parabola through its maximum."""
+    found, weight = [], []
+    for one in spectra:
+        level = np.log(np.maximum(one.amplitude, 1e-300))
+        reach = round(0.5 * one.resolution / one.step)
+        for order in orders:
+            middle = round(order * frequency / one.step)
+            top = middle - reach + int(np.argmax(level[middle - reach : middle + reach + 1]))
+            left, peak, right = level[top - 1 : top + 2]
+            if not (left < peak >= right):
+                continue
+            shift = 0.5 * (left - right) / (left - 2.0 * peak + right)
+            found.append((top + shift) * one.step / order)
+            # the variance of a frequency is inversely proportional to the power of its line
+            weight.append(order**2 * one.amplitude[top] ** 2 / _noise(one, order, frequency, 0.0))
+    return float(np.average(found, weights=weight)) if found else frequency
 
 
 def _noise(spectrum: FineSpectrum, order: float, frequency: float, reach: float) -> float:

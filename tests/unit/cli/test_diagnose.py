@@ -31,7 +31,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ([], "does not describe the machine; give --train"),
+        ([], "does not describe the machine; give --speed, and --bearing or --train"),
         (["--train", "32/95"], "the speed is not known; give --speed"),
         (["--train", "31/95", "--speed", "10Hz"], "no mesh line at 310 Hz"),
         (["--train", "32/95", "--speed", "11Hz"], "strongest lines at 320 Hz"),
@@ -40,7 +40,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
         (["--train", "32/95", "--tacho", "acc"], "--tacho requires --pulses N"),
         (
             ["--train", "32/95", "--speed", "10Hz", "--bearing", "left:8"],
-            "is not NAME:elements,d,D,angle@shaft",
+            "'left:8' has no shaft; write left:8@SHAFT; there are: 1, 2",
         ),
     ],
 )

@@ -42,8 +42,8 @@ def test_the_page_of_a_measured_file_names_gear_tooth_and_chance(
 ) -> None:
     """The knock is in the middle of 0.2 turns, 6.4 pitches of 32: a window of one tooth about it is told."""
     page, printed = page_of([rig_file(tmp_path), *TRAIN], tmp_path, capsys)
-    assert "A local fault on gear Z1 (shaft 1, 10.001 Hz)" in page
-    assert "by chance: less than 0.001 %, over all 5 tests" in page
+    assert "A local fault on gear Z1 (shaft 1, 9.9999 Hz)" in page
+    assert "by noise alone: less than 0.001 %, over all 5 tests" in page
     tooth = re.search(
         r"the tooth of 32 that meshes ([\d.]+) pitches \(\d+°\) after the start of the record", page
     )
@@ -132,7 +132,7 @@ def test_json_tells_the_mean_turn_of_a_local_fault(
     found = json_of(["diagnose", rig_file(tmp_path), *TRAIN, "-o", str(tmp_path / "page.html")], capsys)
     (finding,) = found["findings"]
     (turn,) = finding["mean_turn"]
-    assert turn["teeth"] == 32 and abs(turn["tooth"] - 6.4) < 0.5 and turn["averages"] == 20
+    assert turn["teeth"] == 32 and abs(turn["tooth"] - 6.4) < 0.5 and turn["averages"] in (19, 20)
     assert turn["tooth"] == pytest.approx(turn["angle"] / (2 * np.pi) * 32)
     fm4 = turn["indicators"]["fm4"]
     assert fm4["value"] > fm4["limit_1_percent"] > fm4["gaussian"] == 3.0

@@ -18,17 +18,17 @@ def _evidence(*, found: bool, explained: str = "") -> Evidence:
 @pytest.mark.parametrize(
     ("beyond", "words"),
     [
-        (0, "none of 5 tests exceeds its limit (probability for a healthy record: 1 %)"),
+        (0, "none of 5 tests exceeds its limit (noise alone would in 1 % of records)"),
         (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage; listed below"),
         (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage; listed below"),
     ],
 )
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:
     evidence = tuple(_evidence(found=k < beyond) for k in range(5))
-    assert nothing_found(Diagnosis((), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
+    assert nothing_found(Diagnosis((), (), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
     # what something explains has exceeded its limit as well
     evidence = tuple(_evidence(found=False, explained="cage" if k < beyond else "") for k in range(5))
-    assert nothing_found(Diagnosis((), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
+    assert nothing_found(Diagnosis((), (), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
 
 
 def test_one_line_of_two_meshes_is_told_once() -> None:
@@ -38,10 +38,10 @@ def test_one_line_of_two_meshes_is_told_once() -> None:
         Evidence("acc", "sidebands", "shaft 2", gear, 20.0, 11.0, 1e-9, 32.0 + 2.0 / 3.0, 0.1, 2, True, 0.01)
         for gear in ("Z2", "Z3")
     ]
-    finding = Finding("modulation", "shaft 2", ("Z2", "Z3"), "acc", 1e-9)
-    words = sentence(finding, Diagnosis((finding,), tuple(rows), {}, (), (), {}, 2, 0.01), parts, 30.0)
+    finding = Finding("local fault", "shaft 2", ("Z2", "Z3"), "acc", 1e-9)
+    words = sentence(finding, Diagnosis((finding,), (), tuple(rows), {}, (), (), {}, 2, 0.01), parts, 30.0)
     assert words.count("980 Hz") == 1
-    assert "sideband +2 of the mesh of Z2 and of that of Z3 (by chance" in words
+    assert "sideband +2 of the mesh of Z2 and of that of Z3 (by noise alone" in words
 
 
 def test_a_test_is_found_explained_or_neither() -> None:
