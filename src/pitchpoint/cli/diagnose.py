@@ -19,7 +19,7 @@ PAGE_ENDINGS = (".html", ".htm")
 
 
 @click.command()
-@click.argument("file", type=click.Path(exists=True, dir_okay=False))
+@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
 @click.option(
     "--model",
     type=click.Path(exists=True, dir_okay=False),
@@ -37,7 +37,7 @@ PAGE_ENDINGS = (".html", ".htm")
     "speeds",
     multiple=True,
     metavar="[SHAFT=]QUANTITY",
-    help="Constant speed, such as 30Hz or 1800rpm, of the input of --train or of a body of the model.",
+    help="Constant speed, such as 30Hz, of the input of --train or a body of the model; default: that in the file.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
@@ -66,16 +66,17 @@ PAGE_ENDINGS = (".html", ".htm")
 @quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
 @output("HTML page with plots of the evidence.")
 @common
-def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
-    """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
+def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> None:
+    """Look for damaged gears, shafts and bearings in FILES: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
     Specify the drive train by the model of a result, --model or --train, and the speed by an angle or tacho
-    channel of the file or --speed. Nothing else is assumed.
+    channel of the file, a speed that the file states, or --speed. Nothing else is assumed. Several files are
+    one record with the channels of all; they were recorded together with one sample rate.
     """
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
-    target = _page_target(options.pop("output"), [file, options["model"]])
+    target = _page_target(options.pop("output"), [*files, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
         raise click.UsageError("--pulses requires --tacho CHANNEL")
     if options["tacho"] is not None and options["pulses"] is None:
@@ -87,7 +88,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
     for text in options["speeds"]:
         say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
-    found = diagnose_file(Request(file=file, **options))
+    found = diagnose_file(Request(file=files[0], more=files[1:], **options))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page

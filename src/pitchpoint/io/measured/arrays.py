@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files of named arrays (MAT, HDF5): identification of channels, time axis and sample rate.
 
-Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, and so is the data
-of a structure `X` beside `Y`; no other arrays are used for it. Single numbers named `sample_rate`, `fs`, `dt`,
-`rpm` or similar give sample rate and speed (`stated`); other numbers and texts become attributes. A structure
+Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, and so is the
+data of a structure `X` beside `Y`; no other arrays are used for it. Single numbers named `sample_rate`, `fs`,
+`dt`, `rpm` or similar give sample rate and speed (`stated`); numbers and texts become attributes. A structure
 with data and a name, such as `Y(2).Data` and `Y(2).Name`, is a channel of this name.
 """
 
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -108,7 +109,7 @@ class Arrays:
         self._notes: list[str] = []
         self._skipped: dict[str, list[str]] = {}
         self._attributes: dict[str, str | float | int] = {}
-        self._texts: dict[str, str] = {}
+        self._texts: dict[str, dict[str, str]] = {}
         self._names: dict[str, int] = {}
 
     def unique(self, name: str) -> str:
@@ -150,7 +151,8 @@ class Arrays:
     def text(self, name: str, value: str) -> None:
         """Add a text: an attribute, and a statement if it is a number with such a name."""
         if value.strip():
-            self._texts[name] = value.strip()
+            owner, _, last = _parts(name)
+            self._texts.setdefault(owner, {})[last.lower()] = value.strip()
             self._stated.text(name, value)
             self._attributes[name] = value[:_TEXT]
 
@@ -225,19 +227,18 @@ class Arrays:
         found = []
         for f in self._found:
             owner, _, last = _parts(f.name)
-            name = self._beside(owner, _NAMES) if owner and last.lower() in _DATA else ""
-            unit = "" if f.unit or not owner or last.lower() not in _DATA else self._beside(owner, _UNITS)
-            found.append(replace(f, name=name or f.name, stored=f.name, unit=unit or f.unit))
-        names = [f.name for f in found]
-        return [f if names.count(f.name) == 1 else replace(f, name=f.stored) for f in found]
+            if not owner or last.lower() not in _DATA:
+                found.append(f)
+                continue
+            name, unit = self._beside(owner, _NAMES), f.unit or self._beside(owner, _UNITS)
+            found.append(replace(f, name=name or f.name, stored=f.name, unit=unit))
+        count = Counter(f.name for f in found)
+        return [f if count[f.name] == 1 else replace(f, name=f.place) for f in found]
 
     def _beside(self, owner: str, keys: Collection[str]) -> str:
         """Text of one of these names in a structure or group; empty if none."""
-        for name, text in self._texts.items():
-            place, _, last = _parts(name)
-            if place == owner and last.lower() in keys:
-                return text[:_TEXT]
-        return ""
+        texts = self._texts.get(owner, {})
+        return next((texts[key][:_TEXT] for key in keys if key in texts), "")
 
     def _long(self, found: list[Found], wanted: Wanted) -> list[Found]:
         """Arrays without the short ones beside long channels, unless they are requested."""

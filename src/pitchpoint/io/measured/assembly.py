@@ -16,6 +16,7 @@ from pitchpoint.core.errors import join_notes
 from pitchpoint.core.nearest import hint
 from pitchpoint.io.measured.clock import clock_of, finite
 from pitchpoint.io.measured.record import Column, Record, refused
+from pitchpoint.io.measured.stated import family_of
 from pitchpoint.io.measured.units import to_si
 
 if TYPE_CHECKING:
@@ -161,6 +162,15 @@ def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:
     lengths = {c.name: c.values.size for c in columns}
     if record.time is not None:
         lengths = {record.time.name: record.time.values.size} | lengths
+    families: dict[str, set[int]] = {}
+    for name, n in lengths.items():
+        families.setdefault(family_of(name), set()).add(n)
+    if len(families) > 1 and "" not in families and all(len(sizes) == 1 for sizes in families.values()):
+        listed = ", ".join(f"{family} {min(sizes)}" for family, sizes in list(families.items())[:_SHOWN])
+        last = [name for name in lengths if family_of(name) == next(reversed(families))]
+        remedy = f"choose the channels of one, such as channels={last[:_SHOWN]} (-c on the command line)"
+        if len(set.union(*families.values())) > 1:
+            raise refused(path, "samples", listed, "are records of different length", "one record", remedy)
     if len(set(lengths.values())) > 1:
         usual = Counter(lengths.values()).most_common(1)[0][0]
         if record.time is not None:

@@ -100,7 +100,7 @@ def _stated(path: Path, record: Record, sample_rate: float | None) -> tuple[Stat
     agree = [r for r in possible if abs(r.value / (sample_rate or possible[0].value) - 1.0) <= AGREE]
     others = [r for r in possible if r not in agree]
     if others and not decided:
-        remedy = "give the correct one by sample_rate= (--sample-rate on the command line), or choose channels"
+        remedy = "give the correct one by sample_rate= (--sample-rate on the command line)"
         listed = _listed(possible)
         raise refused(path, "sample rate", listed, "contradict each other", "0.1 %", remedy)
     if decided and not agree and record.time is None:

@@ -140,9 +140,7 @@ def _datasets(path: Path, file: h5py.File, found: Arrays) -> Iterator[tuple[str,
                 queue.append(entry)
 
 
-def _referenced(
-    file: h5py.File, name: str, dataset: h5py.Dataset, found: Arrays
-) -> list[tuple[str, Any]]:
+def _referenced(file: h5py.File, name: str, dataset: h5py.Dataset, found: Arrays) -> list[tuple[str, Any]]:
     """Parts of a cell array, `c[1]`, or of a field of an array of structures, `y[1]/data`, of MATLAB."""
     if dataset.size > _MAX_OBJECTS or is_elsewhere(dataset):
         found.skip(name, "a list of too many parts")

@@ -151,7 +151,9 @@ def _one_clock(parts: Mapping[Path, xr.Dataset]) -> None:
         if abs(begun - start) * rate > _DRIFT:
             remedy = "cut the files to a common start"
             value, limit = f"{begun:.9g} s", f"{start:.9g} s"
-            raise refused(path, "time", value, f"starts at another time than {first_path.name}", limit, remedy)
+            raise refused(
+                path, "time", value, f"starts at another time than {first_path.name}", limit, remedy
+            )
     for path, part in parts.items():
         if part.sizes["time"] < _SHORTEST * longest:
             raise refused(
@@ -175,8 +177,12 @@ def _notes(parts: Mapping[Path, xr.Dataset], count: int) -> list[str]:
     for path, part in parts.items():
         for text in split_notes(str(part.attrs.get("notes", ""))):
             by_text.setdefault(text, []).append(path.name)
-    found = [text if len(names) == len(parts) else f"{_few(names)}: {text}" for text, names in by_text.items()]
-    longer = [f"{path.name} {part.sizes['time']}" for path, part in parts.items() if part.sizes["time"] > count]
+    found = [
+        text if len(names) == len(parts) else f"{_few(names)}: {text}" for text, names in by_text.items()
+    ]
+    longer = [
+        f"{path.name} {part.sizes['time']}" for path, part in parts.items() if part.sizes["time"] > count
+    ]
     if longer:
         found.append(f"{count} samples are used, the length of the shortest file; longer: {_few(longer)}")
     return found

@@ -101,17 +101,17 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
     """Add one array with its name; parts of structures and cells are named after their parent."""
     parts = list(_limited(path, _elements(path, data, order)))
     if len(parts) < 3 or len(parts[0][1]) < 8:
-        return  # empty arrays
+        return None  # empty arrays
     flags = int(np.frombuffer(parts[0][1], f"{order}u4", 1)[0])
     kind, is_complex = flags & 0xFF, bool(flags & 0x0800)
     if kind == _OPAQUE:
         return found.skip(owner or bytes(parts[1][1]).decode("latin-1"), "an object, such as a table")
     if parts[1][0] != 5:
-        return
+        return None
     shape = tuple(np.frombuffer(parts[1][1][: len(parts[1][1]) // 4 * 4], f"{order}i4").tolist())
     own = bytes(parts[2][1]).decode("latin-1")
     if not (own or owner) and kind == _BYTES:
-        return  # contents of the objects
+        return None  # contents of the objects
     name = f"{owner}{own}" if owner else found.unique(own or "variable")
     if kind in _NUMERIC and len(parts) > 3:
         values = _numbers(path, parts[3], order, name)
@@ -144,6 +144,7 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
                 _matrix(path, content, order, f"{name}[{k}]", found, depth + 1)
     elif kind in (_OBJECT, _SPARSE) or kind > _NUMERIC[-1]:
         found.skip(name, "an object" if kind != _SPARSE else "a sparse matrix")
+    return None
 
 
 def _limited(path: Path, elements: Iterator[tuple[int, memoryview]]) -> Iterator[tuple[int, memoryview]]:

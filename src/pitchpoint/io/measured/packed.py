@@ -49,7 +49,9 @@ def unpacked(path: Path, data: bytes) -> bytes:
             part = machine.decompress(rest, room + 1)
         except zlib.error as error:
             remedy = "copy it again from where it was recorded"
-            raise refused(path, "", "", f"is damaged: it cannot be unpacked ({error})", None, remedy) from None
+            raise refused(
+                path, "", "", f"is damaged: it cannot be unpacked ({error})", None, remedy
+            ) from None
         room -= len(part)
         if room < 0:
             limit = f"{MAX_BYTES / 1e6:.0f} MB"

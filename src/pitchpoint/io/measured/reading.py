@@ -67,8 +67,8 @@ def read_measured(
         One variable per channel over `time` [s]. Attributes of a channel: `units` (SI where the unit is
         known), `long_name`, `scale` and `units_in_file` where numbers were converted. Attributes of the
         dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `sample_rate_from` (name of the number
-        in the file), `notes` (what was omitted, constant channels) and other metadata of the file; if the file
-        states them, `shaft_speed` [rad/s], `shaft_speed_from`, and `fault_order[BPFO]` [-] or similar.
+        in the file), `notes` (what was omitted, constant channels) and other metadata of the file; if the
+        file states them, `shaft_speed` [rad/s], `shaft_speed_from`, and `fault_order[BPFO]` [-] or similar.
 
     Raises
     ------

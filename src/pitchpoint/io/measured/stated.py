@@ -9,7 +9,7 @@ not.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 
 from pitchpoint.io.measured.units import is_unit, to_si
@@ -20,8 +20,8 @@ RATES = frozenset(
     "abtastfrequenz".split()
 )
 STEPS = frozenset(
-    "dt deltat timestep timeincrement sampleinterval samplinginterval sampleperiod samplingperiod wfincrement "
-    "xinc xincr xincrement xdelta deltax abtastzeit".split()
+    "dt deltat timestep timeincrement sampleinterval samplinginterval sampleperiod samplingperiod "
+    "wfincrement xinc xincr xincrement xdelta deltax abtastzeit".split()
 )
 """Names of a sample rate [Hz] and of its inverse [s], in lower case, without spaces and `_`."""
 _VAGUE_STEPS = frozenset({"dx", "ts", "raster"})
@@ -35,10 +35,11 @@ _ROTATIONS = frozenset(
     "shaftrate shaftfrequency shaftfreq rotationfrequency rotationalfrequency rotfreq".split()
 )
 _FAULTS = ("BPFO", "BPFI", "BSF", "FTF")
+_LISTED = RATES | STEPS | _VAGUE_STEPS | _SPEEDS | _ROTATIONS | {"rate", *(f.lower() for f in _FAULTS)}
 _ENDINGS = {"hz": "Hz", "khz": "kHz", "rpm": "rpm", "ms": "ms", "us": "us", "s": "s"}
 _UNITS = {
-    "samples/s": "Hz", "samples/sec": "Hz", "samples per second": "Hz", "sa/s": "Hz", "s/s": "Hz", "sps": "Hz",
-    "sec": "s", "seconds": "s", "1/min": "rpm", "r/min": "rpm", "u/min": "rpm", "min-1": "rpm",
+    "samples/s": "Hz", "samples/sec": "Hz", "samples per second": "Hz", "sa/s": "Hz", "s/s": "Hz",
+    "sps": "Hz", "sec": "s", "seconds": "s", "1/min": "rpm", "r/min": "rpm", "u/min": "rpm", "min-1": "rpm",
 }  # fmt: skip
 _TEXT = re.compile(r"\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*\[?(.*?)\]?\s*")
 _FAMILY = re.compile(r"^([A-Za-z]+_?\d+)(?=_|[A-Z])(.+)$")
@@ -50,6 +51,8 @@ _TOP_SPEED = 4e3
 AGREE = 1e-3
 """Relative difference of two statements of one sample rate: an increment may have four digits."""
 SAME_SPEED = 0.02
+"""Relative difference of two statements of one speed."""
+_SHOWN = 4
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,7 @@ class Statements:
         """Add a text; returns whether it is a number identified by its name, such as `12.8 kHz`."""
         self._texts[name] = text.strip()
         found = _TEXT.fullmatch(text)
-        return bool(found) and self.number(name, float(found[1].replace(",", ".")), found[2])
+        return found is not None and self.number(name, float(found[1].replace(",", ".")), found[2])
 
     def on(self, channels: Sequence[str], arrays: Sequence[str], axis: float | None = None) -> Given:
         """Statements on some channels.
@@ -144,9 +147,10 @@ class Statements:
         axis
             Sample rate of the time axis [Hz], if the file has one.
         """
-        paths = [_segments(name) for name in arrays]
         near = [_segments(name) for name in channels]
-        own = [n for n in self._numbers if _applies(n.name, near, paths)]
+        around = {prefix for parts in near for prefix in _prefixes(parts)}
+        every = {prefix for name in arrays for prefix in _prefixes(_segments(name))}
+        own = [n for n in self._numbers if _applies(n.name, around, every)]
         notes: list[str] = []
         rates = [one for n in own if (one := self._rate(n, notes))]
         known = axis or (rates[0].value if rates else None)
@@ -154,9 +158,10 @@ class Statements:
         for n in own:
             self._vague(n, known, rates, speeds, notes)
         nearest = sorted(_nearest(rates, near), key=lambda r: not r.shown.endswith("Hz"))
-        far = [f"{r.name} ({r.shown})" for r in rates if r not in nearest and not _agree(r, nearest)]
+        used = {r.value for r in nearest}
+        far = [f"{r.name} ({r.shown})" for r in rates if not any(abs(r.value - u) <= AGREE * u for u in used)]
         if far:
-            notes.append(f"sample rate from {nearest[0].name}; not used: {', '.join(far)}")
+            notes.append(f"sample rate from {nearest[0].name}, not from {', '.join(far[:_SHOWN])}")
         speed = _one_speed(_nearest(speeds, near), notes)
         orders = _fault_orders(own, speed, notes)
         return Given(tuple(nearest), speed, orders, tuple(notes))
@@ -164,13 +169,13 @@ class Statements:
     def _rate(self, number: _Number, notes: list[str]) -> Stated | None:
         """Sample rate with an unambiguous name; its value may be impossible."""
         if number.key in RATES:
-            return _hertz(number, number.unit or "Hz", notes)
+            return _hertz(number, number.unit or "Hz", notes, ("Hz", "1/s"))
         inside = number.key in _X_STEPS and _x_owner(number.name)
         return self._step(number, notes) if number.key in STEPS or inside else None
 
     def _step(self, number: _Number, notes: list[str]) -> Stated | None:
         """Inverse of an increment, if it is one over time."""
-        return _hertz(number, number.unit or self._x_unit(number.name) or "s", notes)
+        return _hertz(number, number.unit or self._x_unit(number.name) or "s", notes, ("s",))
 
     def _x_unit(self, name: str) -> str:
         """Unit of the abscissa next to an increment; empty if not stated."""
@@ -231,10 +236,9 @@ def _key(name: str) -> tuple[str, str]:
     """Last part of a name in lower case without separators, and the unit at its end."""
     last = re.sub(r"\[\d+\]$", "", re.split(r"[./]", name.strip())[-1])
     key = re.sub(r"[\s_\-]+", "", last.lower())
-    known = RATES | STEPS | _VAGUE_STEPS | _SPEEDS | _ROTATIONS | {"rate", *(f.lower() for f in _FAULTS)}
-    if key not in known:
+    if key not in _LISTED:
         for ending, unit in _ENDINGS.items():
-            if key.endswith(ending) and key.removesuffix(ending) in known:
+            if key.endswith(ending) and key.removesuffix(ending) in _LISTED:
                 return key.removesuffix(ending), unit
     return key, ""
 
@@ -246,14 +250,8 @@ def _fault(key: str) -> str:
 
 
 def _is_known(key: str, name: str) -> bool:
-    listed = key in RATES or key in STEPS or key in _VAGUE_STEPS or key in _SPEEDS or key in _ROTATIONS
-    return (
-        listed
-        or key == "rate"
-        or key.endswith("rpm")
-        or bool(_fault(key))
-        or (key in _X_STEPS and _x_owner(name))
-    )
+    named = key in _LISTED or key.endswith("rpm") or bool(_fault(key))
+    return named or (key in _X_STEPS and _x_owner(name))
 
 
 def _owner(name: str) -> str:
@@ -262,7 +260,14 @@ def _owner(name: str) -> str:
 
 
 def _x_owner(name: str) -> bool:
-    return bool(re.fullmatch(r"x|x_?(values?|axis|data)(\[\d+\])?", re.split(r"[./]", _owner(name).lower())[-1]))
+    last = re.split(r"[./]", _owner(name).lower())[-1]
+    return bool(re.fullmatch(r"x(_?(values?|axis|data))?(\[\d+\])?", last))
+
+
+def family_of(name: str) -> str:
+    """Common prefix of the names of one record, such as X097 of X097_DE_time; empty if there is none."""
+    found = _FAMILY.match(re.split(r"[./]", name)[-1])
+    return found[1] if found else ""
 
 
 def _segments(name: str) -> list[str]:
@@ -280,47 +285,36 @@ def _segments(name: str) -> list[str]:
     return found
 
 
-def _common(statement: Sequence[str], channel: Sequence[str]) -> int:
-    """Number of structures around a statement that contain a channel, too."""
-    count = 0
-    for a, b in zip(statement[:-1], channel, strict=False):
-        if a != b:
-            break
-        count += 1
-    return count
+def _prefixes(parts: Sequence[str]) -> list[tuple[str, ...]]:
+    """All structures around a part of a file, from the whole file on."""
+    return [tuple(parts[:k]) for k in range(len(parts) + 1)]
 
 
-def _applies(name: str, channels: Sequence[Sequence[str]], arrays: Sequence[Sequence[str]]) -> bool:
-    """Whether a statement is on one of the channels, and not on other arrays in its own structure."""
-    parts = _segments(name)
-    best = max((_common(parts, a) for a in arrays), default=0)
-    return any(_common(parts, c) == best for c in channels)
+def _applies(name: str, around: Set[tuple[str, ...]], every: Set[tuple[str, ...]]) -> bool:
+    """Whether the smallest structure of a statement with any array also contains a chosen channel."""
+    owners = _prefixes(_segments(name)[:-1])
+    return next((owner in around for owner in reversed(owners) if owner in every), False)
 
 
 def _nearest(stated: Sequence[Stated], channels: Sequence[Sequence[str]]) -> list[Stated]:
     """Statements nearest to each channel."""
-    chosen: dict[Stated, None] = {}
-    for c in channels:
-        best = max((_common(_segments(s.name), c) for s in stated), default=0)
-        chosen |= {s: None for s in stated if _common(_segments(s.name), c) == best}
-    return list(chosen)
+    inside: dict[tuple[str, ...], list[Stated]] = {}
+    for one in stated:
+        for owner in _prefixes(_segments(one.name)[:-1]):
+            inside.setdefault(owner, []).append(one)
+    owners = [next((p for p in reversed(_prefixes(c)) if p in inside), ()) for c in channels]
+    return list(dict.fromkeys(one for owner in dict.fromkeys(owners) for one in inside.get(owner, ())))
 
 
-def _agree(one: Stated, others: Sequence[Stated]) -> bool:
-    return any(abs(one.value - other.value) <= AGREE * other.value for other in others)
-
-
-def _hertz(number: _Number, unit: str, notes: list[str]) -> Stated | None:
-    """Rate [Hz] of a frequency or of an interval; None for other units."""
+def _hertz(number: _Number, unit: str, notes: list[str], dimension: Sequence[str]) -> Stated | None:
+    """Rate [Hz] of a frequency or of an interval; None for units of another dimension."""
     si, factor, known = to_si(_UNITS.get(unit.strip().lower(), unit))
     shown = f"{number.value:g} {unit}"
-    if known and si in ("Hz", "1/s"):
-        return Stated(number.name, number.value * factor, shown)
-    if known and si == "s":
-        step = number.value * factor
-        return Stated(number.name, 1.0 / step if step else 0.0, shown)
-    notes.append(f"{number.name} = {shown} is not over time: not used")
-    return None
+    if not known or si not in dimension:
+        notes.append(f"{number.name} = {shown} is not in {dimension[0]}: not used")
+        return None
+    value = number.value * factor
+    return Stated(number.name, value if si != "s" else 1.0 / value if value else 0.0, shown)
 
 
 def _speed(number: _Number, notes: list[str]) -> Stated | None:
@@ -344,7 +338,7 @@ def _one_speed(speeds: Sequence[Stated], notes: list[str]) -> Stated | None:
     """The speed, if the file states one."""
     if not speeds:
         return None
-    listed = ", ".join(f"{s.shown} from {s.name}" for s in speeds)
+    listed = ", ".join(f"{s.shown} from {s.name}" for s in speeds[:_SHOWN])
     if max(s.value for s in speeds) > (1.0 + SAME_SPEED) * min(s.value for s in speeds):
         notes.append(f"speeds differ, none is used: {listed}")
         return None

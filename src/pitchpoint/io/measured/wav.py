@@ -51,7 +51,9 @@ def read_wav(path: Path, data: bytes, wanted: Wanted) -> Record:
         for k, name in enumerate(names)
         if wanted.takes(name)
     ]
-    return Record("WAV", tuple(columns), rates=(header_rate(rate),), attributes={"bits_per_sample": int(bits)})
+    return Record(
+        "WAV", tuple(columns), rates=(header_rate(rate),), attributes={"bits_per_sample": int(bits)}
+    )
 
 
 def _chunks(path: Path, data: bytes, order: str) -> tuple[bytes, bytes]:

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
-from pitchpoint.core.errors import Message, ModelError, UnitError
+from pitchpoint.analysis.turning_parts import TurningParts, train_parts
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
+from pitchpoint.report.diagnosis.option_values import option_speed, with_bearings
 from pitchpoint.report.diagnosis.origin import origin
 from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
 from pitchpoint.report.diagnosis.study import Study, preferred, study, usable
@@ -24,9 +25,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+SAME_SPEED = 0.02
+"""Relative difference between the speed in a file and that of a shaft."""
 SIMULATED = 20.0
 """Default signal-to-noise ratio of simulation results [dB]."""
-_BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
 
 
 @dataclass(frozen=True)
@@ -47,17 +49,23 @@ class Request:
     allow_code: bool = False
     sample_rate: float | None = None
     noise: float | None = None
+    more: Sequence[str] = ()
+    """Further files, recorded together with the first one."""
 
 
 @dataclass(frozen=True)
 class _Machine:
-    """Rotating parts, reference shaft, its rotation frequency if known [Hz], other names of shafts."""
+    """Rotating parts, reference shaft, its rotation frequency if known [Hz], other names of shafts.
+
+    `source` names the speed of the file, if it is used.
+    """
 
     parts: TurningParts
     reference: str
     frequency: float
     names: dict[str, str]
     remarks: tuple[str, ...] = ()
+    source: str = ""
 
 
 def diagnose_file(request: Request) -> Study:
@@ -70,7 +78,10 @@ def diagnose_file(request: Request) -> Study:
     """
     from pitchpoint.report.diagnosis.record import read_record
 
-    record = read_record(request.file, request.sample_rate)
+    channels = [*request.channels, *(t.partition("@")[0] for t in (request.tacho, request.angle) if t)]
+    record = read_record(
+        (request.file, *request.more), request.sample_rate, channels if request.channels else None
+    )
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
@@ -87,11 +98,17 @@ def diagnose_file(request: Request) -> Study:
         over,
         machine.parts,
         false_alarm=request.false_alarm,
-        remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
+        remarks=[
+            f"channels: {', '.join(signals)}",
+            *noise,
+            *machine.remarks,
+            *_other_speed(record, machine),
+            *remarks,
+        ],
     )
     return replace(
         found,
-        file=request.file,
+        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
         origin=origin(request, record, found, noise),
         units={name: record.units.get(name, "") for name in signals},
     )
@@ -141,7 +158,7 @@ def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple
 def _machine(request: Request, record: Record) -> _Machine:
     """Rotating parts from tooth counts or a model."""
     if request.train is not None:
-        return _of_train(request)
+        return _of_train(request, record)
     model = _model(request, record)
     if model is None:
         raise SignalError(
@@ -151,7 +168,7 @@ def _machine(request: Request, record: Record) -> _Machine:
     return _of_model(request, record, model)
 
 
-def _of_train(request: Request) -> _Machine:
+def _of_train(request: Request, record: Record) -> _Machine:
     stages = []
     for text in str(request.train).split("-"):
         found = re.fullmatch(r"\s*(\d+)\s*/\s*(\d+)\s*", text)
@@ -165,7 +182,10 @@ def _of_train(request: Request) -> _Machine:
     names |= {shaft.name: shaft.name for shaft in parts.shafts}
     where = request.tacho or request.angle or ""
     reference = _shaft_of(where, names) or parts.shafts[0].name
-    speeds = [_speed(text) for text in request.speeds]
+    speeds = [option_speed(text) for text in request.speeds]
+    source = ""
+    if not speeds and not where and record.speed is not None:
+        speeds, source = [("", record.speed)], f"file, variable {record.speed_source}, speed of the input"
     frequency = math.nan
     for name, value in speeds:
         shaft = names.get(name or parts.shafts[0].name)
@@ -176,7 +196,28 @@ def _of_train(request: Request) -> _Machine:
             raise SignalError("--speed: the speeds do not fit the ratios of the teeth; give one of them")
         frequency = given
     parts = _counted_from(parts, reference)
-    return _Machine(_with_bearings(parts, request, names), reference, frequency, names)
+    parts = with_bearings(parts, request.bearings, names)
+    return _Machine(parts, reference, frequency, names, source=source)
+
+
+def _stated(record: Record) -> str:
+    """Speed of the file as the end of a sentence."""
+    if record.speed is None:
+        return ""
+    return f"; the file states {60.0 * record.speed:.6g} rpm ({record.speed_source})"
+
+
+def _other_speed(record: Record, machine: _Machine) -> list[str]:
+    """Remark on a speed in the file that is the speed of no shaft."""
+    if record.speed is None or math.isnan(machine.frequency):
+        return []
+    speeds = [machine.frequency * float(shaft.order) for shaft in machine.parts.shafts]
+    if any(abs(record.speed - speed) <= SAME_SPEED * speed for speed in speeds):
+        return []
+    return [
+        f"speed: {60.0 * record.speed:.6g} rpm in the file ({record.speed_source}) is the speed of no shaft; "
+        "it is not used"
+    ]
 
 
 def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
@@ -212,7 +253,7 @@ def _of_model(request: Request, record: Record, model: Model) -> _Machine:
         if not measured:
             raise SignalError(
                 f"{request.file}: the speed is not known; give --speed BODY=QUANTITY, such as --speed "
-                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho"
+                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho{_stated(record)}"
             )
         spins = turning_speeds(model, {measured: 1.0})
     known = {name: abs(spins.get(name, 0.0)) for name in model.bodies}
@@ -222,7 +263,7 @@ def _of_model(request: Request, record: Record, model: Model) -> _Machine:
         turning = ", ".join(body for body, speed in known.items() if speed)
         raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
     parts, names, more = parts_of(model, spins, reference)
-    parts = _with_bearings(parts, request, names)
+    parts = with_bearings(parts, request.bearings, names)
     return _Machine(parts, reference, known[reference] / math.tau, names, (*remarks, *more))
 
 
@@ -232,7 +273,7 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
 
     given = {}
     for text in request.speeds:
-        name, value = _speed(text)
+        name, value = option_speed(text)
         if not name:
             raise SignalError(f"--speed: {text!r} does not name a body; write BODY={text}")
         given[name] = value * math.tau
@@ -296,7 +337,8 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
             "with --pulses N, or --angle CHANNEL"
         )
     else:
-        source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
+        given = ", ".join(f"--speed {text}" for text in request.speeds)
+        source = given or machine.source or "scenario of the model"
         over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
         refined = ", refined by the mesh lines" if over.remarks else ""
         return replace(over, source=source + refined, began=_began(record, 0))
@@ -348,52 +390,3 @@ def _owner(channel: str, quantity: str) -> str:
     """Name of the body in `angle[body]`; empty for other channels."""
     found = re.fullmatch(rf"{quantity}\[([^\]]+)\]", channel)
     return found[1] if found else ""
-
-
-def _speed(text: str) -> tuple[str, float]:
-    """Shaft (empty if not given) and speed [Hz] of SHAFT=QUANTITY or QUANTITY."""
-    from pitchpoint.core.units import parse_quantity
-
-    name, equals, quantity = text.rpartition("=")
-    try:
-        if re.fullmatch(r"\s*[-+.\deE]+\s*[kM]?Hz\s*", quantity):
-            value = parse_quantity(quantity, "frequency", positive=True)
-        else:
-            value = parse_quantity(quantity, "angular_speed", positive=True) / math.tau
-    except UnitError as error:
-        raise SignalError(f"--speed: {error}") from None
-    return (name.strip() if equals else ""), float(value)
-
-
-def _with_bearings(parts: TurningParts, request: Request, names: dict[str, str]) -> TurningParts:
-    """Add the bearings of the options to those of the model."""
-    found = [_bearing(text, parts, names) for text in request.bearings]
-    return replace(parts, bearings=(*parts.bearings, *found))
-
-
-def _bearing(text: str, parts: TurningParts, names: dict[str, str]) -> Bearing:
-    """Bearing from NAME:elements,d,D,angle@shaft."""
-    from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
-    from pitchpoint.core.units import parse_quantity
-    from pitchpoint.report.machine_parts import BEARING_PARTS
-
-    example = "as in left:8,7.94 mm,33.5 mm,0 deg@2"
-    match = _BEARING.fullmatch(text)
-    fields = match[2].split(",") if match else []
-    if match is None or len(fields) not in (3, 4):
-        raise SignalError(f"--bearing: {text!r} is not NAME:elements,d,D,angle@shaft; write it {example}")
-    shaft = names.get(match[3].strip())
-    if shaft is None:
-        raise SignalError(f"--bearing: no shaft {match[3]!r}; there are: {', '.join(names)}")
-    try:
-        rates = bearing_frequencies(
-            elements=int(fields[0]),
-            element_diameter=parse_quantity(fields[1].strip(), "length", positive=True),
-            pitch_diameter=parse_quantity(fields[2].strip(), "length", positive=True),
-            contact_angle=parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0,
-            speed_inner=math.tau * float(parts.shaft(shaft).order),
-        )
-    except (ValueError, UnitError) as error:
-        raise SignalError(f"--bearing: {text!r}: {error}; write it {example}") from None
-    orders = {part: float(getattr(rates, key)) for part, key in BEARING_PARTS.items()}
-    return Bearing(match[1].strip(), {part: rate for part, rate in orders.items() if rate > 0.0}, shaft)
