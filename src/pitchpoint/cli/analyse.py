@@ -89,7 +89,8 @@ def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) 
     lost = _lost(record, options["lines"])
     notes += [lost] if lost else []
     if tool is None:
-        return _list_channels(", ".join(files), record, notes, as_json)
+        named = files[0] + (f" and {len(files) - 1} more" if files[1:] else "")
+        return _list_channels(named, record, notes, as_json)
     names = options["channels"][0] if len(options["channels"]) == 1 else list(options["channels"]) or None
     settings = {name: value_of(text) for name, text in _pairs(options["settings"], "--option").items()}
     result = apply(record, tool, channel=names, angle=angle, **settings)

@@ -37,7 +37,7 @@ PAGE_ENDINGS = (".html", ".htm")
     "speeds",
     multiple=True,
     metavar="[SHAFT=]QUANTITY",
-    help="Constant speed, such as 30Hz, of the input of --train or a body of the model; default: that in the file.",
+    help="Constant speed, such as 30Hz, of the input of --train or a body of the model, if not in the file.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")

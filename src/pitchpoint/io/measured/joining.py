@@ -81,12 +81,17 @@ def read_joined(
     _one_clock(parts)
     count = min(part.sizes["time"] for part in parts.values())
     notes = _notes(parts, count)
-    data = xr.merge(
-        [part.isel(time=slice(count)).assign_coords(time=_times(parts, count)) for part in parts.values()],
-        combine_attrs="drop",
+    joined = {
+        str(name): ("time", values.values[:count], values.attrs)
+        for part in parts.values()
+        for name, values in part.data_vars.items()
+    }
+    first = list(joined) if channels is None else [name for name in channels if name in joined]
+    axis = next(iter(parts.values()))["time"]
+    data = xr.Dataset(
+        {name: joined[name] for name in dict.fromkeys((*first, *joined))},
+        coords={"time": ("time", axis.values[:count], axis.attrs)},
     )
-    listed = list(data.data_vars) if channels is None else [n for n in channels if n in data]
-    data = data[[*listed, *(n for n in data.data_vars if n not in listed)]]
     data.attrs = _attributes(parts, notes)
     return data
 
@@ -166,11 +171,6 @@ def _one_clock(parts: Mapping[Path, xr.Dataset]) -> None:
             )
 
 
-def _times(parts: Mapping[Path, xr.Dataset], count: int) -> Any:
-    """Times of the first file [s], shape (count,)."""
-    return next(iter(parts.values()))["time"][:count]
-
-
 def _notes(parts: Mapping[Path, xr.Dataset], count: int) -> list[str]:
     """Notes of all files, and on what was cut off."""
     by_text: dict[str, list[str]] = {}
@@ -184,7 +184,7 @@ def _notes(parts: Mapping[Path, xr.Dataset], count: int) -> list[str]:
         f"{path.name} {part.sizes['time']}" for path, part in parts.items() if part.sizes["time"] > count
     ]
     if longer:
-        found.append(f"{count} samples are used, the length of the shortest file; longer: {_few(longer)}")
+        found.append(f"{count} samples are used, as in the shortest file (longer: {_few(longer)})")
     return found
 
 

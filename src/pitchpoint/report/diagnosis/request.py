@@ -94,18 +94,12 @@ def diagnose_file(request: Request) -> Study:
     signals = {name: values[part] for name, values in signals.items()}
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
-    found = study(
-        over,
-        machine.parts,
-        false_alarm=request.false_alarm,
-        remarks=[
-            f"channels: {', '.join(signals)}",
-            *noise,
-            *machine.remarks,
-            *_other_speed(record, machine),
-            *remarks,
-        ],
-    )
+    other = _other_speed(record, machine)
+    remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
+    try:
+        found = study(over, machine.parts, false_alarm=request.false_alarm, remarks=remarks)
+    except SignalError as error:
+        raise SignalError("; ".join([str(error), *other])) from error
     return replace(
         found,
         file=request.file + (f" and {len(request.more)} more" if request.more else ""),
@@ -185,7 +179,7 @@ def _of_train(request: Request, record: Record) -> _Machine:
     speeds = [option_speed(text) for text in request.speeds]
     source = ""
     if not speeds and not where and record.speed is not None:
-        speeds, source = [("", record.speed)], f"file, variable {record.speed_source}, speed of the input"
+        speeds, source = [("", record.speed)], f"file, variable {record.speed_source}"
     frequency = math.nan
     for name, value in speeds:
         shaft = names.get(name or parts.shafts[0].name)
@@ -341,7 +335,9 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
         source = given or machine.source or "scenario of the model"
         over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
         refined = ", refined by the mesh lines" if over.remarks else ""
-        return replace(over, source=source + refined, began=_began(record, 0))
+        taken = (f"speed of the input from the {machine.source}",) if machine.source else ()
+        remarks = (*taken, *over.remarks)
+        return replace(over, source=source + refined, began=_began(record, 0), remarks=remarks)
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}
     zeros = _zeros(record, machine, first, zero, shaft.angle)
