@@ -111,6 +111,7 @@ class Arrays:
         self._attributes: dict[str, str | float | int] = {}
         self._texts: dict[str, dict[str, str]] = {}
         self._names: dict[str, int] = {}
+        self._renamed: dict[str, str] = {}
 
     def unique(self, name: str) -> str:
         """Name for a variable; a repeated one has a number at its end, as in `x_2`.
@@ -125,6 +126,7 @@ class Arrays:
             self._names[name] += 1
             new = f"{name}_{self._names[name]}"
         self._names[new] = 1
+        self._renamed[new] = name
         self._notes.append(f"{name} is in the file more than once: the next one is named {new}")
         return new
 
@@ -141,7 +143,7 @@ class Arrays:
 
     def number(self, name: str, value: float, unit: str = "") -> None:
         """Add a single number: a statement if it has such a name, and an attribute."""
-        self._stated.number(name, value, unit)
+        self._stated.number(self._renamed.get(name, name), value, unit)
         self._attributes[name] = value
 
     def state(self, name: str, value: float) -> None:

@@ -131,9 +131,9 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
         fields = [letters[k : k + length] for k in range(0, len(letters), length)] if length > 0 else []
         names = [field.partition(b"\0")[0].decode("latin-1") for field in fields]
         elements = parts[5:]
-        if names and len(elements) % len(names):
+        if len(elements) % max(len(names), 1) or (elements and not names):
             raise _damaged(path, f"structure {name} has {len(elements)} values for {len(names)} fields")
-        several = bool(names) and len(elements) > len(names)
+        several = len(elements) > len(names)
         for k, (inner, content) in enumerate(elements):
             index = f"[{k // len(names)}]" if several else ""
             if inner == _MATRIX:

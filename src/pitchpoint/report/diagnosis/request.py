@@ -99,7 +99,8 @@ def diagnose_file(request: Request) -> Study:
     try:
         found = study(over, machine.parts, false_alarm=request.false_alarm, remarks=remarks)
     except SignalError as error:
-        raise SignalError("; ".join([str(error), *other])) from error
+        source = [f"speed from the {machine.source}"] * bool(machine.source)
+        raise SignalError("; ".join([str(error), *other, *source])) from error
     return replace(
         found,
         file=request.file + (f" and {len(request.more)} more" if request.more else ""),
