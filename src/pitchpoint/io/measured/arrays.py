@@ -2,7 +2,7 @@
 """Files of named arrays (MAT, HDF5): identification of channels, time axis and sample rate.
 
 Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, and so is the
-data of a structure `X` beside `Y`; no other arrays are used for it. Single numbers named `sample_rate`, `fs`,
+data of a structure `X` next to `Y`; no other arrays are used for it. Single numbers named `sample_rate`, `fs`,
 `dt`, `rpm` or similar give sample rate and speed (`stated`); numbers and texts become attributes. A structure
 with data and a name, such as `Y(2).Data` and `Y(2).Name`, is a channel of this name.
 """
@@ -38,7 +38,7 @@ packed zeros may become a thousand times as much."""
 _MAX_COLUMNS = 4096
 _TEXT = 200
 _SHORT, _LONG = 32, 1024
-"""An array of up to `_SHORT` numbers, such as a date, is not a channel beside one of `_LONG` or more."""
+"""An array of up to `_SHORT` numbers, such as a date, is not a channel next to one of `_LONG` or more."""
 _DATA = ("data", "values", "value", "y", "signal")
 _NAMES, _UNITS, _GRIDS = ("name", "channel", "label"), ("unit", "units"), ("raster",)
 
@@ -60,7 +60,7 @@ class Found:
     start
         Time of the first sample [s] given with this array.
     stored
-        Name in the file, if a text beside the array gives the channel its name.
+        Name in the file, if a text next to the array gives the channel its name.
     """
 
     name: str
@@ -232,18 +232,18 @@ class Arrays:
             if not owner or last.lower() not in _DATA:
                 found.append(f)
                 continue
-            name, unit = self._beside(owner, _NAMES), f.unit or self._beside(owner, _UNITS)
+            name, unit = self._next_to(owner, _NAMES), f.unit or self._next_to(owner, _UNITS)
             found.append(replace(f, name=name or f.name, stored=f.name, unit=unit))
         count = Counter(f.name for f in found)
         return [f if count[f.name] == 1 else replace(f, name=f.place) for f in found]
 
-    def _beside(self, owner: str, keys: Collection[str]) -> str:
+    def _next_to(self, owner: str, keys: Collection[str]) -> str:
         """Text of one of these names in a structure or group; empty if none."""
         texts = self._texts.get(owner, {})
         return next((texts[key][:_TEXT] for key in keys if key in texts), "")
 
     def _long(self, found: list[Found], wanted: Wanted) -> list[Found]:
-        """Arrays without the short ones beside long channels, unless they are requested."""
+        """Arrays without the short ones next to long channels, unless they are requested."""
         sizes = [math.prod(f.extent) for f in found]
         if max(sizes, default=0) < _LONG:
             return found
@@ -258,8 +258,8 @@ class Arrays:
     def _one_time(self, times: list[Found], chosen: list[Found]) -> Found | None:
         """Time axis of these channels: the one in the same group, or with the same raster."""
         if len(times) > 1:
-            grids = {grid for f in chosen if (grid := self._beside(_owner(f.place), _GRIDS))}
-            times = [t for t in times if self._beside(_owner(t.place), _GRIDS) in grids] or times
+            grids = {grid for f in chosen if (grid := self._next_to(_owner(f.place), _GRIDS))}
+            times = [t for t in times if self._next_to(_owner(t.place), _GRIDS) in grids] or times
             owners = {_owner(f.place) for f in chosen}
             times = [t for t in times if _owner(t.place) in owners] or times
         if len(times) > 1 and any(not np.array_equal(times[0].read(), t.read()) for t in times[1:]):
@@ -277,7 +277,7 @@ def _parts(name: str) -> tuple[str, str, str]:
 
 
 def _is_time(found: Found, places: Collection[str]) -> bool:
-    """Whether a vector is a time axis: by its name, or as the data of `X` beside `Y`."""
+    """Whether a vector is a time axis: by its name, or as the data of `X` next to `Y`."""
     if key_of(found.name) in TIME_NAMES or key_of(found.place) in TIME_NAMES:
         return True
     owner, _, last = _parts(found.place)

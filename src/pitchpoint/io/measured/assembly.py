@@ -151,6 +151,7 @@ def unknown_channels(path: Path, asked: Sequence[str], names: Sequence[str]) -> 
 
 
 def known_names(path: Path, what: str, asked: Any, names: Sequence[str]) -> None:
+    """Reject names of the option `what` that are not among those of the channels."""
     for name in asked:
         if name not in names:
             remedy = hint(name, names, 3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that a measured file states beside its channels: sample rate, speed, fault orders of bearings.
+"""Numbers that a measured file states next to its channels: sample rate, speed, fault orders of bearings.
 
 A number is identified by its name, its unit and its plausibility. Names with several meanings, such as `rate`
 or `dx`, are used only if nothing else in the file contradicts them; the notes list what was used and what was
