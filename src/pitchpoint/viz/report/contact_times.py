@@ -15,6 +15,7 @@ from pitchpoint.viz.tables import plain_table
 HEAD = (
     *("flank in work", "contact loss", "back contact", "longest loss"),
     *("impacts", "largest impact", "closing speed", "impulse", "rattle index"),
+    *("load reversal", "flank changes per revolution", "impact energy per revolution"),
 )
 """Columns of the table after the mesh."""
 ALWAYS = 3
@@ -77,7 +78,17 @@ def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...
         f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
         f"{counted['impulse_max']:.4g} N s" if counted["impulse_max"] > 0.0 else "–",
         number(index, 3) if np.isfinite(index) and index > NO_RATTLE else "–",
+        _known(counted["load_reversal"]) if impacts else "–",
+        _known(counted["flank_changes_per_revolution"]),
+        _known(counted["impact_energy_per_revolution"], "J"),
     )
+
+
+def _known(value: float, unit: str = "") -> str:
+    """A number above zero; a dash for zero and for one that is not known."""
+    if not value > 0.0:
+        return "–"
+    return amount(value, unit) if unit else number(value, 3)
 
 
 def _sampled_cells(c: ContactStatistics, peaks: list[float]) -> tuple[str, ...]:
@@ -88,7 +99,7 @@ def _sampled_cells(c: ContactStatistics, peaks: list[float]) -> tuple[str, ...]:
         amount(c.longest_loss, "s") if c.separations else "–",
         str(len(c.impacts)),
         amount(max(peaks), "N") if peaks else "–",
-        *("–" for _ in range(3)),
+        *("–" for _ in range(len(HEAD) - 6)),
     )
 
 
