@@ -358,11 +358,11 @@ def stored_statistics(attrs: Mapping[str, Any]) -> dict[str, float] | None:
 
 
 IMPACTS = (
-    *("contact_loss_share", "back_contact_share", "longest_loss", "front_impacts", "back_impacts"),
+    *("contact_loss_share", "back_contact_share", "front_impacts", "back_impacts"),
     *("closing_speed_max", "impulse_max", "rattle_index"),
 )
 """Contact numbers of a mesh that are shown."""
-LOADS = ("load_reversal", "flank_changes_per_revolution", "impact_energy_per_revolution")
+LOADS = ("load_reversal", "impact_energy_per_revolution")
 """Further ones, which files of earlier versions do not have."""
 
 
