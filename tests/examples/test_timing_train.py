@@ -94,8 +94,8 @@ def test_meshes_of_the_crank_gear_are_above_five_kilohertz():
 def test_scissor_gears_keep_the_meshes_of_the_camshafts_in_contact():
     """80 ms at idle. The motion is not periodic: the share of contact loss differs by some per cent.
 
-    The load of the camshafts alternates without scissor gears and hardly reverses with them; the oil pump is an
-    idle gear with a steady drag torque, of which alone there is a rattle index.
+    The load of the camshafts alternates without scissor gears and hardly reverses with them; the oil pump is
+    an idle gear with a steady drag torque, which has a rattle index in both cases.
     """
     shares, reversals = [], []
     for name in ("idle.yaml", "idle-scissor.yaml"):

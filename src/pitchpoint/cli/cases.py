@@ -272,7 +272,7 @@ def meshes_of(result: CaseResult) -> list[str]:
 
 
 def mesh_cells(result: CaseResult, mesh: str, words: Sequence[str]) -> list[str]:
-    """Table cells of one mesh: results of a slow roll, or those of `WORDS` and `CAUSES`, of a sweep the largest.
+    """Table cells of one mesh: those of a slow roll, or of `WORDS` and `CAUSES`, of a sweep the largest.
 
     There is a cell for each of `words`, also for a case without numbers.
     """

@@ -5,10 +5,10 @@ A contact that lasts a few steps only would be missed at the sample rate of the 
 updated with the running statistics. A state applies from half-way to the preceding step to half-way to the
 next one, as in `analysis.statistics.contact_statistics`; `analysis.rattle` has the definitions.
 
-Loads of a mesh: along the base tangent, with the mesh force F and the mass m = J/r_b^2 of each gear, the loads
-on the gears are P_1 = F + m_1 a_1 and P_2 = F + m_2 a_2, with the accelerations a = r_b alpha. With its flanks
-held together the mesh would transmit F_c = (m_2 P_1 + m_1 P_2)/(m_1 + m_2) = F + m u'', with the reduced mass
-m and the deflection u: a force without impacts of this mesh, that rattle of the gears does not change.
+Loads of a mesh: along the base tangent, with the mesh force F and the mass m = J/r_b^2 of each gear, the
+loads on the gears are P_1 = F + m_1 a_1 and P_2 = F + m_2 a_2, with the accelerations a = r_b alpha. With its
+flanks held together the mesh would transmit F_c = (m_2 P_1 + m_1 P_2)/(m_1 + m_2) = F + m u'', with the
+reduced mass m and the deflection u. Impacts of this mesh cancel in F_c.
 """
 
 from __future__ import annotations

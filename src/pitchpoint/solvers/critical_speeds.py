@@ -91,7 +91,8 @@ RANKING = (
     f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
     "where the order acts, such as tooth deflection over transmission error; mesh orders act with the "
     "transmission errors and shuttling forces of all their meshes under the load of the scenario, in phase; "
-    "torques of one order act with their sizes and phases; an unbalance acts on the forward whirl of a mode only, and sidebands have their most unfavourable phases"
+    "torques of one order act with their sizes and phases; an unbalance acts on the forward whirl of a mode "
+    "only, and sidebands have their most unfavourable phases"
 )
 """How crossings are ranked, for outputs."""
 

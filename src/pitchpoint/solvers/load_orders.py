@@ -88,7 +88,7 @@ class LoadOrder:
 
 
 def rigid_sum(orders: Sequence[LoadOrder]) -> float:
-    """Largest vector sum of torques on one body over the sum of their amplitudes, at low and at high speed."""
+    """Largest vector sum of torques on one body over their sum of amplitudes, at low and at high speed."""
     shares = []
     for speed in (1.0, FAST):
         found = [order.phasor(speed) for order in orders]

@@ -130,7 +130,7 @@ def test_check_and_run_use_the_load_case_of_each_scenario(tmp_path, capsys):
 
 
 def test_rexs_files_have_the_loads_of_scenarios_with_a_load_case():
-    """A scenario at the speeds of its load case is that load case, one at others is written with its loads."""
+    """A scenario at the speeds of its load case is that case, one at others is written with its loads."""
     text = OWN.replace("  part:", "  hot: {temperature: 90 degC, loads: {motor: {torque: 20 N m}}}\n  part:")
     text += "  mine: {speed: {a: 1000 rpm}, load_case: hot, duration: 2 ms}\n"
     (spectrum,) = export_rexs(loads_model(text)).rexs.load_spectra

@@ -153,8 +153,8 @@ def test_equal_cylinders_on_one_body_excite_by_the_firing_order():
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_cylinders_on_two_bodies_excite_torsion_by_their_phases(sense: float):
     """One cylinder on each end of an elastic shaft, fired 360 deg apart: the orders 0.5, 1.5, 2.5 oppose each
-    other and twist the shaft, 1, 2, 3 push the same way. With the rotations 1 and -J_1/J_2 = -0.4 the share of
-    the mode is (1 +- 0.4)^2/(2 (1 + 0.4^2))."""
+    other and twist the shaft, 1, 2, 3 push the same way. With the rotations 1 and -J_1/J_2 = -0.4 the share
+    of the mode is (1 +- 0.4)^2/(2 (1 + 0.4^2))."""
     text = cylinders(["motor", "fan"], [30.0, 390.0])
     system = compile_model(loads_model(text), "steady")
     speeds = sense * np.linspace(0.0, 12000.0 * RPM, 41)

@@ -99,7 +99,9 @@ CONTACT = {
 }
 """Numbers of the contact of a mesh in words."""
 UNITS = {
-    **{"impact_rate": "1/s", "closing_speed_max": "m/s", "contact_frequency": "Hz"},
+    "impact_rate": "1/s",
+    "closing_speed_max": "m/s",
+    "contact_frequency": "Hz",
     "impact_energy_per_revolution": "J",
 }
 """Their units, of those with one."""

@@ -63,8 +63,8 @@ def contact_table(
     words = "" if len(kept) > ALWAYS else "<p>No mesh loses contact.</p>"
     if HEAD.index("energy") in kept:
         words = (
-            "<p>Energy: of the impacts, per revolution of gear 1. Reversal: load of the back flank over that of "
-            "the front flank with the flanks held together, the smaller over the larger one.</p>"
+            "<p>Energy: of the impacts, per revolution of gear 1. Reversal: load of the back flank over that "
+            "of the front flank with the flanks held together, the smaller over the larger one.</p>"
         )
     return plain_table(("mesh", *(HEAD[k] for k in kept)), body) + words if body else ""
 
