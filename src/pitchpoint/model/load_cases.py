@@ -80,7 +80,7 @@ def _put_speeds(parts: Parts, name: str, case: LoadCase) -> None:
         parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
 
 
-def in_own_load_case(model: Model, scenario: Scenario | None) -> tuple[Model, Scenario | None]:
+def in_own_load_case(model: Model, scenario: Scenario) -> tuple[Model, Scenario]:
     """Model and scenario in the load case that the scenario names, unless one is in effect for all.
 
     Parameters
@@ -88,7 +88,7 @@ def in_own_load_case(model: Model, scenario: Scenario | None) -> tuple[Model, Sc
     model
         The model.
     scenario
-        One of its scenarios or another one; None for none.
+        One of its scenarios or another one.
 
     Returns
     -------
@@ -114,7 +114,7 @@ def in_own_load_case(model: Model, scenario: Scenario | None) -> tuple[Model, Sc
     >>> in_own_load_case(model, model.scenarios["start"])[0].loads["motor"].torque.value
     80.0
     """
-    if scenario is None or scenario.load_case is None or model.load_case is not None:
+    if scenario.load_case is None or model.load_case is not None:
         return model, scenario
     changed = model.replace(KEY, scenario.load_case)
     case = changed.load_cases[scenario.load_case]

@@ -69,7 +69,8 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    model, chosen = in_own_load_case(model, chosen)
+    if chosen is not None:
+        model, chosen = in_own_load_case(model, chosen)
     numbered = bodies(model) | beam_stations(model)
     tree = [*(numbered[k] for k in sorted(numbered)), *housing_seats(model)]
     states: dict[str, int] = {}
