@@ -125,8 +125,8 @@ def excitation_orders(
 def _of_loads(system: System, motions: Motions, rates: Array) -> list[Order]:
     """Harmonics of torques and ripples of drives; torques on bodies of one speed are one order.
 
-    Torques on one body whose vector sum is zero, such as those of equal cylinders on a rigid crankshaft, are
-    no excitation.
+    Torques on one body whose vector sum is zero, such as those of equal cylinders on a rigid crankshaft, do
+    not excite and are omitted.
     """
     groups = motions.groups
     alike: dict[tuple[tuple[int, ...], float, float], list[LoadOrder]] = {}
