@@ -112,12 +112,13 @@ def reversal_under_drag(index: float) -> float:
     return negative / (math.pi + negative)
 
 
-@pytest.mark.parametrize("index", [0.95, 1.5, 4.0])
+@pytest.mark.parametrize("index", [0.95, 1.5, 4.0, 50.0])
 def test_load_reversal_of_an_idle_gear(index: float):
-    """It depends on the loads alone, not on the impacts: the closed form holds while the gear rattles."""
+    """It depends on the loads alone, not on the impacts: the closed form holds while the gear rattles. The
+    tolerances are those of differences over steps of 10 us, (50 pi h)^2, and of impacts within a step."""
     found = idle_gear(index)
-    assert found["load_reversal"] == pytest.approx(reversal_under_drag(index), rel=0.02, abs=1e-9)
-    assert found["rattle_index"] == pytest.approx(index, rel=0.05)
+    assert found["load_reversal"] == pytest.approx(reversal_under_drag(index), rel=2e-4, abs=1e-9)
+    assert found["rattle_index"] == pytest.approx(index, rel=1e-4)
 
 
 BOUNCE = """\
