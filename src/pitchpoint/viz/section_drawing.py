@@ -21,13 +21,15 @@ Array = NDArray[np.float64]
 
 FIELD, TALLEST, PER_AXIS = 620.0, 900.0, (240.0, 170.0)
 """Largest width and height of the machine; height without axes, and with each of them [pixels]."""
+BOLD = 1.06
+"""Width of the names of axes relative to the mean width of letters."""
 MARGIN = 34.0
 """Space around the machine [pixels]."""
 COLUMN, STEP = 34.0, 17.0
 """Distance of dimension lines, and of lines of axis labels [pixels]."""
 ORDER = (
-    *("seat", "held", "pin", "plate", "spindle", "shaft", "mass", "flange", "gear", "teeth"),
-    *("inner", "outer", "linear", "element", "pitch"),
+    *("seat", "held", "pin", "plate", "spindle", "drum", "shaft", "mass", "flange", "gear", "teeth"),
+    *("lining", "ground", "inner", "outer", "linear", "element", "pitch"),
 )
 """Kinds of parts from the back to the front."""
 WHOLE = ("shaft", "spindle", "mass", "flange", "pin")
@@ -36,6 +38,8 @@ STYLE = (
     "<style>"
     ".pp-shaft{fill:var(--pp-paper);stroke:var(--pp-edge);stroke-width:1.3}"
     ".pp-spindle{fill:var(--pp-paper);stroke:var(--pp-soft);stroke-width:1;stroke-dasharray:6 3}"
+    ".pp-drum{fill:var(--pp-soft);fill-opacity:.3;stroke:var(--pp-soft);stroke-width:.8}"
+    ".pp-lining{fill:var(--pp-ink);stroke:none}"
     ".pp-cut{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.3;stroke-linejoin:round}"
     ".pp-hatched{stroke:none}"
     ".pp-hatch{stroke:var(--pp-edge);stroke-width:.7}"
@@ -43,6 +47,7 @@ STYLE = (
     ".pp-ring{fill:var(--pp-paper);stroke:var(--pp-edge);stroke-width:1}"
     ".pp-element{fill:var(--pp-mate);stroke:var(--pp-edge);stroke-width:1}"
     f".pp-house{{fill:{theme.OCHRE};fill-opacity:.2;stroke:{theme.OCHRE};stroke-width:1}}"
+    f".pp-ground{{fill:var(--pp-paper);stroke:{theme.OCHRE};stroke-width:1}}"
     f".pp-pitchline{{stroke:{theme.RED};stroke-width:1;stroke-dasharray:9 3 2 3;fill:none}}"
     ".pp-axis{stroke:var(--pp-soft);stroke-width:1;stroke-dasharray:14 3 3 3;fill:none}"
     ".pp-dim{stroke:var(--pp-soft);stroke-width:.9;fill:var(--pp-soft)}"
@@ -59,6 +64,7 @@ HATCHES = {
     "outer": ("h3", -45, 3.5),
     "seat": ("h4", -45, 6.0),
     "held": ("h4", -45, 6.0),
+    "ground": ("h4", -45, 6.0),
     "plate": ("h5", -45, 7.0),
 }
 """Hatched kinds: name, direction [deg] and distance [pixels] of the lines."""
@@ -67,11 +73,14 @@ CSS = {
     **dict.fromkeys(("inner", "outer", "linear"), "pp-ring"),
     "shaft": "pp-shaft",
     "spindle": "pp-spindle",
+    "drum": "pp-drum",
+    "lining": "pp-lining",
     "pin": "pp-shaft",
     "teeth": "pp-teeth",
     "element": "pp-element",
     "seat": "pp-house",
     "held": "pp-house",
+    "ground": "pp-ground",
     "mass": "pp-solid",
     "flange": "pp-solid",
 }
@@ -114,7 +123,7 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     scale = min(FIELD / wide, tallest / tall)
     level = [axis for axis in section.axes if abs(float(axis.way[1])) < 1e-9]
     names = [axis_lines(axis) for axis in level]
-    column = max([0.0, *(len(words) * LETTER[css] for lines in names for words, css in lines)])
+    column = BOLD * max([0.0, *(len(words) * LETTER[css] for lines in names for words, css in lines)])
     head = 30.0
     view = _View(low, high, scale, column + 2.0 * AXIS_END + 12.0, head + MARGIN)
     width = view.left + wide * scale + MARGIN

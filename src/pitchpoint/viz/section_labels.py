@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.words import shortened
 from pitchpoint.viz import svg
 from pitchpoint.viz.label_placement import FAR, LINE, Label, Rectangle, common_area, search
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis
@@ -21,12 +23,14 @@ AXIS_END = 16.0
 LEADER = 20.0
 """Distance of a label from its part from which it has a leader line [pixels]."""
 BLOCKS = (
-    *("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "held"),
+    *("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "held", "lining", "ground"),
     *("shaft", "spindle"),
 )
 """Kinds of parts that labels avoid."""
 RANGE, LONG = " … ", 24
 """Separator of the first and last name of a range, and the length [letters] from which it ends a line."""
+LONGEST, WIDEST = 22, 38
+"""Letters of a name up to which it is complete, and of a line with names of an axis."""
 NAMES, OTHERS = "pp-name", "pp-sub"
 """Styles of the names of gears and carriers, and of all others."""
 
@@ -72,7 +76,7 @@ def section_labels(
     wanted = [*(_of_axis(view, axis) for axis in inclined), *wanted]
     for link in section.apart:
         x, y = view(0.5 * (link.start + link.end))
-        label = Label(float(x), float(y), "middle", ((link.words, OTHERS),))
+        label = Label(float(x), float(y), "middle", ((shortened(link.words, LONGEST), OTHERS),))
         wanted.append(_Wanted(label, np.array([x, y]), label.box))
     outside = [(-FAR, -FAR, room[0], FAR), (room[2], -FAR, FAR, FAR)]  # names of axes, dimensions
     labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks, outside)
@@ -92,7 +96,12 @@ def axis_lines(axis: SectionAxis) -> list[tuple[str, str]]:
     """Name and numbers of an axis, by style."""
     if not axis.name:
         return []
-    return [(axis.name, "pp-halo"), *((words, "pp-small") for words in axis.words)]
+    names = shortened(axis.name, LONGEST)
+    lines = textwrap.wrap(names, WIDEST, break_long_words=False, break_on_hyphens=False)
+    return [
+        *((line, "pp-halo") for line in lines),
+        *((shortened(words, LONGEST), "pp-small") for words in axis.words),
+    ]
 
 
 def reach(axis: SectionAxis) -> tuple[float, float]:
@@ -114,7 +123,8 @@ def _of_axis(view: View, axis: SectionAxis) -> _Wanted:
 def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectangle]) -> _Wanted:
     """Label of a part above or below it, where fewer other parts are."""
     named = piece.kind in ("teeth", "plate")
-    words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "teeth" else piece.name
+    name = shortened(piece.name, LONGEST)
+    words = f"{name} ({piece.words})" if piece.words and piece.kind == "teeth" else name
     start, dots, rest = words.partition(RANGE if len(words) > LONG else "\n")
     lines = tuple((text, NAMES if named else OTHERS) for text in (start + dots, rest) if text)
     tried = []

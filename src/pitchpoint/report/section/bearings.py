@@ -13,9 +13,11 @@ from numpy.typing import NDArray
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.rings import rings_of
 from pitchpoint.report.scene.bearing_sections import ring_line, roller_profile, rows_of
-from pitchpoint.report.scene.bearing_sizes import BearingSize, size_of
+from pitchpoint.report.scene.bearing_sizes import BearingSize, size_of, size_on
 from pitchpoint.report.scene.supports import linear_size, shaft_radius
 from pitchpoint.report.section.axes import Line
+from pitchpoint.report.section.boxes import box_line
+from pitchpoint.report.section.carriers import planets_of, rim_radius
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
 
@@ -28,6 +30,8 @@ SEAT = 0.3
 """Thickness of the housing around a bearing, relative to the height of its section, and its least thickness
 relative to the outside diameter."""
 THIN_SEAT = 0.06
+LIGHT = 1.12
+"""Largest outside diameter of a bearing around the plates of a carrier or around a ring, relative to its bore."""
 CORNERS = 24
 BUSH, WIDE = 0.2, 0.8
 """Thickness and half width of a bush, relative to the radius of the shaft."""
@@ -72,8 +76,12 @@ def bearing_pieces(model: Model, line: Line, at: Positions, size: float) -> list
         if body not in line.bodies or model.bodies[body].stage is not None:
             continue
         z = at.starts[body] + line.bodies[body] * bearing.position[2]
+        rim = rim_radius(model, line, at, body, z)
         drawn = linear_size(model, name, size)
-        places = _beside(model, line, at, body, z, drawn.width)
+        if rim is not None:
+            radius, light = rim
+            drawn = size_on(radius, True, LIGHT * 2.0 * radius if light else math.inf)
+        places = [z] if rim is not None else _beside(model, line, at, body, z, drawn.width)
         if any(_carries(model, other) for other in line.bodies):
             places = places[:1]  # plates of a carrier are on the other side
         housed = _is_housed(model, split(bearing.housing or GROUND)[0])
@@ -86,6 +94,8 @@ def _is_housed(model: Model, body: str) -> bool:
     """Whether a ring is in the housing: on ground, or on a body that neither rotates nor has gears."""
     from pitchpoint.report.scene.supports import covers
 
+    if body in model.bodies and model.bodies[body].moves != "fixed" and planets_of(model, body):
+        return False  # a carrier on bearings
     return body == GROUND or covers(model).get(body) == "housing"
 
 
@@ -170,19 +180,3 @@ def seat(size: BearingSize, z: float) -> Piece:
     outer = 0.5 * size.outside
     thick = max(SEAT * 0.5 * (size.outside - size.bore), THIN_SEAT * size.outside)
     return Piece(kind="seat", line=box_line(z - 0.6 * size.width, z + 0.6 * size.width, outer, outer + thick))
-
-
-def box_line(low: float, high: float, inner: float, outer: float) -> Array:
-    """Corners of a rectangle: positions from low to high, radii from inner to outer [m]."""
-    return np.array([(low, inner), (high, inner), (high, outer), (low, outer)])
-
-
-def span_line(start: float, length: float, inner: float, outer: float) -> Array:
-    """Corners of a rectangle from a position over a length of either sign [m]."""
-    return box_line(min(start, start + length), max(start, start + length), inner, outer)
-
-
-def extent(pieces: list[Any]) -> tuple[float, float]:
-    """Ends of some pieces along the axis [m]."""
-    ends = np.concatenate([piece.line[:, 0] for piece in pieces])
-    return float(ends.min()), float(ends.max())
