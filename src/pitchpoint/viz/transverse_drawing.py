@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 FIELD, TALLEST = 460.0, 620.0
 """Largest width and height of the circles [pixels]."""
 MARGIN, HEAD = 46.0, 34.0
+FOOT = 34.0
+"""Radius around a foot or mount with its name [pixels]."""
 ARROW, SPAN = 0.78, 1.1
 """Radius of an arrow of rotation relative to the pitch circle, and its angle [rad]."""
 STYLE = (
@@ -132,8 +134,9 @@ def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, flo
         (float(p[0]) - 7.0, float(p[1]) - 7.0, float(p[0]) + 7.0, float(p[1]) + 7.0) for p in map(at, centres)
     ]
     labels = search(wanted, blocks)
-    edges = (MARGIN, MARGIN + wide * scale, HEAD + MARGIN, HEAD + MARGIN + tall * scale)
-    columns, leaders = column_labels(outside, edges)
+    circles = [(*map(float, at(w.centre)), scale * max(w.tip, w.root)) for w in view.wheels]
+    circles += [(*map(float, at(place)), FOOT) for place in feet]
+    columns, leaders = column_labels(outside, circles)
     for label in (*labels, *columns):
         leaders.append(label.svg().replace("pp-name", "pp-tname").replace("pp-sub", "pp-tsub"))
     labels += columns

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.words import shortened
 from pitchpoint.viz import svg
-from pitchpoint.viz.label_placement import LETTER, LINE, Label
+from pitchpoint.viz.label_placement import LINE, Label, common_area
 from pitchpoint.viz.labels import spread
 
 if TYPE_CHECKING:
@@ -27,12 +27,13 @@ LONGEST, WIDEST = 24, 28
 """Letters of a name up to which it is complete, and of a line."""
 ROOM = 4.0
 """Least distance of a name from the circles around it [pixels]."""
-COLUMN = 26.0
-"""Distance of a column of names from the view [pixels]."""
+COLUMN = 22.0
+"""Distance of a name beside the view from the circles [pixels]."""
 STEP = LINE + 3.0
 """Distance of the names of a column [pixels]."""
-STEEP = 65.0
-"""Largest angle between the horizontal and the points at which leader lines end on a pitch circle [deg]."""
+STEEP, SINGLE = 65.0, 0.25
+"""Largest angle between the horizontal and the points at which leader lines end on a pitch circle [deg]; place of a
+single point from the upper to the lower one, not on a line of centres."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Outside:
 def wheel_labels(
     wheels: Sequence[Wheel], at: Callable[[Array], Array], scale: float
 ) -> tuple[list[Label], list[Outside]]:
-    """Names in the gears, and those without room there.
+    """Names in the gears or right above or below them, and those without room there.
 
     Parameters
     ----------
@@ -70,7 +71,7 @@ def wheel_labels(
     """
     inside: list[Label] = []
     outside: list[Outside] = []
-    for wheel in wheels:
+    for wheel in sorted(wheels, key=lambda w: -w.pitch):
         centre = at(wheel.centre)
         coaxial = [w for w in wheels if w is not wheel and np.hypot(*(w.centre - wheel.centre)) * scale < 4.0]
         smaller = [w.tip for w in coaxial if w.tip > w.root and w.pitch < wheel.pitch]
@@ -82,6 +83,13 @@ def wheel_labels(
             if (label := _within(centre, lines, free, root)) is not None
         )
         label = next(fitting, None) if wheel.tip > wheel.root else None
+        if label is None:
+            larger = [w for w in coaxial if w.tip > w.root and w.pitch > wheel.pitch]
+            room = scale * min((w.root for w in larger), default=0.0)
+            others = [w for w in wheels if w not in larger]
+            circles = [(at(w.centre), scale * max(w.tip, w.root)) for w in others]
+            own = (centre, scale * max(wheel.tip, wheel.root))
+            label = _over(own, room, _lines(wheel.name, WIDEST), circles, inside)
         if label is not None:
             inside.append(label)
         elif wheel.first:
@@ -91,7 +99,8 @@ def wheel_labels(
 
 def _lines(words: str, widest: int) -> tuple[tuple[str, str], ...]:
     """Lines of a name."""
-    parts = textwrap.wrap(shortened(words, LONGEST), widest, break_long_words=False, break_on_hyphens=False)
+    together = shortened(words, LONGEST).replace(" (", "\u00a0(")  # the number of teeth stays with a name
+    parts = textwrap.wrap(together, widest, break_long_words=False, break_on_hyphens=False)
     return tuple((part, STYLE) for part in parts)
 
 
@@ -107,8 +116,30 @@ def _within(centre: Array, lines: tuple[tuple[str, str], ...], free: float, root
     return label if corner < root and root - free > tall + ROOM else None
 
 
+def _over(
+    own: tuple[Array, float],
+    room: float,
+    lines: tuple[tuple[str, str], ...],
+    circles: Sequence[tuple[Array, float]],
+    others: Sequence[Label],
+) -> Label | None:
+    """Name above or below a gear, within the root circle of a larger coaxial one if there is one; None if another
+    gear or name is there."""
+    centre, radius = own
+    x, tall = float(centre[0]), LINE * len(lines)
+    for first in (centre[1] - radius - 7.0 - tall + LINE, centre[1] + radius + LINE):
+        label = Label(x, float(first), "middle", lines)
+        left, top, right, bottom = label.box
+        near = [np.clip(at, (left, top), (right, bottom)) - at for at, _ in circles]
+        clear = all(math.hypot(*gap) > r + 1.0 for gap, (_, r) in zip(near, circles, strict=True))
+        corner = math.hypot(0.5 * (right - left), max(abs(centre[1] - top), abs(bottom - centre[1])))
+        if clear and (not room or corner < room) and not any(common_area(label.box, other.box) for other in others):
+            return label
+    return None
+
+
 def column_labels(
-    names: Sequence[Outside], edges: tuple[float, float, float, float]
+    names: Sequence[Outside], circles: Sequence[tuple[float, float, float]]
 ) -> tuple[list[Label], list[str]]:
     """Names in columns left and right of the view, and their leader lines to the pitch circles.
 
@@ -116,10 +147,11 @@ def column_labels(
     ----------
     names
         The names.
-    edges
-        Left, right, top and bottom edge of the circles [pixels].
+    circles
+        Centres (x, y) and radii of all circles and other parts to avoid [pixels].
     """
-    left, right, top, bottom = edges
+    left, right = min(x - r for x, _, r in circles), max(x + r for x, _, r in circles)
+    top, bottom = min(y - r for _, y, r in circles), max(y + r for _, y, r in circles)
     labels: list[Label] = []
     leaders: list[str] = []
     counts = {-1.0: 0, 1.0: 0}
@@ -136,13 +168,24 @@ def column_labels(
         spots = _spots(own, side)
         steps = [STEP + LINE * (len(name.lines) - 1) for name in own]
         middles = spread([float(p[1]) for p in spots], steps, top, max(bottom, top + sum(steps))) if own else []
-        x = left - COLUMN if side < 0.0 else right + COLUMN
         for name, spot, y in zip(own, spots, middles, strict=True):
+            x = side * (_edge(float(y), 0.5 * LINE * len(name.lines) + ROOM, side, circles) + COLUMN)
             first = float(y) + 4.0 - 0.5 * LINE * (len(name.lines) - 1)
             labels.append(Label(x, first, "end" if side < 0.0 else "start", name.lines))
             start = np.array([x - 4.0 * side, float(y)])
             leaders.append(svg.line(start, spot, "pp-leader") + svg.circle(spot, 2.2, "pp-leader-dot"))
     return labels, leaders
+
+
+def _edge(y: float, half: float, side: float, circles: Sequence[tuple[float, float, float]]) -> float:
+    """Outermost point of circles towards a side over a height around y, positive to this side [pixels]."""
+    found = [-math.inf]
+    for x, at, r in circles:
+        away = max(abs(y - at) - half, 0.0)
+        if away < r:
+            found.append(side * x + math.sqrt(r**2 - away**2))
+    nearest = max(found)
+    return nearest if math.isfinite(nearest) else max(side * x for x, _, _ in circles)
 
 
 def _spots(names: Sequence[Outside], side: float) -> list[Array]:
@@ -152,6 +195,7 @@ def _spots(names: Sequence[Outside], side: float) -> list[Array]:
         mates = [n for n in names if np.hypot(*(n.centre - name.centre)) < 4.0]
         mates.sort(key=lambda n: -n.radius)
         place = mates.index(name)
-        angle = math.radians(STEEP * (1.0 - 2.0 * (place + 0.5) / len(mates)))
+        share = (place + 0.5) / len(mates) if len(mates) > 1 else SINGLE
+        angle = math.radians(STEEP * (1.0 - 2.0 * share))
         found.append(name.centre + name.radius * np.array([side * math.cos(angle), -math.sin(angle)]))
     return found

@@ -8,7 +8,7 @@ from a ring along the axis, a web in a free gap between the planes leads to the 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -134,9 +134,10 @@ def drum_pieces(
     carriers: Mapping[str, Carrier],
     free: Gaps,
     ends: Mapping[str, tuple[float, float]],
+    rings: Mapping[str, Sequence[Part]],
     size: float,
 ) -> list[Piece]:
-    """Drums and webs of the bodies with ring gears of an axis.
+    """Drums and webs of the bodies with ring gears or bearings around an axis.
 
     Parameters
     ----------
@@ -152,24 +153,35 @@ def drum_pieces(
         Free gaps between its planes.
     ends
         Ends of the bodies up to couplings [m].
+    rings
+        Seats of rolling bearings on bodies without sections.
     size
         Size of the machine [m].
     """
     wall = WALL * size
     found: list[Piece] = []
     for body in line.bodies:
-        if not has_ring(model, body) or model.bodies[body].moves == "fixed":
+        seats = rings.get(body, ())
+        fixed = model.bodies[body].moves == "fixed"
+        if fixed and not seats or not (has_ring(model, body) or body in carriers and seats):
             continue
         parts = parts_of(model, at, body, carriers)
         others = [p for b in line.bodies if b != body for p in parts_of(model, at, b, carriers)]
         if body in carriers:  # plates are joined by the pins
-            gears = parts_of(model, at, body, {})
-            parts = sorted([*gears, *_nearest(carriers[body], gears)], key=lambda part: part.low)
+            gears = [*parts_of(model, at, body, {}), *seats]
+            parts = [*gears, *_nearest(carriers[body], gears)]
+        else:
+            parts += seats
+        parts.sort(key=lambda part: part.low)
+        start = len(found)
+        found += [_drum(part.low, part.high, part.inner, part.outer) for part in seats]
         for one, two in pairwise(parts):
             if one.high < two.low:
                 found += _wall(one, two, others, free, wall, size)
         low, high = ends.get(body, (parts[0].low, parts[-1].high))
-        if body in carriers:
+        if fixed:
+            found[start:] = [replace(piece, kind="held") for piece in found[start:]]
+        if fixed or body in carriers:
             continue
         if low < parts[0].low - wall:
             found += _end(parts[0], low, free, wall, size)

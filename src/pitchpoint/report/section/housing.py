@@ -19,9 +19,6 @@ ROOM, WALL = 0.07, 0.45
 relative to the narrowest seat."""
 PLANE = 1.2
 """Distance of seats, in widths of the narrowest, up to which they are in one wall."""
-FAR = 0.8
-"""Distance of seats beyond the gears, relative to the length of these, from which they are not in the housing, such
-as main bearings."""
 OPEN = 1.2
 """Radius of the opening for a shaft relative to that of the shaft."""
 INSIDE = ("gear", "teeth", "plate", "held")
@@ -38,9 +35,6 @@ def walls_of(axes: Sequence[SectionAxis]) -> list[Array]:
     if any(abs(float(axis.way[1])) > 1e-9 for axis in axes):
         return []
     seats = [(axis, piece) for axis in axes for piece in axis.pieces if piece.kind == "seat"]
-    low, high = _gears(axes)
-    away = FAR * (high - low)
-    seats = [(axis, p) for axis, p in seats if low - away < _middle(axis, p.line) < high + away]
     places = [_middle(axis, piece.line) for axis, piece in seats]
     if len(seats) < 2:
         return []
@@ -82,12 +76,6 @@ def walls_of(axes: Sequence[SectionAxis]) -> list[Array]:
         return []  # bearings between gears, such as those of a carrier
     start, end = edges[0][0], edges[1][1]
     return [*found, box_line(start, end, low - thick, low), box_line(start, end, high, high + thick)]
-
-
-def _gears(axes: Sequence[SectionAxis]) -> tuple[float, float]:
-    """Ends of all gears along the drawing [m]."""
-    ends = [axis.at(p.line)[:, 0] for axis in axes for p in axis.pieces if p.kind in ("gear", "teeth")]
-    return (float(min(e.min() for e in ends)), float(max(e.max() for e in ends))) if ends else (0.0, 0.0)
 
 
 def _middle(axis: SectionAxis, line: Array) -> float:

@@ -9,10 +9,11 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.frames import split
+from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene.supports import shaft_radius
 from pitchpoint.report.section.axes import Line, seat_shaft
 from pitchpoint.report.section.boxes import box_line
-from pitchpoint.report.section.carriers import Carrier
+from pitchpoint.report.section.carriers import HUB, Carrier
 from pitchpoint.report.section.clutches import is_nested
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
@@ -22,8 +23,9 @@ if TYPE_CHECKING:
 
 STEEL = 7850.0
 """Density of discs that represent inertias [kg/m^3]."""
-FLANGE = 2.0
-"""Radius of a flange relative to that of the shaft."""
+LOW, FLANGE = 0.02, 0.04
+"""Least and largest height of a flange above the shaft, relative to the size of the machine; between them it is the
+radius of the shaft."""
 DISC = 0.2
 """Half width of a disc relative to its radius."""
 LEAST, LARGEST = 0.06, 0.16
@@ -85,7 +87,7 @@ def connected(
                 z = at.starts[place[0]] + line.bodies[place[0]] * place[1]
             for end, body in ((reach[low][1], low), (reach[high][0], high)):
                 if body in carriers and abs(z - end) > 0.2 * radius:
-                    found.append(_stub(end, z, radius))
+                    found.append(_stub(end, z, min(radius, 2.5 * HUB * carriers[body].room.far)))
             if low not in model.shafts:
                 reach[low] = (reach[low][0], max(reach[low][1], z))
             if high not in model.shafts:
@@ -106,6 +108,10 @@ def connected(
             z = 0.5 * (end + discs[disc])
             found.append(_stub(end, discs[disc], radius))
         half, gap = 0.2 * radius, 0.03 * radius
+        nested = _nested(model, line, at, (one, two), z)
+        if nested is not None:
+            found.append(Piece(kind="flange", line=box_line(z - half, z + half, *nested), name=name))
+            continue
         found.append(Piece(kind="flange", line=box_line(z - half, z - gap, 0.0, radius)))
         found.append(Piece(kind="flange", line=box_line(z + gap, z + half, 0.0, radius), name=name))
     masses = [_disc(model, body, z, size) for body, z in discs.items()]
@@ -156,7 +162,23 @@ def _marked(model: Model, ends: Sequence[str]) -> Place | None:
 def _flange(model: Model, one: str, two: str, size: float) -> float:
     """Radius of the flanges of a coupling [m]."""
     radii = [r for body in (one, two) if (r := shaft_radius(model, body, 0.0))]
-    return max(FLANGE * min(radii), 0.03 * size) if radii else 0.05 * size
+    if not radii:
+        return 0.05 * size
+    return min(radii) + min(max(min(radii), LOW * size), FLANGE * size)
+
+
+def _nested(model: Model, line: Line, at: Positions, bodies: tuple[str, str], z: float) -> Ends | None:
+    """Radii between which a coupling connects a shaft with a hollow one around it [m]; None for others."""
+    found = []
+    for body in bodies:
+        if body not in model.shafts:
+            return None
+        place = (z - at.starts[body]) * line.bodies[body]
+        if not 0.0 <= place <= model.shafts[body].length:
+            return None
+        found.append(section_at(model.shafts[body], place))
+    (inner, _), (outer, bore) = sorted(found)
+    return (0.5 * inner, 0.5 * max(bore, 1.02 * inner)) if bore >= 0.98 * inner and outer > inner else None
 
 
 def _stub(one: float, two: float, radius: float) -> Piece:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.words import ranges
 from pitchpoint.model.frames import split
+from pitchpoint.model.rings import rings_of
 from pitchpoint.report.scene.bearing_sizes import size_of
 from pitchpoint.report.scene.supports import shaft_radius, spindle_radius
 from pitchpoint.report.section.axes import Line
@@ -19,7 +20,7 @@ from pitchpoint.report.section.bearings import bearing_pieces
 from pitchpoint.report.section.boxes import box_line, extent
 from pitchpoint.report.section.carriers import Carrier, carrier_ends, carrier_of_axis, is_planet, ring_radius
 from pitchpoint.report.section.clutches import clutch_pieces
-from pitchpoint.report.section.drums import drum_pieces, free_gaps, has_ring
+from pitchpoint.report.section.drums import Part, drum_pieces, free_gaps, has_ring
 from pitchpoint.report.section.joined_bodies import connected
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
@@ -76,10 +77,35 @@ def pieces_of(
         if body not in carriers or body in model.shafts
     ]
     free = free_gaps(model, line, at, carriers)
-    drums = drum_pieces(model, line, at, carriers, free, ends, size)
+    drums = drum_pieces(model, line, at, carriers, free, ends, _ring_seats(model, line, at, carriers, bearings), size)
     drums += clutch_pieces(model, line, at, carriers, free, ends, size)
     plates = [piece for carrier in carriers.values() for piece in carrier.pieces]
     return [*plates, *shafts, *drums, *gears, *bearings, *joints, *masses]
+
+
+def _ring_seats(
+    model: Model, line: Line, at: Positions, carriers: Mapping[str, Carrier], bearings: Sequence[Piece]
+) -> dict[str, list[Part]]:
+    """Tube inside the inner rings and hub around the outer rings of the rolling bearings on bodies without
+    sections: rings, and carriers beyond their plates."""
+    found: dict[str, list[Part]] = {}
+    drawn = {piece.name: piece for piece in bearings if piece.name in model.rolling_bearings}
+    for inside in (True, False):
+        spans: dict[str, list[tuple[float, float, float]]] = {}
+        for name, piece in drawn.items():
+            body = rings_of(model, model.rolling_bearings[name])[not inside].body
+            if body not in line.bodies or body in model.shafts or (inside and body in carriers):
+                continue
+            low, high = extent([piece])
+            radius = _bore(model, name) if inside else float(piece.line[:, 1].max())
+            spans.setdefault(body, []).append((low, high, radius))
+        for body, ends in spans.items():
+            radii = [radius for _, _, radius in ends]
+            limits = (0.85 * min(radii), min(radii)) if inside else (max(radii), 1.12 * max(radii))
+            found.setdefault(body, []).append(
+                Part(min(low for low, _, _ in ends), max(high for _, high, _ in ends), *limits)
+            )
+    return found
 
 
 def _seats(model: Model, bearings: Sequence[Piece]) -> dict[str, tuple[float, float, float]]:
