@@ -27,8 +27,8 @@ POINTS = 12
 WIDE_STEP, TALL_STEP = 12.0, 9.0
 """Steps of a search sideways, up and down [pixels]."""
 LABEL_COST, DISTANCE_COST, CROSSING_COST = 6.0, 6.0, 150.0
-"""Cost of covering a label, relative to a block, of a distance [pixels], and of each point of a leader line in a
-label [pixels^2]."""
+"""Cost of covering a label, relative to a block, of a distance [pixels], and of each point of a leader line
+in a label [pixels^2]."""
 
 Rectangle = tuple[float, float, float, float]
 """Left, top, right, bottom [pixels]."""
@@ -103,8 +103,8 @@ def search(
 ) -> list[Label]:
     """Labels moved in both directions to places nearby where they cover least.
 
-    The cost of a place is the covered area of other labels and of blocks, the distance from the preferred place,
-    and crossings of leader lines with labels; the first labels choose first.
+    The cost of a place is the covered area of other labels and of blocks, the distance from the preferred
+    place, and crossings of leader lines with labels; the first labels choose first.
 
     Parameters
     ----------

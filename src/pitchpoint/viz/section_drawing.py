@@ -30,7 +30,20 @@ MARGIN = 34.0
 COLUMN, STEP = 34.0, 17.0
 """Distance of dimension lines, and of lines of axis labels [pixels]."""
 ORDER = (
-    *("seat", "pedestal", "held", "pin", "plate", "spindle", "drum", "shaft", "mass", "flange", "gear", "teeth"),
+    *(
+        "seat",
+        "pedestal",
+        "held",
+        "pin",
+        "plate",
+        "spindle",
+        "drum",
+        "shaft",
+        "mass",
+        "flange",
+        "gear",
+        "teeth",
+    ),
     *("lining", "ground", "inner", "outer", "linear", "element", "pitch"),
 )
 """Kinds of parts from the back to the front."""
@@ -153,9 +166,7 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     )
     beside = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
-    dims, width, lowest = _dimensions(
-        view, section.distances, max(width, beside) - MARGIN + AXIS_END, lowest
-    )
+    dims, width, lowest = _dimensions(view, section.distances, max(width, beside) - MARGIN + AXIS_END, lowest)
     parts += dims
     parts += [*leaders, *(label.svg() for label in labels)]
     highest = min([head, *(label.box[1] for label in labels)])
@@ -255,9 +266,7 @@ def _dimensions(
     return parts, edges[0], edges[1]
 
 
-def _dimension(
-    start: float, level: float, ends: tuple[float, float], words: str, upright: bool
-) -> list[str]:
+def _dimension(start: float, level: float, ends: tuple[float, float], words: str, upright: bool) -> list[str]:
     """One dimension line from a level at which its auxiliary lines start."""
 
     def at(along: float, beside: float) -> Array:

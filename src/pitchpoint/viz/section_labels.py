@@ -21,10 +21,23 @@ View = Callable[[Array], Array]
 AXIS_END = 16.0
 """Length of centre lines beyond the parts [pixels]."""
 LEADER, BESIDE = 20.0, 6.0
-"""Distance of a label from its part from which it has a leader line, and of its middle from the edge of a narrow
-part [pixels]."""
+"""Distance of a label from its part from which it has a leader line, and of its middle from the edge of a
+narrow part [pixels]."""
 BLOCKS = (
-    *("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "pedestal", "held", "lining", "ground"),
+    *(
+        "gear",
+        "teeth",
+        "outer",
+        "linear",
+        "plate",
+        "mass",
+        "flange",
+        "seat",
+        "pedestal",
+        "held",
+        "lining",
+        "ground",
+    ),
     *("shaft", "spindle"),
 )
 """Kinds of parts that labels avoid."""

@@ -54,8 +54,8 @@ class Wheel:
     speed
         Speed, counter-clockwise positive; None if not known [rad/s].
     group
-        Names of all gears of a group such as planets, for the first of them; empty for single gears. The others
-        have no name where there is no room.
+        Names of all gears of a group such as planets, for the first of them where there is no room for single
+        names; empty for single gears.
     first
         Whether it is the first of its group.
     """

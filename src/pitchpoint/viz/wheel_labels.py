@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of the gears of a transverse view: in the gear where there is room, else in columns beside the view."""
+"""Names of the gears of a transverse view: in the gear where there is room, else in columns beside it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 STYLE = "pp-name"
-LONGEST, WIDEST = 24, 28
+LONGEST, WIDEST = 22, 28
 """Letters of a name up to which it is complete, and of a line."""
 ROOM = 4.0
 """Least distance of a name from the circles around it [pixels]."""
@@ -32,8 +32,8 @@ COLUMN = 22.0
 STEP = LINE + 3.0
 """Distance of the names of a column [pixels]."""
 STEEP, SINGLE = 65.0, 0.25
-"""Largest angle between the horizontal and the points at which leader lines end on a pitch circle [deg]; place of a
-single point from the upper to the lower one, not on a line of centres."""
+"""Largest angle between the horizontal and the points at which leader lines end on a pitch circle [deg];
+place of a single point from the upper to the lower one, not on a line of centres."""
 
 
 @dataclass(frozen=True)
@@ -69,32 +69,52 @@ def wheel_labels(
     scale
         Pixels per metre.
     """
-    inside: list[Label] = []
-    outside: list[Outside] = []
+    found: list[tuple[Wheel, Label | None]] = []
+    placed: list[Label] = []
     for wheel in sorted(wheels, key=lambda w: -w.pitch):
-        centre = at(wheel.centre)
-        coaxial = [w for w in wheels if w is not wheel and np.hypot(*(w.centre - wheel.centre)) * scale < 4.0]
-        smaller = [w.tip for w in coaxial if w.tip > w.root and w.pitch < wheel.pitch]
-        free = scale * max(smaller, default=0.0)
-        root = scale * min(wheel.tip, wheel.root)
-        fitting = (
-            label
-            for lines in (_lines(wheel.name, 2 * len(wheel.name)), _lines(wheel.name, WIDEST // 2))
-            if (label := _within(centre, lines, free, root)) is not None
-        )
-        label = next(fitting, None) if wheel.tip > wheel.root else None
-        if label is None:
-            larger = [w for w in coaxial if w.tip > w.root and w.pitch > wheel.pitch]
-            room = scale * min((w.root for w in larger), default=0.0)
-            others = [w for w in wheels if w not in larger]
-            circles = [(at(w.centre), scale * max(w.tip, w.root)) for w in others]
-            own = (centre, scale * max(wheel.tip, wheel.root))
-            label = _over(own, room, _lines(wheel.name, WIDEST), circles, inside)
-        if label is not None:
-            inside.append(label)
-        elif wheel.first:
-            outside.append(Outside(_lines(wheel.group or wheel.name, WIDEST), centre, wheel.pitch * scale))
+        label = _near(wheel, wheels, placed, at, scale)
+        found.append((wheel, label))
+        placed += [] if label is None else [label]
+    together = {wheel.group for wheel, label in found if wheel.group and label is None}
+    inside = [label for wheel, label in found if label is not None and wheel.group not in together]
+    outside = [
+        Outside(_lines(wheel.group or wheel.name, WIDEST), at(wheel.centre), wheel.pitch * scale)
+        for wheel, label in found
+        if wheel.first and (label is None or wheel.group in together)
+    ]
     return inside, outside
+
+
+def _near(
+    wheel: Wheel,
+    wheels: Sequence[Wheel],
+    placed: Sequence[Label],
+    at: Callable[[Array], Array],
+    scale: float,
+) -> Label | None:
+    """Name in a gear, or right above or below it; None without room."""
+    centre = at(wheel.centre)
+    coaxial = [w for w in wheels if w is not wheel and np.hypot(*(w.centre - wheel.centre)) * scale < 4.0]
+    smaller = [w.tip for w in coaxial if w.tip > w.root and w.pitch < wheel.pitch]
+    free = scale * max(smaller, default=0.0)
+    over = [
+        (at(w.centre), scale * w.tip)
+        for w in wheels
+        if w.tip > w.root and w.pitch < wheel.pitch and all(w is not one for one in coaxial)
+    ]
+    if wheel.tip > wheel.root:
+        for lines in (_lines(wheel.name, 2 * len(wheel.name)), _lines(wheel.name, WIDEST // 2)):
+            label = _within(centre, lines, free, scale * wheel.root)
+            if label is not None and not any(
+                math.hypot(*(c - (label.x, label.y - 4.0))) < r for c, r in over
+            ):
+                return label
+    larger = [w for w in coaxial if w.tip > w.root and w.pitch > wheel.pitch]
+    room = scale * min((w.root for w in larger), default=0.0)
+    others = [w for w in wheels if all(w is not one for one in larger)]
+    circles = [(at(w.centre), scale * max(w.tip, w.root)) for w in others]
+    own = (centre, scale * max(wheel.tip, wheel.root))
+    return _over(own, room, _lines(wheel.name, WIDEST), circles, placed)
 
 
 def _lines(words: str, widest: int) -> tuple[tuple[str, str], ...]:
@@ -108,9 +128,7 @@ def _within(centre: Array, lines: tuple[tuple[str, str], ...], free: float, root
     """Name in the upper half of a gear between two circles; None without room."""
     tall = LINE * len(lines)
     height = 0.5 * (free + root) if free else max(0.45 * root, 0.5 * tall + ROOM)
-    label = Label(
-        float(centre[0]), float(centre[1]) - height - 0.5 * tall + LINE - 4.0, "middle", lines
-    )
+    label = Label(float(centre[0]), float(centre[1]) - height - 0.5 * tall + LINE - 4.0, "middle", lines)
     left, top, right, _ = label.box
     corner = math.hypot(0.5 * (right - left), centre[1] - top)
     return label if corner < root and root - free > tall + ROOM else None
@@ -123,8 +141,8 @@ def _over(
     circles: Sequence[tuple[Array, float]],
     others: Sequence[Label],
 ) -> Label | None:
-    """Name above or below a gear, within the root circle of a larger coaxial one if there is one; None if another
-    gear or name is there."""
+    """Name above or below a gear, within the root circle of a larger coaxial one if there is one; None if
+    another gear or name is there."""
     centre, radius = own
     x, tall = float(centre[0]), LINE * len(lines)
     for first in (centre[1] - radius - 7.0 - tall + LINE, centre[1] + radius + LINE):
@@ -133,7 +151,11 @@ def _over(
         near = [np.clip(at, (left, top), (right, bottom)) - at for at, _ in circles]
         clear = all(math.hypot(*gap) > r + 1.0 for gap, (_, r) in zip(near, circles, strict=True))
         corner = math.hypot(0.5 * (right - left), max(abs(centre[1] - top), abs(bottom - centre[1])))
-        if clear and (not room or corner < room) and not any(common_area(label.box, other.box) for other in others):
+        if (
+            clear
+            and (not room or corner < room)
+            and not any(common_area(label.box, other.box) for other in others)
+        ):
             return label
     return None
 
@@ -167,7 +189,7 @@ def column_labels(
         own = [name for name, s in zip(names, sides, strict=True) if s == side]
         spots = _spots(own, side)
         steps = [STEP + LINE * (len(name.lines) - 1) for name in own]
-        middles = spread([float(p[1]) for p in spots], steps, top, max(bottom, top + sum(steps))) if own else []
+        middles = spread([float(p[1]) for p in spots], steps, top, max(bottom, top + sum(steps)))
         for name, spot, y in zip(own, spots, middles, strict=True):
             x = side * (_edge(float(y), 0.5 * LINE * len(name.lines) + ROOM, side, circles) + COLUMN)
             first = float(y) + 4.0 - 0.5 * LINE * (len(name.lines) - 1)

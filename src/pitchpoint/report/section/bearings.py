@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,7 @@ SEAT = 0.3
 relative to the outside diameter."""
 THIN_SEAT = 0.06
 LIGHT = 1.12
-"""Largest outside diameter of a bearing around the plates of a carrier or around a ring, relative to its bore."""
+"""Largest outside diameter of a bearing around the plates of a carrier or a ring, relative to its bore."""
 CORNERS = 24
 BUSH, WIDE = 0.2, 0.8
 """Thickness and half width of a bush, relative to the radius of the shaft."""
@@ -63,7 +63,11 @@ def bearing_pieces(model: Model, line: Line, at: Positions, size: float) -> list
         body = inner.body if inner.body in line.bodies else outer.body
         radius = shaft_radius(model, body, part.position[2]) if body in model.bodies else None
         found += rolling(
-            name, size_of(part, radius), float(line.way @ place), way, seat_kind(model, outer.body, inner.body)
+            name,
+            size_of(part, radius),
+            float(line.way @ place),
+            way,
+            seat_kind(model, outer.body, inner.body),
         )
     for name, plain in model.plain_bearings.items():
         inner, outer = rings_of(model, plain)

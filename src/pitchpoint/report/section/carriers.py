@@ -23,8 +23,8 @@ PLATE, GAP = 0.22, 0.3
 """Thickness of a plate relative to the width of the planets, and its distance from these relative to the
 thickness."""
 RIM, HUB, STUB = 1.7, 0.2, 1.4
-"""Plate beyond the pins relative to their radius; radius of a hub relative to the distance of the pins, and its
-length relative to the thickness of a plate."""
+"""Plate beyond the pins relative to their radius; radius of a hub relative to the distance of the pins, and
+its length relative to the thickness of a plate."""
 COLLAR = 0.85
 """Inner radius of a collar for a bearing around a plate, relative to the outer one."""
 HOLE = 1.1
@@ -121,11 +121,9 @@ def pin_distance(model: Model, line: Line, planet: str) -> float:
     return float(np.linalg.norm(origin - line.way * (line.way @ origin) - line.point))
 
 
-def rim_radius(
-    model: Model, line: Line, at: Positions, body: str, z: float
-) -> tuple[float, bool] | None:
-    """Radius of the seat of a bearing by stiffness on a carrier or around a ring [m], and whether it is around a
-    plate or ring; None for other bodies.
+def rim_radius(model: Model, line: Line, at: Positions, body: str, z: float) -> tuple[float, bool] | None:
+    """Radius of the seat of a bearing by stiffness on a carrier or around a ring [m], and whether it is
+    around a plate or ring; None for other bodies.
 
     Parameters
     ----------
@@ -192,7 +190,9 @@ def carrier_of_axis(
         low, high = room.plate(way)
         hole = _hole(model, line, at, body, room, way)
         name = body if way == closed else ""
-        found.append(Piece(kind=kind, line=box_line(low, high, min(hole, 0.8 * room.far), room.outer), name=name))
+        found.append(
+            Piece(kind=kind, line=box_line(low, high, min(hole, 0.8 * room.far), room.outer), name=name)
+        )
         face = high if way > 0.0 else low
         found += _hubs(kind, face, way, hole, seats, room)
     if kind == "plate" and body not in model.shafts:
@@ -203,7 +203,9 @@ def carrier_of_axis(
             near = min(_span(model, line, at, shaft), key=lambda z: abs(z - end))
             length, radius = max(closed * (near - end), 0.0), shaft_radius(model, shaft, 0.0) or radius
         inner = _hole(model, line, at, body, room, closed)
-        beyond = any(closed * (s[1] - end) > 0.0 for s in seats.values()) or _inner(model, line, at, body, closed)
+        beyond = any(closed * (s[1] - end) > 0.0 for s in seats.values()) or _inner(
+            model, line, at, body, closed
+        )
         if length > 0.0 and (shaft is not None or not beyond):
             outer = max(radius, 1.3 * inner)
             found.append(Piece(kind=kind, line=span_line(end, closed * length, inner, outer)))
@@ -323,7 +325,11 @@ def _hole(model: Model, line: Line, at: Positions, body: str, room: Room, way: f
     if body in model.shafts and radius(body) > 0.0:
         return radius(body)
     if way != closed_side(model, line, at, body, room):
-        suns = [spindle_radius(model, b) or 0.0 for b in _suns(model, line, at, body, room) if b not in model.shafts]
+        suns = [
+            spindle_radius(model, b) or 0.0
+            for b in _suns(model, line, at, body, room)
+            if b not in model.shafts
+        ]
         least = [max(*suns, 0.25 * room.far)] if suns else []
     else:
         least = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Symbols of brakes, and of clutches between carriers and rings: two plates, for a brake in a fixed housing."""
+"""Symbols of brakes, and of clutches between carriers and rings: two plates, or a disc in a fixed part."""
 
 from __future__ import annotations
 
@@ -26,8 +26,10 @@ LINING = 0.07
 """Height of the plates relative to the size of the machine."""
 NARROW = 0.1
 """Thickness of the plates of a brake relative to the gap in which it is."""
+BETWEEN = 0.07
+"""Thickness of the plates of a clutch relative to the gap in which it is."""
 OUTSIDE = 0.3
-"""Weight of a difference of radii against an axial distance in the choice of the parts that a clutch connects."""
+"""Weight of a difference of radii against an axial distance in the choice of the parts of a clutch."""
 DISC = 2.0
 """Radius of the disc of a brake relative to that of its shaft."""
 
@@ -100,13 +102,17 @@ def _clutch(name: str, one: Sequence[Part], two: Sequence[Part], free: Gaps, siz
     thick, wall = PLATE * size, WALL * size
     if high.low > low.high:
         place, width = free.take(low.high, high.low)
-        thick, wall = min(thick, 0.12 * width), min(wall, 0.1 * width)
+        thick, wall = min(thick, BETWEEN * width), min(wall, BETWEEN * width)
         faces = (low.high, high.low)
     else:  # at one place: beyond both
         place = max(low.high, high.high) + 3.0 * thick
         faces = (low.high, high.high)
     radii = sorted((low.outer, high.outer))
-    bottom = max(min(radii[0], max(low.inner, high.inner)), 0.0) if radii[1] - radii[0] < LINING * size else radii[0]
+    bottom = (
+        max(min(radii[0], max(low.inner, high.inner)), 0.0)
+        if radii[1] - radii[0] < LINING * size
+        else radii[0]
+    )
     bottom, top = min(bottom, radii[1] - LINING * size), radii[1]
     bottom = max(bottom, top - 2.0 * LINING * size, 0.3 * top)
     found = []
@@ -174,8 +180,8 @@ def _place(
     free: Gaps,
     ends: Mapping[str, tuple[float, float]],
 ) -> tuple[float, float]:
-    """Position of a brake on a shaft and the room there [m]: at its marker, at the free end of its spindle, else
-    between its gears."""
+    """Position of a brake on a shaft and the room there [m]: at its marker, at the free end of its spindle,
+    else between its gears."""
     if marker:
         place = model.bodies[body].markers[marker].position[2]
         return at.starts[body] + line.bodies[body] * float(place), math.inf

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Schematic connections of a body with ring gears: drums around other parts, webs between them.
 
-Coaxial bodies such as those of an automatic transmission have gears and carriers in several planes. A drum leads
-from a ring along the axis, a web in a free gap between the planes leads to the radius of the next part.
+Coaxial bodies such as those of an automatic transmission have gears and carriers in several planes. A drum
+leads from a ring along the axis, a web in a free gap between the planes leads to the radius of the next part.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from pitchpoint.report.section.axes import Line
-from pitchpoint.report.section.boxes import box_line
+from pitchpoint.report.section.boxes import span_line
 from pitchpoint.report.section.carriers import Carrier, ring_radius
 from pitchpoint.report.section.layout import gaps
 from pitchpoint.report.section.places import Positions
@@ -48,7 +48,7 @@ class Gaps:
     used: dict[tuple[float, float], int] = field(default_factory=dict)
 
     def take(self, low: float, high: float) -> tuple[float, float]:
-        """Position of the next wall between two parts, in the widest free gap between them, and its width [m].
+        """Position of the next wall between two parts, in their widest free gap, and its width [m].
 
         Examples
         --------
@@ -76,7 +76,9 @@ def _halved(count: int) -> float:
 
 def has_ring(model: Model, body: str) -> bool:
     """Whether a body without sections has an internal gear."""
-    return body not in model.shafts and any(model.gears[g].geometry.is_internal for g in model.bodies[body].gears)
+    return body not in model.shafts and any(
+        model.gears[g].geometry.is_internal for g in model.bodies[body].gears
+    )
 
 
 def parts_of(model: Model, at: Positions, body: str, carriers: Mapping[str, Carrier]) -> list[Part]:
@@ -197,9 +199,7 @@ def _nearest(carrier: Carrier, gears: Sequence[Part]) -> list[Part]:
     return [Part(*room.plate(1.0 if above else -1.0), 0.3 * room.far, room.outer)]
 
 
-def _wall(
-    one: Part, two: Part, others: Sequence[Part], free: Gaps, wall: float, size: float
-) -> list[Piece]:
+def _wall(one: Part, two: Part, others: Sequence[Part], free: Gaps, wall: float, size: float) -> list[Piece]:
     """Walls from a part to the next one, outside of all parts of other bodies between them."""
     between = [p for p in others if p.high > one.high and p.low < two.low]
     around = max((p.outer for p in between), default=0.0)
@@ -216,9 +216,9 @@ def _wall(
         place, _ = free.take(*ends)
         faces = [part.high if part is one else part.low for part in (outer, inner)]
         return [
-            _drum(*sorted((place, faces[0])), outer.outer - wall, outer.outer),
+            _drum(place, faces[0], outer.outer - wall, outer.outer),
             _drum(place - 0.5 * wall, place + 0.5 * wall, level - wall, outer.outer),
-            _drum(*sorted((place, faces[1])), level - wall, level),
+            _drum(place, faces[1], level - wall, level),
         ]
     radius = around + CLEAR * size
     return [
@@ -235,13 +235,14 @@ def _end(part: Part, end: float, free: Gaps, wall: float, size: float) -> list[P
     face = part.high if above else part.low
     place, _ = free.take(*sorted((face, end)))
     if part.inner == 0.0:
-        return [_drum(*sorted((face, end)), 0.0, min(radius, part.outer))]
+        return [_drum(face, end, 0.0, min(radius, part.outer))]
     return [
-        _drum(*sorted((face, place)), part.outer - wall, part.outer),
+        _drum(face, place, part.outer - wall, part.outer),
         _drum(place - 0.5 * wall, place + 0.5 * wall, 0.0, part.outer),
-        _drum(*sorted((place, end)), 0.0, radius),
+        _drum(place, end, 0.0, radius),
     ]
 
 
-def _drum(low: float, high: float, inner: float, outer: float) -> Piece:
-    return Piece(kind="drum", line=box_line(low, high, inner, outer))
+def _drum(start: float, end: float, inner: float, outer: float) -> Piece:
+    """Wall between two positions in any order."""
+    return Piece(kind="drum", line=span_line(start, end - start, inner, outer))

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 STEEL = 7850.0
 """Density of discs that represent inertias [kg/m^3]."""
 LOW, FLANGE = 0.02, 0.04
-"""Least and largest height of a flange above the shaft, relative to the size of the machine; between them it is the
-radius of the shaft."""
+"""Least and largest height of a flange above the shaft, relative to the size of the machine; between them it
+is the radius of the shaft."""
 DISC = 0.2
 """Half width of a disc relative to its radius."""
 LEAST, LARGEST = 0.06, 0.16
@@ -193,14 +193,16 @@ def _rides(model: Model, body: str) -> bool:
 
 
 def _seated(model: Model, line: Line, at: Positions, body: str, size: float) -> Piece | None:
-    """Disc of a body fixed to a shaft, such as a rotor or the disc of a brake: around the shaft, or at its end."""
+    """Disc of a body fixed to a shaft, such as a rotor or a brake disc: around the shaft, or at its end."""
     shaft = seat_shaft(model, body)
     if shaft is None or shaft not in line.bodies or _carries(model, body):
         return None
     radius = _disc_radius(model, body, size)
     half, z = DISC * radius, at.starts[body]
     inner = shaft_radius(model, shaft, (z - at.starts[shaft]) * line.bodies[shaft]) or 0.0
-    start, end = sorted((at.starts[shaft], at.starts[shaft] + line.bodies[shaft] * model.shafts[shaft].length))
+    start, end = sorted(
+        (at.starts[shaft], at.starts[shaft] + line.bodies[shaft] * model.shafts[shaft].length)
+    )
     if z - start < half or end - z < half:
         z, inner = (z - half, 0.0) if z - start < half else (z + half, 0.0)
     radius = max(radius, 1.5 * inner)

@@ -63,9 +63,7 @@ def pieces_of(
     for body in line.bodies:
         own = [p for p in gears if p.name in _labels(model, body, named)] + _on(model, body, bearings)
         reach = (
-            carrier_ends(carriers[body])
-            if body in carriers
-            else _ends(model, line, at, body, own, carriers)
+            carrier_ends(carriers[body]) if body in carriers else _ends(model, line, at, body, own, carriers)
         )
         if reach is not None:
             ends[body] = reach
@@ -77,7 +75,9 @@ def pieces_of(
         if body not in carriers or body in model.shafts
     ]
     free = free_gaps(model, line, at, carriers)
-    drums = drum_pieces(model, line, at, carriers, free, ends, _ring_seats(model, line, at, carriers, bearings), size)
+    drums = drum_pieces(
+        model, line, at, carriers, free, ends, _ring_seats(model, line, at, carriers, bearings), size
+    )
     drums += clutch_pieces(model, line, at, carriers, free, ends, size)
     plates = [piece for carrier in carriers.values() for piece in carrier.pieces]
     return [*plates, *shafts, *drums, *gears, *bearings, *joints, *masses]
