@@ -200,3 +200,10 @@ def test_long_names_are_apart_in_both_views() -> None:
     labels: list[Label] = [*inside, *column_labels(outside, circles)[0]]
     assert len(labels) >= 4
     assert all(not common_area(a.box, b.box) for a, b in combinations(labels, 2))
+
+
+def test_a_pinion_is_in_its_ring() -> None:
+    """Pinion of a ring gear without carrier: in mesh in the drawing, at the centre distance."""
+    section = _section(load_model(HOUSE / "examples/nearly-driven/internal.yaml"))
+    assert not section.apart
+    assert [link.words for link in section.distances] == ["a = 61.9 mm"]

@@ -148,7 +148,8 @@ def _hull(pieces: list[Piece]) -> list[Box]:
     """Rectangles around the solid parts of an axis."""
     found = []
     for piece in pieces:
-        if piece.kind in SOLID:
+        ring_teeth = piece.kind == "teeth" and piece.line[0, 1] > piece.line[-1, 1]  # pinions are among them
+        if piece.kind in SOLID and not ring_teeth:
             (z0, r0), (z1, r1) = piece.line.min(axis=0), piece.line.max(axis=0)
             found.append((float(z0), float(z1), float(r0), float(r1)))
     return found

@@ -242,10 +242,8 @@ def _ends(
         return extent([p for p in own if p.kind == "teeth"])
     low, high = extent(list(own))
     width = OVERHANG * (high - low) if len(own) == 1 else 0.2 * (high - low)
-    before, after = (
-        any(c.closed == way and c.room.low <= end <= c.room.high for c in carriers.values())
-        for way, end in ((-1.0, low + 0.1 * width), (1.0, high - 0.1 * width))
-    )
+    before = any(c.closed < 0.0 and c.room.plate(-1.0)[0] < low < c.room.high for c in carriers.values())
+    after = any(c.closed > 0.0 and c.room.low < high < c.room.plate(1.0)[1] for c in carriers.values())
     return low - width * (not before), high + width * (not after)
 
 
