@@ -19,7 +19,7 @@ STEPS, SHORT, STEP = 400, 40, 2.0
 """Maximum number of the trial shifts up and down, of those to avoid lines, and their length [pixels]."""
 FAR = 1e6
 """Distance beyond all drawings [pixels]."""
-MARGIN, BESIDE = 2.0, 7.0
+MARGIN, SIDE = 2.0, 7.0
 """Minimum distance of labels above and next to each other [pixels]."""
 POINTS = 12
 """Number of points along a leader line in the search for crossings."""
@@ -139,7 +139,7 @@ def search(
             [left + steps[:, 0], top + steps[:, 1], right + steps[:, 0], bottom + steps[:, 1]]
         )
         cost = _covered(boxes, avoided[near]) + LABEL_COST * _covered(
-            boxes, np.array(taken).reshape(-1, 4), BESIDE, MARGIN
+            boxes, np.array(taken).reshape(-1, 4), SIDE, MARGIN
         )
         cost += DISTANCE_COST * np.hypot(steps[:, 0], steps[:, 1])
         lines = _leaders(boxes, spot)
@@ -167,12 +167,12 @@ def _inside(points: NDArray[np.float64], boxes: NDArray[np.float64]) -> NDArray[
 
 
 def _covered(
-    boxes: NDArray[np.float64], others: NDArray[np.float64], beside: float = 0.0, margin: float = 0.0
+    boxes: NDArray[np.float64], others: NDArray[np.float64], side: float = 0.0, margin: float = 0.0
 ) -> NDArray[np.float64]:
     """Area of each box that others cover [pixels^2]."""
     if not len(others):
         return np.zeros(len(boxes))
-    room = np.array([beside, margin])
+    room = np.array([side, margin])
     low = np.maximum(boxes[:, None, :2], others[None, :, :2] - room)
     high = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + room)
     return np.asarray(np.prod(np.maximum(high - low, 0.0), axis=2).sum(axis=1))

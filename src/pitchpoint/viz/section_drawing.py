@@ -164,9 +164,9 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     labels, leaders = section_labels(
         view, section, (view.left - AXIS_END, head, view.left + wide * scale + AXIS_END)
     )
-    beside = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
+    edge = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
-    dims, width, lowest = _dimensions(view, section.distances, max(width, beside) - MARGIN + AXIS_END, lowest)
+    dims, width, lowest = _dimensions(view, section.distances, max(width, edge) - MARGIN + AXIS_END, lowest)
     parts += dims
     parts += [*leaders, *(label.svg() for label in labels)]
     highest = min([head, *(label.box[1] for label in labels)])
@@ -269,9 +269,9 @@ def _dimensions(
 def _dimension(start: float, level: float, ends: tuple[float, float], words: str, upright: bool) -> list[str]:
     """One dimension line from a level at which its auxiliary lines start."""
 
-    def at(along: float, beside: float) -> Array:
-        """Point along and beside the dimension."""
-        return np.array([beside, along] if upright else [along, beside])
+    def at(along: float, across: float) -> Array:
+        """Point along and across the dimension."""
+        return np.array([across, along] if upright else [along, across])
 
     middle = 0.5 * (ends[0] + ends[1])
     x, y = at(middle, level - 4.0)

@@ -20,7 +20,7 @@ View = Callable[[Array], Array]
 
 AXIS_END = 16.0
 """Length of centre lines beyond the parts [pixels]."""
-LEADER, BESIDE = 20.0, 6.0
+LEADER, ASIDE = 20.0, 6.0
 """Distance of a label from its part from which it has a leader line, and of its middle from the edge of a
 narrow part [pixels]."""
 BLOCKS = (
@@ -98,9 +98,9 @@ def section_labels(
     for label, each in zip(labels, wanted, strict=True):
         left, top, right, bottom = label.box
         away = max(each.part[0] - right, left - each.part[2], each.part[1] - bottom, top - each.part[3])
-        beside = abs(0.5 * (left + right - each.part[0] - each.part[2])) - 0.5 * (each.part[2] - each.part[0])
+        aside = abs(0.5 * (left + right - each.part[0] - each.part[2])) - 0.5 * (each.part[2] - each.part[0])
         narrow = each.part[2] - each.part[0] < 0.5 * (right - left)
-        if away > LEADER or (narrow and beside > BESIDE):
+        if away > LEADER or (narrow and aside > ASIDE):
             near = np.array([min(max(each.spot[0], left), right), min(max(each.spot[1], top), bottom)])
             leaders.append(
                 svg.line(near, each.spot, "pp-leader") + svg.circle(each.spot, 2.0, "pp-leader-dot")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of the gears of a transverse view: in the gear where there is room, else in columns beside it."""
+"""Names of the gears of a transverse view: in the gear where there is room, else in columns next to it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LONGEST, WIDEST = 22, 28
 ROOM = 4.0
 """Least distance of a name from the circles around it [pixels]."""
 COLUMN = 22.0
-"""Distance of a name beside the view from the circles [pixels]."""
+"""Distance of a name next to the view from the circles [pixels]."""
 STEP = LINE + 3.0
 """Distance of the names of a column [pixels]."""
 STEEP, SINGLE = 65.0, 0.25
@@ -38,7 +38,7 @@ place of a single point from the upper to the lower one, not on a line of centre
 
 @dataclass(frozen=True)
 class Outside:
-    """A name beside the view.
+    """A name next to the view.
 
     Attributes
     ----------

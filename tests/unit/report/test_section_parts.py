@@ -71,7 +71,7 @@ def _kind(section: Section, kind: str) -> list[Piece]:
 
 
 def test_carriers_fixed_to_shafts_are_drawn(wind_drive: tuple[Model, Section]) -> None:
-    """Plates beside planets of 491 mm, up to beyond the pins of 400 mm at 863 mm; a hub up to the shaft."""
+    """Plates next to planets of 491 mm, up to beyond the pins of 400 mm at 863 mm; a hub up to the shaft."""
     _, section = wind_drive
     assert not section.apart
     plate = _named(section, "carrier_1")

@@ -229,7 +229,7 @@ def _wall(one: Part, two: Part, others: Sequence[Part], free: Gaps, wall: float,
 
 
 def _end(part: Part, end: float, free: Gaps, wall: float, size: float) -> list[Piece]:
-    """Web from a ring to its shaft end, at a coupling or bearing beside it."""
+    """Web from a ring to its shaft end, at a coupling or bearing next to it."""
     radius = SHAFT_END * size
     above = end > part.high
     face = part.high if above else part.low
