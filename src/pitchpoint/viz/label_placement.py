@@ -21,8 +21,8 @@ FAR = 1e6
 """Distance beyond all drawings [pixels]."""
 MARGIN, SIDE = 2.0, 7.0
 """Minimum distance of labels above and next to each other [pixels]."""
-POINTS = 12
-"""Number of points along a leader line in the search for crossings."""
+POINTS, SHORTEST = 12, 14.0
+"""Number of points along a leader line in the search for crossings; length of the shortest one [pixels]."""
 
 WIDE_STEP, TALL_STEP = 12.0, 9.0
 """Steps of a search sideways, up and down [pixels]."""
@@ -143,10 +143,12 @@ def search(
         )
         cost += DISTANCE_COST * np.hypot(steps[:, 0], steps[:, 1])
         lines = _leaders(boxes, spot)
-        cost += CROSSING_COST * _inside(lines, np.array(taken).reshape(-1, 4)).sum(axis=(1, 2))
+        long = np.hypot(*(lines[:, 0] - lines[:, -1]).T) > SHORTEST
+        crossed = _inside(lines, np.array(taken).reshape(-1, 4)).sum(axis=(1, 2))
+        cost += CROSSING_COST * np.where(long, crossed, 0)
         cost += CROSSING_COST * _inside(np.array(drawn).reshape(1, -1, 2), boxes).sum(axis=(0, 1))
         best = int(np.argmin(cost))
-        drawn.append(lines[best])
+        drawn += [lines[best]] if long[best] else []
         dx, dy = steps[best]
         found.append(replace(label, x=label.x + float(dx), y=label.y + float(dy)))
         taken.append(found[-1].box)

@@ -23,6 +23,8 @@ FIELD, TALLEST, PER_AXIS = 620.0, 900.0, (240.0, 170.0)
 """Largest width and height of the machine; height without axes, and with each of them [pixels]."""
 FLAT, LONG = 1.6, 1.5
 """Ratio of width and height from which a machine is wider than the field, and how much at most."""
+NARROW, NAMES = 360.0, 110.0
+"""Width of a machine up to which there is more room for names at its right, and most of it [pixels]."""
 BOLD = 1.06
 """Width of the names of axes relative to the mean width of letters."""
 MARGIN = 34.0
@@ -161,9 +163,9 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     parts += [_centre_line(view, axis, width) for axis in section.axes]
     parts += [_apart(view, link) for link in section.apart]
     parts += _axis_names(view, level, names, height)
-    labels, leaders = section_labels(
-        view, section, (view.left - AXIS_END, head, view.left + wide * scale + AXIS_END)
-    )
+    more = min(max(0.5 * (NARROW - wide * scale), 0.0), NAMES)
+    right = view.left + wide * scale + AXIS_END + more
+    labels, leaders = section_labels(view, section, (view.left - AXIS_END, head, right))
     edge = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
     lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
     dims, width, lowest = _dimensions(view, section.distances, max(width, edge) - MARGIN + AXIS_END, lowest)

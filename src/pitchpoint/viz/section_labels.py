@@ -41,6 +41,8 @@ BLOCKS = (
     *("shaft", "spindle"),
 )
 """Kinds of parts that labels avoid."""
+TOUCH = 0.06
+"""Relative difference of radii, and distance in widths, up to which gears are halves of one."""
 RANGE, LONG = " … ", 24
 """Separator of the first and last name of a range, and the length [letters] from which it ends a line."""
 LONGEST, WIDEST = 22, 38
@@ -150,10 +152,31 @@ def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectan
         level = abs(float(axis.way[1])) < 0.5
         upper = box[1] <= float(view(axis.origin)[1]) if level else sign > 0.0
         y = box[1] - 9.0 - LINE * (len(lines) - 1) if upper else box[3] + 17.0
+        side = _neighbour(axis, piece)
         label = Label(middle, y, "middle", lines)
+        if side and level:  # both halves of a scissor gear: names to both sides
+            label = Label(box[0] if side < 0.0 else box[2], y, "start" if side < 0.0 else "end", lines)
         tried.append(_Wanted(label, np.array([middle, 0.5 * (box[1] + box[3])]), box))
     covered = [sum(common_area(each.label.box, block) for block in blocks) for each in tried]
     return tried[int(covered[1] < covered[0])]
+
+
+def _neighbour(axis: SectionAxis, piece: Piece) -> float:
+    """Side on which a gear of the same size touches a gear, such as the other half of a scissor gear; 0 without.
+
+    The side is that in the drawing: 1 right, -1 left.
+    """
+    if piece.kind != "teeth":
+        return 0.0
+    (low, _), (high, top) = piece.line.min(axis=0), piece.line.max(axis=0)
+    for other in axis.pieces:
+        if other.kind == "teeth" and other is not piece and other.name:
+            (start, _), (end, outer) = other.line.min(axis=0), other.line.max(axis=0)
+            near = TOUCH * (high - low + end - start)
+            touches = min(abs(start - high), abs(end - low)) < near
+            if touches and abs(outer - top) < TOUCH * top:
+                return float(np.sign((start - low) * axis.way[0]))
+    return 0.0
 
 
 def _inside(label: Label, room: tuple[float, float, float]) -> Label:

@@ -121,7 +121,7 @@ def _lines(words: str, widest: int) -> tuple[tuple[str, str], ...]:
     """Lines of a name."""
     together = shortened(words, LONGEST).replace(" (", "\u00a0(")  # the number of teeth stays with a name
     parts = textwrap.wrap(together, widest, break_long_words=False, break_on_hyphens=False)
-    return tuple((part, STYLE) for part in parts)
+    return tuple((part.replace("\u00a0", " "), STYLE) for part in parts)
 
 
 def _within(centre: Array, lines: tuple[tuple[str, str], ...], free: float, root: float) -> Label | None:

@@ -192,7 +192,7 @@ def test_long_names_are_apart_in_both_views() -> None:
     model = loads_model(text)
     drawing = gearbox_drawing(model) or ""
     assert LONG not in drawing
-    assert "not_a_cata…_stage_sun" in drawing or "not_a_catal…" in drawing
+    assert "not_a_cata…d_stage_sun" in drawing
     view = transverse_of(model)
     assert view is not None
     inside, outside = wheel_labels(view.wheels, lambda p: 2e3 * np.asarray(p), 2e3)

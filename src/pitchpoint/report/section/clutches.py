@@ -26,7 +26,7 @@ LINING = 0.07
 """Height of the plates relative to the size of the machine."""
 NARROW = 0.1
 """Thickness of the plates of a brake relative to the gap in which it is."""
-BETWEEN = 0.07
+BETWEEN = 0.05
 """Thickness of the plates of a clutch relative to the gap in which it is."""
 OUTSIDE = 0.3
 """Weight of a difference of radii against an axial distance in the choice of the parts of a clutch."""
