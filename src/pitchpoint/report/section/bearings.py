@@ -86,7 +86,7 @@ def bearing_pieces(model: Model, line: Line, at: Positions, size: float) -> list
             radius, light = rim
             drawn = size_on(radius, True, LIGHT * 2.0 * radius if light else math.inf)
         places = [z] if rim is not None else _beside(model, line, at, body, z, drawn.width)
-        if any(_carries(model, other) for other in line.bodies):
+        if any(planets_of(model, other) for other in line.bodies):
             places = places[:1]  # plates of a carrier are on the other side
         housed = seat_kind(model, split(bearing.housing or GROUND)[0], body)
         for k, at_z in enumerate(places):
@@ -120,11 +120,6 @@ def _is_housed(model: Model, body: str) -> bool:
     if body in model.bodies and model.bodies[body].moves != "fixed" and planets_of(model, body):
         return False  # a carrier on bearings
     return body == GROUND or covers(model).get(body) == "housing"
-
-
-def _carries(model: Model, body: str) -> bool:
-    """Whether a body carries others with gears."""
-    return any(model.bodies[name].gears for name in model.mechanism.carried_by(body))
 
 
 def _beside(model: Model, line: Line, at: Positions, body: str, z: float, width: float) -> list[float]:

@@ -13,7 +13,7 @@ from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene.supports import shaft_radius
 from pitchpoint.report.section.axes import Line, seat_shaft
 from pitchpoint.report.section.boxes import box_line
-from pitchpoint.report.section.carriers import HUB, Carrier
+from pitchpoint.report.section.carriers import HUB, Carrier, planets_of
 from pitchpoint.report.section.clutches import is_nested
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
@@ -195,7 +195,7 @@ def _rides(model: Model, body: str) -> bool:
 def _seated(model: Model, line: Line, at: Positions, body: str, size: float) -> Piece | None:
     """Disc of a body fixed to a shaft, such as a rotor or a brake disc: around the shaft, or at its end."""
     shaft = seat_shaft(model, body)
-    if shaft is None or shaft not in line.bodies or _carries(model, body):
+    if shaft is None or shaft not in line.bodies or planets_of(model, body):
         return None
     radius = _disc_radius(model, body, size)
     half, z = DISC * radius, at.starts[body]
@@ -207,11 +207,6 @@ def _seated(model: Model, line: Line, at: Positions, body: str, size: float) -> 
         z, inner = (z - half, 0.0) if z - start < half else (z + half, 0.0)
     radius = max(radius, 1.5 * inner)
     return Piece(kind="mass", line=box_line(z - half, z + half, inner, radius), name=body)
-
-
-def _carries(model: Model, body: str) -> bool:
-    """Whether a body has planets."""
-    return any(model.bodies[name].gears for name in model.mechanism.carried_by(body))
 
 
 def _disc_radius(model: Model, body: str, size: float) -> float:
