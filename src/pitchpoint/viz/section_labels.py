@@ -162,8 +162,8 @@ def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectan
 
 
 def _neighbour(axis: SectionAxis, piece: Piece) -> float:
-    """Side in the drawing (1 right, -1 left) on which a gear of the same size touches a gear, as the other half
-    of a scissor gear does; 0 without."""
+    """Side in the drawing (1 right, -1 left) on which a gear of the same size touches a gear, such as the
+    other half of a scissor gear; 0 without."""
     if piece.kind != "teeth":
         return 0.0
     (low, _), (high, top) = piece.line.min(axis=0), piece.line.max(axis=0)

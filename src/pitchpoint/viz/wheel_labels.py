@@ -29,6 +29,8 @@ ROOM = 4.0
 """Least distance of a name from the circles around it [pixels]."""
 COLUMN = 22.0
 """Distance of a name next to the view from the circles [pixels]."""
+MIDDLE = 0.03
+"""Distance of a gear from the middle of the view, relative to its width, up to which both sides are equal."""
 STEP = LINE + 3.0
 """Distance of the names of a column [pixels]."""
 STEEP, SINGLE = 65.0, 0.25
@@ -181,7 +183,7 @@ def column_labels(
     for name in names:
         from_middle = (name.centre[0] - 0.5 * (left + right)) / max(right - left, 1.0)
         side = math.copysign(1.0, from_middle)
-        if abs(from_middle) < 0.1:  # near the middle: the emptier side
+        if abs(from_middle) < MIDDLE:  # near the middle: the emptier side
             side = min(counts, key=lambda s: counts[s])
         sides.append(side)
         counts[side] += 1
