@@ -2,7 +2,7 @@
 """Files of named arrays (MAT, HDF5): identification of channels, time axis and sample rate.
 
 Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, and so is the
-data of a structure `X` next to `Y`; no other arrays are used for it. Single numbers named `sample_rate`, `fs`,
+data of a structure `X` next to `Y`; no other arrays are used for it. Numbers named `sample_rate`, `fs`,
 `dt`, `rpm` or similar give sample rate and speed (`stated`); numbers and texts become attributes. A structure
 with data and a name, such as `Y(2).Data` and `Y(2).Name`, is a channel of this name.
 """
@@ -147,7 +147,7 @@ class Arrays:
         self._attributes[name] = value
 
     def state(self, name: str, value: float) -> None:
-        """Add a number at an array, such as its sample rate; it is no attribute of the file."""
+        """Add a number at an array, such as its sample rate; it is not an attribute of the file."""
         self._stated.number(name, value)
 
     def text(self, name: str, value: str) -> None:

@@ -53,7 +53,7 @@ def read_mat4(path: Path, data: bytes, wanted: Wanted) -> Record:
 
 
 def _head(data: bytes, at: int) -> tuple[str, int, int, int, int, int] | None:
-    """Byte order, type, rows, columns, whether complex, bytes of the name; None if it is no header."""
+    """Byte order, type, rows, columns, whether complex, bytes of the name; None if there is none."""
     if len(data) < at + _HEAD:
         return None
     for order in "<>":
