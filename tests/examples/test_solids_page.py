@@ -16,6 +16,7 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.report.masses import masses
 from tests.support import stl
+from tests.support.occ import needs_occ
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "solids.md").read_text(encoding="utf-8")
@@ -76,7 +77,7 @@ def test_the_shovel_gearbox_takes_its_masses_from_solids(tmp_path: Path, monkeyp
     assert gear_inertia(drawn.gears["Z5"])[0] == pytest.approx(mass * (1.0 + in_mass), rel=1e-12)
 
 
-@pytest.mark.skipif(importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed")
+@needs_occ
 @pytest.mark.slow
 def test_step_files_of_the_shovel_agree_to_eight_digits(tmp_path: Path) -> None:
     example = script()

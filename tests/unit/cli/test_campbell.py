@@ -17,7 +17,7 @@ from pitchpoint.io.reading import open_result
 from pitchpoint.io.target import OutputError, check_target
 from pitchpoint.report.figure_picture import check_picture, marked_png
 from pitchpoint.report.write import write_report
-from tests.support.browser import CHROMIUM
+from tests.support.browser import needs_browser
 from tests.support.cli_files import json_of
 
 MODEL = Path(__file__).parents[3] / "examples" / "geared-rotor" / "model.yaml"
@@ -115,7 +115,7 @@ def test_what_is_refused(more: list[str], word: str, capsys: pytest.CaptureFixtu
     assert word in told.err + told.out
 
 
-@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium")
+@needs_browser
 def test_pictures(tmp_path: Path) -> None:
     """In a process of its own: Playwright runs once per process."""
     for kind in ("svg", "png"):
