@@ -4,9 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib.util
 import math
-import sys
 from pathlib import Path
 
 import numba
@@ -28,6 +26,7 @@ from pitchpoint.sweep.study.design import cases_of
 from pitchpoint.sweep.study.remarks import remarks
 from pitchpoint.sweep.study.run import evaluated, model_path, values_of
 from pitchpoint.system.compile import compile_model
+from tests.support.scripts import script
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
 BASE_RADIUS, INERTIA, STATIC_FORCE = 0.2555964, 3.06, 500.0 / 0.2555964
@@ -44,16 +43,6 @@ def signals(file, scenario, **changes):
     done = run_time(system, sink=memory)
     t, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     return done, t, lambda name: rows[:, system.layout.channel(name)]
-
-
-def script(name):
-    spec = importlib.util.spec_from_file_location(f"camshaft_{name}", FOLDER / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
 
 
 # ------------------------------------------------------------------------------------------ released loads
@@ -109,7 +98,7 @@ def test_frequency_over_torque_as_in_figure_4_6():
 
 @pytest.mark.study
 def test_contact_loss_over_backlash_and_torque(monkeypatch):
-    own = script("study")
+    own = script(FOLDER / "study.py")
     monkeypatch.setattr(own, "BACKLASHES", (0.05e-3, 0.43e-3))
     monkeypatch.setattr(own, "TORQUES", (5.0, 60.0, 1500.0))
     for stiffness in own.STIFFNESSES.values():
@@ -228,7 +217,7 @@ def test_run_up_agrees_with_the_oscillator_by_hand(run_up, backlash):
 @pytest.mark.study
 def test_other_readings_of_the_run_up():
     """More damping takes the back contact away; the duty of the contact ratio leaves little of it."""
-    own = script("readings")
+    own = script(FOLDER / "readings.py")
     model = load_model(FOLDER / "run-up.yaml")
     by_name = {reading.name: reading for reading in own.READINGS}
     pages = own.run_up(model, by_name["run-up.yaml"])
