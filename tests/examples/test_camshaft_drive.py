@@ -16,6 +16,7 @@ from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_study
+from pitchpoint.model.reading.plan import model_path
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
@@ -24,7 +25,7 @@ from pitchpoint.sweep.speed import run_sweep
 from pitchpoint.sweep.study.check import check_study
 from pitchpoint.sweep.study.design import cases_of
 from pitchpoint.sweep.study.remarks import remarks
-from pitchpoint.sweep.study.run import evaluated, model_path, values_of
+from pitchpoint.sweep.study.run import evaluated, values_of
 from pitchpoint.system.compile import compile_model
 from tests.support.scripts import script
 
