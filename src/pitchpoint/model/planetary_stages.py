@@ -151,7 +151,7 @@ def lines_of_planets(
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages on components of planets and free halves at the keys that describe them, equal ones once.
+    """Messages on components of planets, free halves and mounts at the keys that describe them, equal ones once.
 
     Parameters
     ----------
@@ -167,6 +167,8 @@ def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
     }
     for name, scissor in model.scissor_gears.items():
         places |= {dotted(p): dotted(q) for p, q in places_of_free_half(model, name, scissor).items()}
+    for mount in getattr(model.housing, "mounts", {}):
+        places[f"bushings.housing-{mount}"] = f"housing.mounts.{mount}"
     if not places:
         return tuple(messages)
     found = []

@@ -98,7 +98,7 @@ def example(description: Key) -> str:
         return one if description.kind == "law" else f"[0, 0, {one}]"
     if description.choices:
         return " or ".join(description.choices)
-    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name"}
+    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name", "file": "a file name"}
     return samples.get(description.kind, "{...}")
 
 

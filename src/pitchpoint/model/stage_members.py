@@ -102,7 +102,7 @@ def _planet_name(parts: Parts, name: str, stage: PlanetaryStage, report: Reader)
     for other, earlier in parts.planetary_stages.items():
         if other == name:
             return
-        if earlier.planet_name == stage.planet_name:
+        if earlier.planet_name == stage.planet_name and (*at[:2], "inner_planets") not in report.tainted:
             report.problem(
                 at,
                 f"is also the planet_name of {other}",

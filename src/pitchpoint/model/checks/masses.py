@@ -66,7 +66,7 @@ def _tensor(body: Body, at: Place, report: Reader) -> None:
     if least < -1e-6 * most or least + middle < most * (1.0 - 1e-4):
         report.problem(
             at,
-            "is not physically possible",
+            "are not physically possible",
             value=f"principal moments {least:.6g}, {middle:.6g}, {most:.6g} kg m^2",
             limit="none negative, none above the sum of the other two",
             remedy="check the order Ixx, Iyy, Izz, Ixy, Iyz, Izx, the units and the signs of the products",

@@ -178,6 +178,8 @@ class Reader:
                 taint = near is not None and near not in data
                 self.problem((*path, str(name)), "is an unknown key", remedy=remedy, taint=taint)
                 meant.add(near)
+                if taint:
+                    self.taint((*path, str(near)))
         return meant
 
     def value(self, description: Key, data: Any, path: Place) -> Any:
