@@ -270,7 +270,7 @@ housing:
 @pytest.mark.parametrize(
     ("text", "old", "new", "words"),
     [
-        (RIGID, "  mounts:", "  feet:", "housing.mounts"),
+        (RIGID, "  mounts:", "  feet:", "housing.feet (line 13): is an unknown key; did you mean mounts?"),
         (RIGID, "  mass: 12 kg\n", "", "have no effect on a housing that is ground"),
         (
             RIGID,
