@@ -54,7 +54,8 @@ def add_planetary_stages(parts: Parts, report: Reader) -> None:
     for name, stage in parts.planetary_stages.items():
         if not (fit_together(parts, name, stage, report) and _add(parts, name, stage, report)):
             if not stage.names or any((SECTION, name, key) in report.tainted for key in MATES):
-                _assume(parts, stage.names or names_of(stage.planet_name, MOST), report)
+                count = len(stage.names) or MOST
+                _assume(parts, (*names_of(stage.planet_name, count), *names_of("planet", count)), report)
             for group, word, _, _ in members(name, stage):  # known, though without data
                 parts.names[group] = parts.known(group) | {word}
                 report.tainted.add((group,))

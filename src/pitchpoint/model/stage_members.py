@@ -65,7 +65,7 @@ def fit_together(parts: Parts, name: str, stage: PlanetaryStage, report: Reader)
         )
     for key in ("pin_errors", "single_planets"):
         for planet in getattr(stage, key):
-            if stage.names and planet not in stage.names:
+            if planet not in stage.names and stage.names and (*at, "planet_name") not in report.tainted:
                 report.problem(
                     (*at, key, planet),
                     "is not a planet of the stage",

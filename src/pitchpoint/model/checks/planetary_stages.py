@@ -82,7 +82,8 @@ def check_spacing(parts: Parts, report: Reader) -> None:
             if teeth and own and not _spacing(parts, (SECTION, name), stage, teeth, report):
                 report.tainted.update(("meshes", mesh) for s in stages.values() for mesh in s.meshes)
             if stage.center_distance is None and not _distances(parts, (SECTION, name), stage, report):
-                report.tainted.update(("meshes", mesh) for mesh in stage.meshes)
+                for mesh in stage.meshes:  # their geometry is that of either distance
+                    report.taint(("meshes", mesh, "gears"))
 
 
 def _coaxial(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None:
