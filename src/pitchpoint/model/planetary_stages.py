@@ -152,7 +152,7 @@ def lines_of_planets(
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages on components of planets, free halves and mounts at the keys that describe them, equal ones once.
+    """Messages on planets, free halves and mounts at the keys that describe them, equal ones once.
 
     Parameters
     ----------

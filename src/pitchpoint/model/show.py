@@ -91,14 +91,21 @@ def example(description: Key) -> str:
         low, high = description.length
         if description.kind == "quantities" or low > 1:
             count = low if low == high else max(2, min(low, 3))
-            return PLACE if (count, description.dimension) == (3, "length") else f"[{', '.join([one] * count)}]"
+            return (
+                PLACE if (count, description.dimension) == (3, "length") else f"[{', '.join([one] * count)}]"
+            )
         return one
     if description.kind in ("law", "laws"):
         one = DIMENSIONS[description.dimension].example.split(" or ")[0]
         return one if description.kind == "law" else f"[0, 0, {one}]"
     if description.choices:
         return " or ".join(description.choices)
-    samples = {"integer": str(int(max(description.minimum, 20))), "names": "[a, b]", "text": "a name", "file": "a file name"}
+    samples = {
+        "integer": str(int(max(description.minimum, 20))),
+        "names": "[a, b]",
+        "text": "a name",
+        "file": "a file name",
+    }
     return samples.get(description.kind, "{...}")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the members of planetary stages: suns, rings, carriers and inner planets exist and fit the stage."""
+"""Checks of the members of planetary stages: suns, rings, carriers and inner planets exist and fit."""
 
 from __future__ import annotations
 

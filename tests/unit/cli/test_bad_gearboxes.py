@@ -26,6 +26,7 @@ PLANETS, CLUTCH, SCISSOR, GEARBOX = FILES = (
     "docs/reference/snippets/gearbox.yaml",
 )
 SET, FREE, CAST = "planetary_stages.set", "scissor_gears.free", "materials.cast"
+BEARING = "{stiffness: {radial: 8e8 N/m}, damping: {ratio: 0.03}, pin_stiffness: 1.5e9 N/m}"
 BRAKE = "  brake: {{bodies: [engine], capacity: 60 N m}}\ntorsion_springs:"
 
 
@@ -48,10 +49,18 @@ ERRORS = [
     (PLANETS, "planets: 3 >> planets: three", f"{SET}.planets: write 3"),
     (PLANETS, "    planets: 3\\n >> ", f"{SET}: gives none of planets, angles"),
     (PLANETS, "planets: 3 >> angles: 120 deg", f"{SET}.angles: is not a list"),
-    (PLANETS, "planets: 3 >> angles: [0 deg, 120 deg, 360 deg]", f"{SET}.angles: planet_1 and planet_3 at the same"),
+    (
+        PLANETS,
+        "planets: 3 >> angles: [0 deg, 120 deg, 360 deg]",
+        f"{SET}.angles: planet_1 and planet_3 at the same",
+    ),
     (PLANETS, "planets: 3 >> planets: 7", f"{SET}.planets: cannot be assembled", f"{SET}.planets: overlap"),
     (PLANETS, "    sun: sun >> \\n    sun: sum", f"{SET}.sun: did you mean sun?"),
-    (PLANETS, "    sun: sun\\n    ring: ring >>     sun: ring\\n    ring: sun", f"{SET}.sun: exchange sun and ring"),
+    (
+        PLANETS,
+        "    sun: sun\\n    ring: ring >>     sun: ring\\n    ring: sun",
+        f"{SET}.sun: exchange sun and ring",
+    ),
     (PLANETS, "type: internal, >> type: intern,", "gears.ring.type: did you mean internal?"),
     (PLANETS, "carrier: carrier >> carrier: ring", f"{SET}.carrier: the body of the ring"),
     (PLANETS, "_teeth: 39 >> _teeth: 38", f"{SET}.center_distance: z_sun + 2 z_planet = 97 teeth, not 99"),
@@ -62,12 +71,32 @@ ERRORS = [
         f"{SET}: unequal normal modules",
         f"{SET}: unequal normal modules",
     ),
-    (PLANETS, "bore_diameter: 60 mm >> bore_diameter: 120 mm", f"{SET}.planet.bore_diameter: root diameter 109.39 mm"),
-    (PLANETS, "motion: planar\\n    bearing >> motion: plane\\n    bearing", f"{SET}.motion: did you mean planar?"),
-    (PLANETS, "motion: planar\\n    bearing >> planet_mass: 0\\n    motion: planar\\n    bearing", f"{SET}.planet_mass: is zero"),
-    (PLANETS, "stiffness: {radial: 8e8 N/m} >> stiffness: 8e8 N/m", f"{SET}.bearing.stiffness: write {{radial: 8e8 N/m}}"),
+    (
+        PLANETS,
+        "bore_diameter: 60 mm >> bore_diameter: 120 mm",
+        f"{SET}.planet.bore_diameter: root diameter 109.39 mm",
+    ),
+    (
+        PLANETS,
+        "motion: planar\\n    bearing >> motion: plane\\n    bearing",
+        f"{SET}.motion: did you mean planar?",
+    ),
+    (
+        PLANETS,
+        "motion: planar\\n    bearing >> planet_mass: 0\\n    motion: planar\\n    bearing",
+        f"{SET}.planet_mass: is zero",
+    ),
+    (
+        PLANETS,
+        "stiffness: {radial: 8e8 N/m} >> stiffness: 8e8 N/m",
+        f"{SET}.bearing.stiffness: write {{radial: 8e8 N/m}}",
+    ),
     (PLANETS, "planets: 3 >> planets: 3\\n    planet_name: p.x", f"{SET}.planet_name: is not a usable name"),
-    (PLANETS, "motion: fixed} >> motion: fixed, position: [10 mm, 0, 0]}", "bodies.ring.position: 10 mm is off the axis of sun"),
+    (
+        PLANETS,
+        "motion: fixed} >> motion: fixed, position: [10 mm, 0, 0]}",
+        "bodies.ring.position: 10 mm is off the axis of sun",
+    ),
     (PLANETS, "{mass: 12 kg, inertia: 0.12 kg m^2} >> {}", "bodies.carrier.inertia: is zero"),
     (
         PLANETS,
@@ -76,9 +105,21 @@ ERRORS = [
         "scenarios.steady.speed.sun: ring and carrier of its planetary stage are fixed",
     ),
     (PLANETS, "planetary_stages: >> planetary_gears:", "planetary_gears: did you mean planetary_stages?"),
-    (PLANETS, "planetary_stages:\\n  set:\\n >> planetary_stages:\\n  - set:\\n", "planetary_stages: NAME: {...}"),
-    (PLANETS, "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: -2 mm}, stiff", f"{SET}.sun_mesh.backlash: limit >= -0.3 mm"),
-    (PLANETS, "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: 80 mm}, stiff", f"{SET}.sun_mesh.backlash: the base pitch"),
+    (
+        PLANETS,
+        "planetary_stages:\\n  set:\\n >> planetary_stages:\\n  - set:\\n",
+        "planetary_stages: NAME: {...}",
+    ),
+    (
+        PLANETS,
+        "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: -2 mm}, stiff",
+        f"{SET}.sun_mesh.backlash: limit >= -0.3 mm",
+    ),
+    (
+        PLANETS,
+        "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: 80 mm}, stiff",
+        f"{SET}.sun_mesh.backlash: the base pitch",
+    ),
     (
         PLANETS,
         "bearings:\\n >>   two:\\n    {sun: sun, carrier: carrier, planets: 3, planet: {number_of_teeth: 39, "
@@ -95,40 +136,92 @@ ERRORS = [
     (CLUTCH, "static_ratio: 1.5, >> static_ratio: 0.8,", "clutches.clutch.static_ratio: limit >= 1"),
     (CLUTCH, "clutches:\\n >> brakes:\\n", "brakes: did you mean clutches?"),
     (CLUTCH, "creep: { >> creep: {engaged: [cluch], ", "scenarios.creep.engaged: did you mean clutch?"),
-    (CLUTCH, "creep: { >> creep: {engaged: [clutch], ", "scenarios.creep.drive.engine.speed: with clutch engaged"),
+    (
+        CLUTCH,
+        "creep: { >> creep: {engaged: [clutch], ",
+        "scenarios.creep.drive.engine.speed: with clutch engaged",
+    ),
     # scissor gears
     (SCISSOR, "gear: cam, >> gear: camm,", f"{FREE}.gear: did you mean cam?"),
     (SCISSOR, "torque: -15 N m >> torque: 0 N m", f"{FREE}.torque: is zero"),
     (SCISSOR, "40 N m/rad >> 40 N/mm", f"{FREE}.stiffness: write a torsional stiffness"),
     (SCISSOR, "friction: 0.5 N m >> friction: {mu: 0.1}", f"{FREE}.friction: write 0.5 N m"),
-    (SCISSOR, "friction: 0.5 >> hub_damping: {radial: 10}, friction: 0.5", f"{FREE}.hub_damping: requires hub_stiffness"),
-    (SCISSOR, "meshes: >>   two: {gear: cam, face_width: 6 mm, torque: 9, stiffness: 40}\\nmeshes:", "two.position: a free half of the same gear"),
-    (SCISSOR, "meshes: >>   two: {gear: free, face_width: 6 mm, torque: 9, stiffness: 40}\\nmeshes:", "two.gear: is part of scissor_gears.free"),
+    (
+        SCISSOR,
+        "friction: 0.5 >> hub_damping: {radial: 10}, friction: 0.5",
+        f"{FREE}.hub_damping: requires hub_stiffness",
+    ),
+    (
+        SCISSOR,
+        "meshes: >>   two: {gear: cam, face_width: 6 mm, torque: 9, stiffness: 40}\\nmeshes:",
+        "two.position: a free half of the same gear",
+    ),
+    (
+        SCISSOR,
+        "meshes: >>   two: {gear: free, face_width: 6 mm, torque: 9, stiffness: 40}\\nmeshes:",
+        "two.gear: is part of scissor_gears.free",
+    ),
     # materials
     (GEARBOX, "youngs_modulus: 170 GPa >> E: 170 GPa", f"{CAST}.E: did you mean youngs_modulus?"),
     (GEARBOX, "poisson_ratio: 0.28, >> ", f"{CAST}.poisson_ratio: is missing"),
     (GEARBOX, "materials: >> material:", "material: did you mean materials?"),
     (GEARBOX, "poisson_ratio: 0.28 >> poisson_ratio: 28", f"{CAST}.poisson_ratio: limit >= 0 and < 0.5"),
     # couplings
-    (GEARBOX, "bodies: [motor, input], >> ends: [motor, input],", "couplings.flange.ends: did you mean bodies?"),
-    (GEARBOX, "[motor, input], >> [motor, ground],", "couplings.flange.bodies: use torsion_springs or bushings"),
+    (
+        GEARBOX,
+        "bodies: [motor, input], >> ends: [motor, input],",
+        "couplings.flange.ends: did you mean bodies?",
+    ),
+    (
+        GEARBOX,
+        "[motor, input], >> [motor, ground],",
+        "couplings.flange.bodies: use torsion_springs or bushings",
+    ),
     (GEARBOX, "[motor, input], >> [motor, pinion],", "couplings.flange.bodies: name its body, input"),
-    (GEARBOX, "damping: {torsion: 1 N m s/rad} >> damping: 0.05", "couplings.flange.damping: write {ratio: 0.05}"),
-    (GEARBOX, "input], position: [0, 0, 0] >> input], position: [0, 0]", "couplings.flange.position: write [x, y, z]"),
+    (
+        GEARBOX,
+        "damping: {torsion: 1 N m s/rad} >> damping: 0.05",
+        "couplings.flange.damping: write {ratio: 0.05}",
+    ),
+    (
+        GEARBOX,
+        "input], position: [0, 0, 0] >> input], position: [0, 0]",
+        "couplings.flange.position: write [x, y, z]",
+    ),
     # housing
     (GEARBOX, "mass: 60 kg >> mass: -60 kg", "housing.mass: write 60 kg"),
     (GEARBOX, "[0.8, 0.9, 0.7, 0, 0, 0] >> [0.8, 0.9, 0.7]", "housing.inertia_tensor: limit 6 entries"),
-    (GEARBOX, "  inertia_tensor: [0.8, 0.9, 0.7, 0, 0, 0] >>   inertia: 0.8", "housing.inertia: did you mean inertia_tensor?"),
+    (
+        GEARBOX,
+        "  inertia_tensor: [0.8, 0.9, 0.7, 0, 0, 0] >>   inertia: 0.8",
+        "housing.inertia: did you mean inertia_tensor?",
+    ),
     (GEARBOX, "  mounts: >>   feet:", "housing.feet: did you mean mounts?"),
     # lubricant
-    (GEARBOX, "temperature: 60 degC >> temperature: '60'", "lubricant.temperature: a bare number is in kelvin; write 60 degC"),
+    (
+        GEARBOX,
+        "temperature: 60 degC >> temperature: '60'",
+        "lubricant.temperature: a bare number is in kelvin; write 60 degC",
+    ),
     (GEARBOX, "temperature: 75 degC >> temperature: 75", "load_cases.peak.temperature: write 75 degC"),
     (GEARBOX, "grade: ISO VG 220, >> grade: 220,", "lubricant.grade: did you mean ISO VG 220?"),
-    (GEARBOX, "ISO VG 220, >> ISO VG 220, viscosity_at_40_degree_celsius: 320 mm^2/s,", "lubricant.viscosity_at_40_degree_celsius: contradicts the grade"),
-    (GEARBOX, "ISO VG 220, >> ISO VG 220, density_at_15_degree_celsius: 0.89,", "lubricant.density_at_15_degree_celsius: write 890 kg/m^3"),
-    (GEARBOX, "ISO VG 220, >> ISO VG 220, pressure_viscosity: 22,", "lubricant.pressure_viscosity: write 22 1/GPa"),
+    (
+        GEARBOX,
+        "ISO VG 220, >> ISO VG 220, viscosity_at_40_degree_celsius: 320 mm^2/s,",
+        "lubricant.viscosity_at_40_degree_celsius: contradicts the grade",
+    ),
+    (
+        GEARBOX,
+        "ISO VG 220, >> ISO VG 220, density_at_15_degree_celsius: 0.89,",
+        "lubricant.density_at_15_degree_celsius: write 890 kg/m^3",
+    ),
+    (
+        GEARBOX,
+        "ISO VG 220, >> ISO VG 220, pressure_viscosity: 22,",
+        "lubricant.pressure_viscosity: write 22 1/GPa",
+    ),
     (GEARBOX, "lubricant: >> oil:", "oil: did you mean lubricant?"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("file", "edit", "expected"), [(e[0], e[1], e[2:]) for e in ERRORS])
@@ -144,19 +237,51 @@ def test_a_mistake_is_named_alone(file, edit, expected):
 
 
 REMARKS = [
-    (PLANETS, "    bearing: {stiffness: {radial: 8e8 N/m}, damping: {ratio: 0.03}, pin_stiffness: 1.5e9 N/m}\\n >> ", f"{SET}.bearing: nothing holds planet_1, planet_2 and planet_3"),
-    (PLANETS, "damping: {ratio: 0.03}, pin >> damping: {ratio: 3}, pin", f"{SET}.bearing.damping.ratio: 300 %"),
-    (PLANETS, "    sun_mesh: >>     planet_mesh: {stiffness: {law: din3990}}\\n    sun_mesh:", f"{SET}.planet_mesh: no effect without inner_planets"),
+    (
+        PLANETS,
+        f"    bearing: {BEARING}\\n >> ",
+        f"{SET}.bearing: nothing holds planet_1, planet_2 and planet_3",
+    ),
+    (
+        PLANETS,
+        "damping: {ratio: 0.03}, pin >> damping: {ratio: 3}, pin",
+        f"{SET}.bearing.damping.ratio: 300 %",
+    ),
+    (
+        PLANETS,
+        "    sun_mesh: >>     planet_mesh: {stiffness: {law: din3990}}\\n    sun_mesh:",
+        f"{SET}.planet_mesh: no effect without inner_planets",
+    ),
     (PLANETS, "    ring: ring\\n >> ", f"{SET}.ring_mesh: no effect without ring"),
     (PLANETS, "planets: 3 >> planets: 3\\n    planet_side: clockwise", f"{SET}.planet_side: no effect"),
-    (PLANETS, "sun_mesh: {stiff >> sun_mesh: {contact: {level: rigid}, stiff", f"{SET}.sun_mesh.stiffness: no effect with contact, level: rigid"),
-    (PLANETS, "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: -80 um}, stiff", f"{SET}.sun_mesh: both flanks are in contact"),
+    (
+        PLANETS,
+        "sun_mesh: {stiff >> sun_mesh: {contact: {level: rigid}, stiff",
+        f"{SET}.sun_mesh.stiffness: no effect with contact, level: rigid",
+    ),
+    (
+        PLANETS,
+        "sun_mesh: {stiff >> sun_mesh: {backlash: {normal: -80 um}, stiff",
+        f"{SET}.sun_mesh: both flanks are in contact",
+    ),
     (CLUTCH, "capacity: 60 N m >> capacity: 0", "clutches.clutch.capacity: always open"),
     (CLUTCH, "capacity: 60 N m >> capacity: 60 N m * cos(10*t)", "clutches.clutch.capacity: down to -60 N m"),
-    (CLUTCH, "stribeck_speed: 60 rad/s, >> ", "clutches.clutch.static_ratio: no effect with stribeck_speed: 0"),
+    (
+        CLUTCH,
+        "stribeck_speed: 60 rad/s, >> ",
+        "clutches.clutch.static_ratio: no effect with stribeck_speed: 0",
+    ),
     (CLUTCH, "static_ratio: 1.5, >> ", "clutches.clutch.stribeck_speed: no effect with static_ratio: 1"),
-    (CLUTCH, "law: smooth >> law: smooth, wind_up: 1 deg", "clutches.clutch.wind_up: no effect with law: smooth"),
-    (SCISSOR, "torque: -15 N m >> torque: -0.01 N m", f"{FREE}.torque: before the free half has crossed the backlash"),
+    (
+        CLUTCH,
+        "law: smooth >> law: smooth, wind_up: 1 deg",
+        "clutches.clutch.wind_up: no effect with law: smooth",
+    ),
+    (
+        SCISSOR,
+        "torque: -15 N m >> torque: -0.01 N m",
+        f"{FREE}.torque: before the free half has crossed the backlash",
+    ),
     (SCISSOR, "torque: -15 N m >> torque: -15 kN m", f"{FREE}.torque: 59.68 revolutions"),
     (SCISSOR, "friction: 0.5 N m >> friction: 20 N m", f"{FREE}.friction: can stick"),
     (SCISSOR, "cam, face_width: 6 mm >> cam, face_width: 60 mm", f"{FREE}.face_width: 6 of 60 mm"),
@@ -164,10 +289,23 @@ REMARKS = [
     (GEARBOX, "7100 kg/m^3 >> 7.1", f"{CAST}.density: not that of a solid gear"),
     (GEARBOX, "poisson_ratio: 0.28 >> poisson_ratio: 0.028", f"{CAST}.poisson_ratio: below that of metals"),
     (GEARBOX, "material: cast,  >> ", f"{CAST}: is not used"),
-    (GEARBOX, "{torsion: 5e3 N m/rad}, damping: {torsion: 1 N m s/rad} >> {radial: 5e6}", "couplings.flange.stiffness: transmits no torque"),
-    (GEARBOX, "lubricant: {grade: ISO VG 220, temperature: 60 degC}\\n >> ", "load_cases.peak.temperature: no effect without lubricant"),
-    (GEARBOX, "front: {position: [-80 mm, -150 mm, 80 mm], stiffness: {radial: 5e7, axial: 5e7, tilt: 1e6, torsion: 1e6}} >> front: {position: [-80 mm, -150 mm, 80 mm]}", "housing.mounts.front: neither stiffness nor damping"),
-]  # fmt: skip
+    (
+        GEARBOX,
+        "{torsion: 5e3 N m/rad}, damping: {torsion: 1 N m s/rad} >> {radial: 5e6}",
+        "couplings.flange.stiffness: transmits no torque",
+    ),
+    (
+        GEARBOX,
+        "lubricant: {grade: ISO VG 220, temperature: 60 degC}\\n >> ",
+        "load_cases.peak.temperature: no effect without lubricant",
+    ),
+    (
+        GEARBOX,
+        "80 mm, -150 mm, 80 mm], stiffness: {radial: 5e7, axial: 5e7, tilt: 1e6, torsion: 1e6}} >> "
+        "80 mm, -150 mm, 80 mm]}",
+        "housing.mounts.front: neither stiffness nor damping",
+    ),
+]
 
 
 def messages(file: str, text: str) -> list[str]:
@@ -180,7 +318,9 @@ def messages(file: str, text: str) -> list[str]:
 def test_what_has_no_effect_or_is_unusual_has_a_remark(file, edit, expected):
     found = messages(file, edited(file, edit))
     place, _, rest = expected.partition(": ")
-    fits = [words for words in found if re.match(rf"{re.escape(place)} \(line \d+\): ", words) and rest in words]
+    fits = [
+        words for words in found if re.match(rf"{re.escape(place)} \(line \d+\): ", words) and rest in words
+    ]
     assert len(fits) == 1, found
 
 
@@ -191,7 +331,9 @@ def test_the_files_themselves_have_no_remark(file):
 
 def test_a_brake_on_a_driven_body(tmp_path, capsys):
     """Exit code 2 and one sentence; the power flow of `check` has no torque of such a brake."""
-    text = text_of(CLUTCH).replace("torsion_springs:", BRAKE).replace("creep: {", "creep: {engaged: [brake], ")
+    text = (
+        text_of(CLUTCH).replace("torsion_springs:", BRAKE).replace("creep: {", "creep: {engaged: [brake], ")
+    )
     (tmp_path / "model.yaml").write_text(text, encoding="utf-8")
     assert run_command(["check", str(tmp_path / "model.yaml")]) == 2
     assert "limit 0 rpm" in capsys.readouterr().err

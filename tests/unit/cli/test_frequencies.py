@@ -165,7 +165,8 @@ def test_planets_on_a_fixed_carrier_are_a_set(tmp_path: Path, capsys: pytest.Cap
     for old, new in ((39, 17), (21, 51), (99, 85)):
         text = text.replace(f"number_of_teeth: {old},", f"number_of_teeth: {new},")
     text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2", 1)
-    text = text.replace("inertia: 0.1 kg m^2, mass: 10 kg", "motion: fixed").replace("body: carrier", "body: ring")
+    text = text.replace("inertia: 0.1 kg m^2, mass: 10 kg", "motion: fixed")
+    text = text.replace("body: carrier", "body: ring")
     found = json_of(["frequencies", written(tmp_path, text), "-s", "steady"], capsys)
     carrier = found["planet_sets"]["carrier"]
     assert carrier["planets"] == [f"planet_{k}" for k in (1, 2, 3, 4)]

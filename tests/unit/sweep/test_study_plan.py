@@ -318,7 +318,7 @@ def test_backlash_that_does_not_follow_the_centre_distance_is_a_remark(tmp_path:
 
 
 def test_a_profile_shift_that_follows_a_varied_centre_distance_is_noted(tmp_path: Path) -> None:
-    """x at 150.1 mm from x_sum = (inv alpha_wt - inv alpha) (z_1 + z_2)/(2 tan alpha): stored with the results."""
+    """x at 150.1 mm: (inv alpha_wt - inv alpha) (z_1 + z_2)/(2 tan alpha), in the stored notes."""
     shifted = TORSIONAL_PAIR.replace(", profile_shift_coefficient: 0}", "}", 1)
     text = (
         "model: model.yaml\nevaluate: equilibrium\nsampling: full_factorial\nsamples: 2\nfactors:\n"

@@ -194,11 +194,17 @@ def _check_backlash(name: str, mesh: Mesh, pair: GearPair, report: Reader) -> No
         return
     low, high, size = (f"{1e3 * value:.4g} mm" for value in (least, most, found))
     given = mesh.backlash is not None
-    cure = "correct backlash or its unit" if given else "correct center_distance, or profile shifts and allowances"
+    cure = (
+        "correct backlash or its unit"
+        if given
+        else "correct center_distance, or profile shifts and allowances"
+    )
     report.problem(
         ("meshes", name, "backlash" if given else "center_distance"),
         "is the backlash along the base tangent: "
-        + ("the teeth interfere by more than they can deflect" if found < least else "no teeth would be left"),
+        + (
+            "the teeth interfere by more than they can deflect" if found < least else "no teeth would be left"
+        ),
         value=size,
         limit=f">= {low}, {DEFLECTION:g} m_n" if found < least else f"<= {high}, the base pitch",
         remedy=f"{cure}; usual is a backlash of 0.02 to 0.1 m_n",

@@ -12,9 +12,9 @@ import numpy as np
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.planet_places import nominal_distance
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stage_members import SECTION
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.planetary_stage import PlanetaryStage

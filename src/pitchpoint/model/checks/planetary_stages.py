@@ -22,9 +22,9 @@ from pitchpoint.model.frames import body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.planet_places import central_bodies, inner_stage
 from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stage_members import SECTION
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
@@ -88,10 +88,15 @@ def check_spacing(parts: Parts, report: Reader) -> None:
 
 def _coaxial(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None:
     """Check that suns and rings with a position are on one axis; later checks put them there."""
-    bodies = [body for body, _ in central_bodies(parts, stage) if parts.bodies[body].position is not None]
+    given = {
+        body: place
+        for body, _ in central_bodies(parts, stage)
+        if (place := parts.bodies[body].position) is not None
+    }
+    bodies = list(given)
     for body in bodies[1:]:
         axis = body_frame(parts, bodies[0])[1][:, 2]
-        way = np.subtract(parts.bodies[body].position, parts.bodies[bodies[0]].position)
+        way = np.subtract(given[body], given[bodies[0]])
         off = way - (way @ axis) * axis
         limit = LARGEST * stage.planet.normal_module
         if float(np.linalg.norm(off)) <= limit:
@@ -104,7 +109,7 @@ def _coaxial(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> 
             remedy=f"put {body} on the axis of {bodies[0]}",
             taint=False,
         )
-        x, y, z = (float(v) for v in np.subtract(parts.bodies[body].position, off))
+        x, y, z = (float(v) for v in np.subtract(given[body], off))
         parts.bodies[body] = replace(parts.bodies[body], position=(x, y, z))
 
 
@@ -215,6 +220,6 @@ def _concentric(parts: Parts, stage: PlanetaryStage) -> str:
     if ring == fits:
         return ""
     return (
-        f"correct a number of teeth: without profile shifts a ring has z_sun + 2 z_planet = {fits} teeth, not "
-        f"{ring}; or give profile shifts and center_distance"
+        f"correct a number of teeth: without profile shifts a ring has z_sun + 2 z_planet = {fits} teeth, "
+        f"not {ring}; or give profile shifts and center_distance"
     )

@@ -170,21 +170,21 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
                 remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
             )
-    driven = {b: d.speed.value for b, d in scenario.drive.items() if isinstance(d.speed, Constant)}
+    constant = {b: d.speed.value for b, d in scenario.drive.items() if isinstance(d.speed, Constant)}
     if scenario.engaged:  # without engaged clutches, drives may differ
-        free |= {b: speed for b, speed in driven.items() if b in parts.bodies}
+        free |= {b: speed for b, speed in constant.items() if b in parts.bodies}
     for body, fitting in start_speeds(parts, free, (), scenario.engaged)[1]:
-        key: Place = (*at, "drive", body, "speed") if body in driven else (*at, "speed", body)
-        if key in report.tainted:
+        place: Place = (*at, "drive", body, "speed") if body in constant else (*at, "speed", body)
+        if place in report.tainted:
             continue  # locked
         with_clutches = f" with {listed(scenario.engaged)} engaged" if scenario.engaged else ""
         report.problem(
-            key,
+            place,
             f"does not match the gear ratio to the other given speeds{with_clutches}"
             if len(free) > 1 or not with_clutches
             else f"cannot be: the train is locked{with_clutches}",
-            value=speed_as_written(free[body], key, report),
-            limit=speed_as_written(fitting, key, report),
+            value=speed_as_written(free[body], place, report),
+            limit=speed_as_written(fitting, place, report),
             remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)"
             if not with_clutches
             else "correct it, or the clutches of engaged",

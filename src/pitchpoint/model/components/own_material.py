@@ -14,7 +14,9 @@ from pitchpoint.model.keys import positive, quantity
 class OwnMaterial(Component):
     """Properties of an isotropic elastic material."""
 
-    youngs_modulus: float = positive("pressure", "modulus E", also=("E", "elastic_modulus", "modulus_of_elasticity"))
+    youngs_modulus: float = positive(
+        "pressure", "modulus E", also=("E", "elastic_modulus", "modulus_of_elasticity")
+    )
     poisson_ratio: float = quantity(
         "dimensionless",
         "ratio of transverse to axial strain",

@@ -65,9 +65,9 @@ def _remedy(reader: Reader, key: Key, data: Any, value: float) -> str:
         for name in WORDS.findall(data):
             if found := said_of(reader, ("parameters", name)):
                 return f"{name}: {found}"
-        if key.dimension in USUAL and is_without_unit(reader, key, data):
+        if key.dimension in SI.keys() & USUAL.keys() and is_without_unit(reader, key, data):
             return (
-                f"a formula without unit is in {DIMENSIONS[key.dimension].si}; multiply it by 1 {USUAL[key.dimension]}"
+                f"a formula without unit is in {SI[key.dimension]}; multiply it by 1 {USUAL[key.dimension]}"
             )
         return f"correct the formula; the value is {example(key)}, for instance"
     if key.dimension in SI and is_without_unit(reader, key, data):

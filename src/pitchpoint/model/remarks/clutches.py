@@ -82,8 +82,8 @@ def _capacity(model: Model, capacity: Law, at: str) -> Iterator[Message]:
     if least < -1e-9 * most:
         yield remark(
             at,
-            f"has negative values, down to {format_quantity(least, 'torque', 4)}, which count as 0: the clutch "
-            "is open there",
+            f"has negative values, down to {format_quantity(least, 'torque', 4)}, which count as 0: the "
+            "clutch is open there",
             'if this is not intended, correct the formula; "max(0, ...)" states it',
         )
 

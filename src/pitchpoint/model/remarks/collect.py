@@ -35,10 +35,10 @@ from pitchpoint.model.remarks.stage_keys import stage_keys
 from pitchpoint.model.remarks.supports import axially_free, tilting
 from pitchpoint.model.remarks.trains import contradictory_loops, unconnected_shafts
 from pitchpoint.model.remarks.unusual_values import (
-    overdamped_meshes,
-    preloads_above_the_rating,
     odd_materials,
+    overdamped_meshes,
     overdamped_supports,
+    preloads_above_the_rating,
 )
 
 if TYPE_CHECKING:

@@ -33,16 +33,16 @@ def weak_springs(model: Model) -> Iterator[Message]:
         if torque <= needed:
             yield remark(
                 f"{at}.torque",
-                f"{words} is used up by a rotation of {wound * 1e3:.4g} mrad, before the free half has crossed "
-                f"the backlash, {1e3 * gap / radius:.4g} mrad: it does not rest on the flanks",
+                f"{words} is used up by a rotation of {wound * 1e3:.4g} mrad, before the free half has "
+                f"crossed the backlash, {1e3 * gap / radius:.4g} mrad: it does not rest on the flanks",
                 f"give a torque above {format_quantity(needed, 'torque', 4)}, or a softer spring",
             )
         elif torque - needed <= scissor.friction:
             yield remark(
                 f"{at}.friction",
-                f"{format_quantity(scissor.friction, 'torque', 4)} is not less than the torque of the spring in "
-                f"mesh, {format_quantity(torque - needed, 'torque', 4)}: the free half can stick away from the "
-                "flanks",
+                f"{format_quantity(scissor.friction, 'torque', 4)} is not less than the torque of the spring "
+                f"in mesh, {format_quantity(torque - needed, 'torque', 4)}: the free half can stick away "
+                "from the flanks",
                 "give a smaller friction torque or a larger torque of the spring",
             )
         if wound > TURN:
@@ -57,7 +57,7 @@ def weak_springs(model: Model) -> Iterator[Message]:
                 mate = next(gear for gear in part.gears if gear != name)
                 yield remark(
                     f"{at}.face_width",
-                    f"only {1e3 * width:.4g} of {1e3 * scissor.face_width:.4g} mm are in the face width of {mate} "
-                    f"({mesh})",
+                    f"only {1e3 * width:.4g} of {1e3 * scissor.face_width:.4g} mm are in the face width of "
+                    f"{mate} ({mesh})",
                     "reduce the face width, or correct position, or the position of the gear on its body",
                 )

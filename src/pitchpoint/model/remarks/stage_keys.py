@@ -12,8 +12,8 @@ from pitchpoint.core.words import listed
 from pitchpoint.model.components.planetary_stage import SIDES
 from pitchpoint.model.components.stage_mesh import SingleMesh, StageMesh
 from pitchpoint.model.keys import defaults_of
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.remarks.trains import named_bodies
+from pitchpoint.model.stage_members import SECTION
 from pitchpoint.model.stand_ins import stands_in
 
 if TYPE_CHECKING:
@@ -57,7 +57,9 @@ def _idle_keys(stage: PlanetaryStage, at: str, written: set[str]) -> Iterator[Me
     """
     (own, *steps), given = stage.wheels, []
     for side in SIDES:
-        inherited = [s for s in steps if side in s.mates and getattr(stage.steps[s.step], f"{side}_mesh") is None]
+        inherited = [
+            s for s in steps if side in s.mates and getattr(stage.steps[s.step], f"{side}_mesh") is None
+        ]
         key = f"{side}_mesh"
         if side not in own.mates and not inherited and (key in written or getattr(stage, key) != StageMesh()):
             given.append((f"{at}.{key}", side))
@@ -92,7 +94,7 @@ def _loose(model: Model, stage: PlanetaryStage, at: str) -> Iterator[Message]:
     if loose:
         yield remark(
             f"{at}.bearing",
-            f"is missing: with motion: {stage.motion} nothing holds {listed(loose)} on the carrier, which then "
-            "transmits no torque of these planets",
+            f"is missing: with motion: {stage.motion} nothing holds {listed(loose)} on the carrier, which "
+            "then transmits no torque of these planets",
             "give bearing, rolling bearings between carrier and planets, or motion: torsion",
         )
