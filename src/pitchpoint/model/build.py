@@ -59,6 +59,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
     parts = Parts.of(values)
     parts.names = names
+    parts.planet_names = _planet_names(data.get("planetary_stages"))
     check(parts, reader)
     if reader.problems:
         ordered = sorted(
@@ -81,3 +82,9 @@ def _names(data: Mapping[Any, Any], groups: tuple[str, ...]) -> dict[str, set[st
             if names or isinstance(part, Mapping):
                 found[group] = names
     return found
+
+
+def _planet_names(stages: Any) -> dict[str, str]:
+    """`planet_name` as written in every planetary stage that gives it."""
+    found = stages.items() if isinstance(stages, Mapping) else ()
+    return {str(n): str(s["planet_name"]) for n, s in found if isinstance(s, Mapping) and "planet_name" in s}

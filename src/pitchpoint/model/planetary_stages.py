@@ -49,7 +49,8 @@ def add_planetary_stages(parts: Parts, report: Reader) -> None:
     Later problems of these components are reported for the stages.
     """
     for name in parts.known(SECTION) - set(parts.planetary_stages):
-        _assume(parts, names_of("planet", MOST), report)  # the number of planets is unknown
+        planets = names_of(parts.planet_names.get(name, "planet"), MOST)  # their number is unknown
+        _assume(parts, planets, report)
         report.tainted.add((SECTION, name))
     for name, stage in parts.planetary_stages.items():
         if not (fit_together(parts, name, stage, report) and _add(parts, name, stage, report)):

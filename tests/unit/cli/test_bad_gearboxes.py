@@ -19,8 +19,9 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.remarks.collect import remarks_of, remarks_of_file
 
 ROOT = Path(__file__).parents[3]
-PLANETS, CLUTCH, SCISSOR, GEARBOX = FILES = (
+PLANETS, SERIES, CLUTCH, SCISSOR, GEARBOX = FILES = (
     "examples/planetary-set/model.yaml",
+    "examples/ravigneaux/model.yaml",
     "examples/clutch-driveline/judder.yaml",
     "docs/reference/snippets/scissor.yaml",
     "docs/reference/snippets/gearbox.yaml",
@@ -125,6 +126,21 @@ ERRORS = [
         "bearings:\\n >>   two:\\n    {sun: sun, carrier: carrier, planets: 3, planet: {number_of_teeth: 39, "
         "normal_module: 3 mm, face_width: 40 mm, profile_shift_coefficient: 0}}\\nbearings:\\n",
         "planetary_stages.two.planet_name: is also the planet_name of set",
+    ),
+    (
+        SERIES,
+        "large_sun], position: [0, 0, 0] >> large_sun], position: [1 mm, 0, 0]",
+        "bodies.large_sun.position: 1 mm is off the axis of small_sun",
+    ),
+    (
+        SERIES,
+        "inner_planets: short >> inner_planets: shorts",
+        "planetary_stages.long.inner_planets: mean short?",
+    ),
+    (
+        SERIES,
+        "18, normal_module: teeth, face_width: 45 mm >> 18, normal_module: 2, face_width: 45 mm",
+        "planetary_stages.long.planet.normal_module: write 2 mm",
     ),
     # clutches and brakes
     (CLUTCH, "capacity: 60 N m >> torque: 60 N m", "clutches.clutch.torque: did you mean capacity?"),

@@ -18,7 +18,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.carried_meshes import LARGEST
 from pitchpoint.model.checks.gear_pairs import pair_of
-from pitchpoint.model.frames import body_frame
+from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.planet_places import central_bodies, inner_stage
 from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
@@ -66,8 +66,7 @@ def check_pin_errors(parts: Parts, report: Reader) -> None:
 
 def check_spacing(parts: Parts, report: Reader) -> None:
     """Check the assembly condition of all stages, and the common centre distance of their meshes."""
-    for name, stage in parts.planetary_stages.items():
-        _coaxial(parts, name, stage, report)
+    _coaxial(parts, report)
     for chain in connected(parts):
         stages = {name: parts.planetary_stages[name] for name in chain}
         gears = [g.mate for s in stages.values() for g in s.groups if g.side != "planet"]
@@ -86,31 +85,37 @@ def check_spacing(parts: Parts, report: Reader) -> None:
                     report.taint(("meshes", mesh, "gears"))
 
 
-def _coaxial(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None:
-    """Check that suns and rings with a position are on one axis; later checks put them there."""
-    given = {
-        body: place
-        for body, _ in central_bodies(parts, stage)
-        if (place := parts.bodies[body].position) is not None
-    }
-    bodies = list(given)
-    for body in bodies[1:]:
-        axis = body_frame(parts, bodies[0])[1][:, 2]
-        way = np.subtract(given[body], given[bodies[0]])
-        off = way - (way @ axis) * axis
-        limit = LARGEST * stage.planet.normal_module
-        if float(np.linalg.norm(off)) <= limit:
-            continue
-        report.problem(
-            ("shafts" if body in parts.shafts else "bodies", body, "position"),
-            f"is off the axis of {bodies[0]}, and both are on the axis of {SECTION}.{name}",
-            value=format_quantity(float(np.linalg.norm(off)), "length", 4),
-            limit=f"{format_quantity(limit, 'length', 3)}, a tenth of a module",
-            remedy=f"put {body} on the axis of {bodies[0]}",
-            taint=False,
+def _coaxial(parts: Parts, report: Reader) -> None:
+    """Check that suns and rings with a position around one carrier are on one axis; later checks put them
+    there."""
+    given: dict[str, dict[str, tuple[Array, str, float]]] = {}
+    for name, stage in parts.planetary_stages.items():
+        for body, _ in central_bodies(parts, stage):
+            if (place := parts.bodies[body].position) is not None:
+                module = stage.planet.normal_module
+                given.setdefault(stage.carrier, {}).setdefault(body, (np.array(place), name, module))
+    for bodies in given.values():
+        axis = body_frame(parts, next(iter(bodies)))[1][:, 2]
+        across = {body: place - (place @ axis) * axis for body, (place, _, _) in bodies.items()}
+        # the axis that most of them have, the first of several
+        first = max(
+            across, key=lambda one: sum(np.allclose(at, across[one], atol=SAME) for at in across.values())
         )
-        x, y, z = (float(v) for v in np.subtract(given[body], off))
-        parts.bodies[body] = replace(parts.bodies[body], position=(x, y, z))
+        for body, (place, name, module) in bodies.items():
+            off = across[body] - across[first]
+            apart, limit = float(np.linalg.norm(off)), LARGEST * module
+            if apart <= limit:
+                continue
+            report.problem(
+                ("shafts" if body in parts.shafts else "bodies", body, "position"),
+                f"is off the axis of {first}, which is that of {SECTION}.{name}",
+                value=format_quantity(apart, "length", 4),
+                limit=f"{format_quantity(limit, 'length', 3)}, a tenth of a module",
+                remedy=f"put {body} on the axis of {first}",
+                taint=False,
+            )
+            x, y, z = (float(v) for v in place - off)
+            parts.bodies[body] = replace(parts.bodies[body], position=(x, y, z))
 
 
 def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
