@@ -28,7 +28,7 @@ PLANETS, SERIES, CLUTCH, SCISSOR, GEARBOX = FILES = (
 )
 SET, FREE, CAST = "planetary_stages.set", "scissor_gears.free", "materials.cast"
 BEARING = "{stiffness: {radial: 8e8 N/m}, damping: {ratio: 0.03}, pin_stiffness: 1.5e9 N/m}"
-BRAKE = "  brake: {{bodies: [engine], capacity: 60 N m}}\ntorsion_springs:"
+BRAKE = "  brake: {bodies: [engine], capacity: 60 N m}\ntorsion_springs:"
 
 
 @cache
