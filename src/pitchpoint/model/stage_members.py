@@ -48,7 +48,7 @@ def fit_together(parts: Parts, name: str, stage: PlanetaryStage, report: Reader)
         if side != "planet" and owners.get(mate) == stage.carrier:
             report.problem(
                 (*at, "carrier"),
-                f"names {stage.carrier}, the body of the {side}: the stage could not rotate in itself",
+                f"names {stage.carrier}, the body of the {side}, which would lock the planets",
                 limit="a body without the sun and ring of the stage",
                 remedy="name the body with the pins of the planets",
             )
