@@ -91,9 +91,9 @@ def _coaxial(parts: Parts, report: Reader) -> None:
     given: dict[str, dict[str, tuple[Array, str, float]]] = {}
     for name, stage in parts.planetary_stages.items():
         for body, _ in central_bodies(parts, stage):
-            if (place := parts.bodies[body].position) is not None:
+            if (position := parts.bodies[body].position) is not None:
                 module = stage.planet.normal_module
-                given.setdefault(stage.carrier, {}).setdefault(body, (np.array(place), name, module))
+                given.setdefault(stage.carrier, {}).setdefault(body, (np.array(position), name, module))
     for bodies in given.values():
         axis = body_frame(parts, next(iter(bodies)))[1][:, 2]
         across = {body: place - (place @ axis) * axis for body, (place, _, _) in bodies.items()}
