@@ -14,7 +14,8 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.measured.reading import read_measured
 from tests.support import measured_files as files
 
-IN_PROCESS = ("csv", "mat", "plain.mat", "wav", "float.wav", "own.h5")
+IN_PROCESS = ("csv", "mat", "plain.mat", "wav", "float.wav", "own.h5", "v4.mat", "structures.mat",
+              "csv.gz")  # fmt: skip
 IN_A_TRIAL = ("h5", "v73.mat")
 """Other people's HDF5 is tried in a process of its own: half a second each."""
 SOON = 25.0
@@ -82,10 +83,10 @@ def test_cut_and_changed_universal_files(tmp_path_factory, edits, cut):
     read_or_refused(folder, "uff", changed(good.read_bytes(), edits, cut))
 
 
-@pytest.mark.parametrize("name", ["wav", "plain.mat", "csv"])
+@pytest.mark.parametrize("name", ["wav", "plain.mat", "csv", "v4.mat", "csv.gz"])
 def test_cut_at_every_byte(good, name):
     folder, contents = good
-    for length in range(0, len(contents[name]), 11 if name == "csv" else 1):
+    for length in range(0, len(contents[name]), {"csv": 11, "csv.gz": 7, "v4.mat": 7}.get(name, 1)):
         read_or_refused(folder, name, contents[name][:length])
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import wave
 from pathlib import Path
@@ -43,6 +44,38 @@ def write_mat(path: Path) -> None:
 def write_plain_mat(path: Path) -> None:
     """A MAT file of version 6."""
     savemat(path, {"force": FORCE, "speed": SPEED, "fs": RATE}, do_compression=False)
+
+
+def write_mat4(path: Path) -> None:
+    """A MAT file of version 4 with a row, a column, a text and the sample rate."""
+    content = {"force": FORCE[:, None], "speed": SPEED[None, :], "rig": "north", "fs": RATE, "rpm": 1500.0}
+    savemat(path, content, format="4")
+
+
+def structures(names: tuple[str, ...] = ("force", "speed")) -> dict[str, np.ndarray]:
+    """Arrays of structures `X` with a time axis and `Y` with named data, of two rasters."""
+    fields = [(name, "O") for name in ("Name", "Data", "Raster", "Unit")]
+    x, y = np.zeros((1, 2), fields), np.zeros((1, 3), fields)
+    x[0, 0] = ("Time", TIME[None, :], "fast", "s")
+    x[0, 1] = ("Time", TIME[None, ::4], "slow", "s")
+    y[0, 0] = (names[0], FORCE[None, :], "fast", "kN")
+    y[0, 1] = ("temperature", TIME[None, ::4], "slow", "K")
+    y[0, 2] = (names[1], SPEED[None, :], "fast", "rpm")
+    return {"X": x, "Y": y}
+
+
+def write_structures(path: Path) -> None:
+    """A MAT file with structures in a structure, cells and a header with the sample rate."""
+    cells = np.empty(2, dtype=object)
+    cells[:] = [FORCE, SPEED]
+    header = {"SampFreq": RATE, "XInc": 1.0 / RATE, "XUnit": "s", "Operator": "north"}
+    savemat(path, {"Header": header, "c": cells, "Signal": {"y_values": {"values": FORCE}}, "rpm": 1500.0})
+
+
+def write_packed_csv(path: Path) -> None:
+    """A packed CSV file with comments on sample rate and speed."""
+    text = "# fs [kHz] = 1\n# rpm: 1500\n" + csv_text()
+    path.write_bytes(gzip.compress(text.encode()))
 
 
 def write_mat73(path: Path) -> None:
@@ -131,4 +164,7 @@ WRITERS = {
     "wav": write_wav,
     "float.wav": write_float_wav,
     "own.h5": write_own,
+    "v4.mat": write_mat4,
+    "structures.mat": write_structures,
+    "csv.gz": write_packed_csv,
 }

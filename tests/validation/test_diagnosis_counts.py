@@ -98,7 +98,7 @@ def findings(
 
 def draws(path: Path) -> list[Named]:
     """Findings of one record with one draw of noise after the other."""
-    record = read_record(str(path))
+    record = read_record([str(path)])
     shaft = tacho_angle(record.channels["tacho"], record.time, pulses_per_revolution=10)
     held = slice(shaft.first_sample, shaft.first_sample + shaft.angle.size)
     clean = {name: values for name, values in record.channels.items() if name != "tacho"}

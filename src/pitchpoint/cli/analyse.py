@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -26,8 +27,7 @@ def _tools() -> str:
 
 
 @click.command(epilog=_tools())
-@click.argument("file", required=False, type=click.Path(exists=True, dir_okay=False))
-@click.argument("tool", required=False)
+@click.argument("words", nargs=-1, metavar="[FILE]... [TOOL]")
 @click.option("--channel", "-c", "channels", multiple=True, metavar="NAME", help="Channel; may be repeated.")
 @click.option(
     "--angle", metavar="NAME", help="Channel with angle [rad] or speed [rad/s] of the reference shaft."
@@ -58,10 +58,11 @@ def _tools() -> str:
 @as_json
 @quiet
 @debug
-def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **options: Any) -> None:
+def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> None:
     """Apply TOOL to channels of FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF (data set 58).
 
-    Without TOOL, list the channels of FILE; without FILE, list the tools.
+    Without TOOL, list the channels of FILE; without FILE, list the tools. Several files are one record with
+    the channels of all; they were recorded together with one sample rate.
     """
     from pitchpoint.analysis.dataset import analyse as apply
     from pitchpoint.analysis.shaft_channel import with_shaft_angle
@@ -69,17 +70,18 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.target import check_target
 
-    if file is None:
+    files, tool = _files_and_tool(words)
+    if not files:
         return _list_tools(as_json)
     targets = {
-        kind: check_target(options[key], kind, [file]) for key, kind in _TARGETS.items() if options[key]
+        kind: check_target(options[key], kind, files) for key, kind in _TARGETS.items() if options[key]
     }
     tacho, angle = options["tacho"], options["angle"]
     _one_shaft(tacho, angle, options["pulses_per_revolution"])
     chosen = list(dict.fromkeys([*options["channels"], *(n for n in (angle, tacho) if n)]))
     wanted = chosen if options["channels"] else None
     units = _pairs(options["units"], "--unit")
-    record = read_measured(file, sample_rate=options["sample_rate"], channels=wanted, units=units)
+    record = read_measured(files, sample_rate=options["sample_rate"], channels=wanted, units=units)
     if tacho is not None:
         record = with_shaft_angle(record, tacho, pulses_per_revolution=options["pulses_per_revolution"])
         angle = f"angle[{tacho}]"
@@ -87,7 +89,8 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     lost = _lost(record, options["lines"])
     notes += [lost] if lost else []
     if tool is None:
-        return _list_channels(file, record, notes, as_json)
+        named = files[0] + (f" and {len(files) - 1} more" if files[1:] else "")
+        return _list_channels(named, record, notes, as_json)
     names = options["channels"][0] if len(options["channels"]) == 1 else list(options["channels"]) or None
     settings = {name: value_of(text) for name, text in _pairs(options["settings"], "--option").items()}
     result = apply(record, tool, channel=names, angle=angle, **settings)
@@ -107,6 +110,18 @@ _MAX_VALUES = 100_000
 """Maximum number of values of a map in JSON output (2 MB); files contain all."""
 
 _TARGETS = {"csv": "analysis", "html": "page"}
+
+
+def _files_and_tool(words: Sequence[str]) -> tuple[list[str], str | None]:
+    """Files, and the tool if the last word names one and no file."""
+    files = list(words)
+    tool = None
+    if len(files) > 1 and (files[-1] in TOOLS or not os.path.exists(files[-1])):
+        tool = files.pop()
+    kind = click.Path(exists=True, dir_okay=False)
+    context = click.get_current_context()
+    parameter = next(p for p in context.command.params if p.name == "words")
+    return [str(kind.convert(name, parameter, context)) for name in files], tool
 
 
 def _one_shaft(tacho: str | None, angle: str | None, pulses: int | None) -> None:

@@ -19,7 +19,7 @@ PAGE_ENDINGS = (".html", ".htm")
 
 
 @click.command()
-@click.argument("file", type=click.Path(exists=True, dir_okay=False))
+@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
 @click.option(
     "--model",
     type=click.Path(exists=True, dir_okay=False),
@@ -38,7 +38,7 @@ PAGE_ENDINGS = (".html", ".htm")
     multiple=True,
     metavar="[SHAFT=]QUANTITY[±TOL]",
     help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; tolerance "
-    "without ±: 2 %. Lines of the record determine it more closely.",
+    "without ±: 2 %. Lines of the record determine it more closely. Default: a speed that the file states.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
@@ -75,16 +75,17 @@ PAGE_ENDINGS = (".html", ".htm")
 @quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
 @output("HTML page with plots of the evidence.")
 @common
-def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
-    """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
+def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> None:
+    """Look for damaged gears, shafts and bearings in FILES: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
     The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with bearings is
-    enough. The speed follows from an angle or tacho channel of the file, or from --speed and lines near it.
+    enough. The speed follows from an angle or tacho channel of the file, or from --speed and lines near it. Several
+    files are one record with the channels of all; they were recorded together with one sample rate.
     """
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
-    target = _page_target(options.pop("output"), [file, options["model"]])
+    target = _page_target(options.pop("output"), [*files, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
         raise click.UsageError("--pulses requires --tacho CHANNEL")
     if options["tacho"] is not None and options["pulses"] is None:
@@ -96,7 +97,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
     for text in options["speeds"]:
         say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
-    found = diagnose_file(Request(file=file, **options))
+    found = diagnose_file(Request(file=files[0], more=files[1:], **options))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page

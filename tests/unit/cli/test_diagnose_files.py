@@ -256,3 +256,40 @@ def test_a_tacho_among_the_channels_is_no_vibration(
     assert "channels: acc" in remarks
     assert "tacho: looks like tacho pulses, not vibration; omitted" in remarks
     assert "--tacho tacho --pulses N" in remarks
+
+
+def test_one_file_for_each_channel_with_the_speed_in_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The files are one record; the speed is that of the file, and the option wins."""
+    acc = rig()["acc"]
+    paths = []
+    for k, cut in enumerate((0, 5)):
+        paths.append(str(tmp_path / f"ch{k}.mat"))
+        noise = 0.1 * np.random.default_rng(k).standard_normal(acc.size)
+        header = {"SampFreq": RATE, "Date": np.arange(6.0)}
+        content = {"Data": (acc + noise)[None, : acc.size - cut], "Header": header, "Shaft_RPM": 600.0}
+        savemat(paths[-1], content)
+    found = json_of(["diagnose", *paths, *TRAIN], capsys)
+    assert [(one["kind"], one["gears"]) for one in found["findings"]] == [("local fault", ["Z1"])]
+    assert {row["channel"] for row in found["evidence"]} == {"ch0", "ch1"}
+    origin = {row[0]: row[1:] for row in found["origin"]}
+    assert origin["speed"][1] == "file, variable Shaft_RPM, refined by the mesh lines"
+    assert origin["sample rate"] == ["6400 Hz", "file, Header.SampFreq"] and "ch1.mat" in origin["file"][0]
+    assert any(text.startswith("speed of the input from the file") for text in found["remarks"])
+    found = json_of(["diagnose", paths[0], *TRAIN, "--speed", "2=3.3684Hz"], capsys)
+    assert "--speed 2=3.3684Hz" in str(found["origin"]) and not any("no shaft" in t for t in found["remarks"])
+    said = told([paths[0], *TRAIN, "--speed", "620rpm"], capsys)
+    assert "speed: 600 rpm in the file (Shaft_RPM) is the speed of no shaft; it is not used" in said
+    listed = json_of(["analyse", *paths], capsys)
+    assert list(listed["channels"]) == ["ch0", "ch1"] and listed["samples"] == acc.size - 5
+
+
+def test_a_chosen_channel_is_read_although_others_do_not_fit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    acc = rig()["acc"]
+    savemat(tmp_path / "a.mat", {"acc": acc, "other": acc[:-100], "fs": RATE})
+    assert "differ in length" in told([str(tmp_path / "a.mat"), *TRAIN, "--speed", "10Hz"], capsys)
+    command = [str(tmp_path / "a.mat"), *TRAIN, "--speed", "10Hz", "-c", "acc"]
+    assert gears_found(command, capsys) == [("local fault", ["Z1"])]

@@ -132,7 +132,7 @@ def test_two_time_axes_and_two_rates(tmp_path):
     with h5py.File(path, "w") as file:
         for name, rate in (("a", 10.0), ("b", 20.0)):
             file.create_dataset(name, data=np.arange(5.0)).attrs["fs"] = rate
-    assert "a 10 Hz, b 20 Hz differ" in refusal(path)
+    assert "a/fs 10 Hz, b/fs 20 Hz contradict each other" in refusal(path)
 
 
 def test_headers_that_promise_four_gigabytes(tmp_path):

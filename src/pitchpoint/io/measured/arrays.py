@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files of named arrays (MAT, HDF5): identification of channels, time axis and sample rate.
 
-Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, a single number
-named `sample_rate`, `fs`, `dt` or similar gives the sample rate; no other arrays are used for these. Other
-single numbers and texts become attributes.
+Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, and so is the
+data of a structure `X` next to `Y`; no other arrays are used for it. Numbers named `sample_rate`, `fs`,
+`dt`, `rpm` or similar give sample rate and speed (`stated`); numbers and texts become attributes. A structure
+with data and a name, such as `Y(2).Data` and `Y(2).Name`, is a channel of this name.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+import re
+from collections import Counter
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +21,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.io.measured.record import (
-    RATE_NAMES,
-    STEP_NAMES,
     TIME_NAMES,
     Column,
     Record,
@@ -28,12 +29,18 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
+from pitchpoint.io.measured.stated import Statements
+from pitchpoint.io.measured.units import to_si
 
 MAX_BYTES = 1_000_000_000
 """Size of the unpacked arrays of one file, and of the chosen ones in double precision [bytes]: 18 MB of
 packed zeros may become a thousand times as much."""
 _MAX_COLUMNS = 4096
 _TEXT = 200
+_SHORT, _LONG = 32, 1024
+"""An array of up to `_SHORT` numbers, such as a date, is not a channel next to one of `_LONG` or more."""
+_DATA = ("data", "values", "value", "y", "signal")
+_NAMES, _UNITS, _GRIDS = ("name", "channel", "label"), ("unit", "units"), ("raster",)
 
 
 @dataclass(frozen=True)
@@ -50,8 +57,10 @@ class Found:
         Shape of the array; omitted if `values` are given.
     unit, long_name, scale
         As in `record.Column`.
-    rate, start
-        Sample rate [Hz] and start [s] given with this array, or None.
+    start
+        Time of the first sample [s] given with this array.
+    stored
+        Name in the file, if a text next to the array gives the channel its name.
     """
 
     name: str
@@ -60,8 +69,13 @@ class Found:
     unit: str = ""
     long_name: str = ""
     scale: str = ""
-    rate: float | None = None
     start: float = 0.0
+    stored: str = ""
+
+    @property
+    def place(self) -> str:
+        """Name in the file."""
+        return self.stored or self.name
 
     @property
     def extent(self) -> tuple[int, ...]:
@@ -91,13 +105,33 @@ class Arrays:
     def __init__(self, path: Path, form: str, most: int) -> None:
         self._path, self._form, self._most = path, form, most
         self._found: list[Found] = []
-        self._rate: float | None = None
+        self._stated = Statements()
         self._notes: list[str] = []
         self._skipped: dict[str, list[str]] = {}
         self._attributes: dict[str, str | float | int] = {}
+        self._texts: dict[str, dict[str, str]] = {}
+        self._names: dict[str, int] = {}
+        self._renamed: dict[str, str] = {}
+
+    def unique(self, name: str) -> str:
+        """Name for a variable; a repeated one has a number at its end, as in `x_2`.
+
+        Call it once for each variable of the file.
+        """
+        if name not in self._names:
+            self._names[name] = 1
+            return name
+        new = name
+        while new in self._names:
+            self._names[name] += 1
+            new = f"{name}_{self._names[name]}"
+        self._names[new] = 1
+        self._renamed[new] = name
+        self._notes.append(f"{name} is in the file more than once: the next one is named {new}")
+        return new
 
     def add(self, found: Found) -> None:
-        """Add an array; single numbers become sample rate or attribute."""
+        """Add an array; single numbers become sample rate, speed or attribute."""
         if not found.extent:
             self.number(found.name, float(as_floats(found.read()).reshape(())), found.unit)
         elif 0 in found.extent:
@@ -108,16 +142,20 @@ class Arrays:
             self._found.append(found)
 
     def number(self, name: str, value: float, unit: str = "") -> None:
-        """Add a single number: a sample rate if it has such a name, else an attribute."""
-        rate = stated_rate(self._path, name, value, unit)
-        if rate is None:
-            self._attributes[name] = value
-        elif self._rate is None:
-            self._rate = rate
+        """Add a single number: a statement if it has such a name, and an attribute."""
+        self._stated.number(self._renamed.get(name, name), value, unit)
+        self._attributes[name] = value
+
+    def state(self, name: str, value: float) -> None:
+        """Add a number at an array, such as its sample rate; it is not an attribute of the file."""
+        self._stated.number(name, value)
 
     def text(self, name: str, value: str) -> None:
-        """Add a text as attribute."""
+        """Add a text: an attribute, and a statement if it is a number with such a name."""
         if value.strip():
+            owner, _, last = _parts(name)
+            self._texts.setdefault(owner, {})[last.lower()] = value.strip()
+            self._stated.text(name, value)
             self._attributes[name] = value[:_TEXT]
 
     def skip(self, name: str, why: str) -> None:
@@ -126,8 +164,10 @@ class Arrays:
 
     def record(self, wanted: Wanted) -> Record:
         """Record of the requested channels."""
-        times = [f for f in self._found if key_of(f.name) in TIME_NAMES and len(f.extent) == 1]
-        others = [f for f in self._found if f not in times]
+        found = self._named()
+        places = {f.place for f in found}
+        times = [f for f in found if len(f.extent) == 1 and _is_time(f, places)]
+        others = self._long([f for f in found if f not in times], wanted)
         for f in others:
             if wanted.channels and f.name in wanted.channels and len(f.extent) == 2:
                 names = tuple(n for n, _ in _split(f, None))
@@ -141,7 +181,28 @@ class Arrays:
                 self._path, "", f"{count / 1e6:.0f} million samples", "are chosen at once", limit, remedy
             )
         axis = self._one_time(times, chosen)
-        length = axis.extent[0] if axis else None
+        time = None if axis is None else Column(axis.name, as_floats(axis.read()), axis.unit)
+        columns = self._columns(chosen, wanted, axis.extent[0] if axis else None)
+        given = self._stated.on([f.place for f in chosen], [f.place for f in others], _rate_of(time))
+        starts = {f.start for f in chosen}
+        notes = [
+            f"omitted because it is {why}: {', '.join(names[:8])}" for why, names in self._skipped.items()
+        ]
+        return Record(
+            form=self._form,
+            columns=tuple(columns),
+            time=time,
+            resolution=_resolution(axis),
+            rates=given.rates,
+            start=starts.pop() if len(starts) == 1 else 0.0,
+            speed=given.speed,
+            fault_orders=given.fault_orders,
+            notes=(*self._notes, *notes, *given.notes),
+            attributes=self._attributes,
+        )
+
+    def _columns(self, chosen: list[Found], wanted: Wanted, length: int | None) -> list[Column]:
+        """Requested channels; `length` is that of the time axis, if any."""
         columns = []
         for f in chosen:
             if len(f.extent) == 2 and f.extent[0] == f.extent[1] != length:
@@ -161,57 +222,79 @@ class Arrays:
             if len(f.extent) == 2:
                 n, m = max(f.extent), min(f.extent)
                 self._notes.append(f"{f.name}: {m} channels of {n} samples")
-        rates = {f.rate for f in chosen if f.rate is not None}
-        if len(rates) > 1:
-            listed = ", ".join(f"{f.name} {f.rate:g} Hz" for f in chosen if f.rate is not None)
-            raise refused(
-                self._path,
-                "sample rate",
-                listed,
-                "differ",
-                "one for all",
-                "choose channels that belong together",
-            )
-        starts = {f.start for f in chosen}
-        notes = [
-            f"omitted because it is {why}: {', '.join(names[:8])}" for why, names in self._skipped.items()
-        ]
-        return Record(
-            form=self._form,
-            columns=tuple(columns),
-            time=None if axis is None else Column(axis.name, as_floats(axis.read()), axis.unit),
-            resolution=_resolution(axis),
-            rate=next(iter(rates), self._rate),
-            start=starts.pop() if len(starts) == 1 else 0.0,
-            notes=(*self._notes, *notes),
-            attributes=self._attributes,
-        )
+        return columns
+
+    def _named(self) -> list[Found]:
+        """Arrays with the names and units that texts in their structures give them."""
+        found = []
+        for f in self._found:
+            owner, _, last = _parts(f.name)
+            if not owner or last.lower() not in _DATA:
+                found.append(f)
+                continue
+            name, unit = self._next_to(owner, _NAMES), f.unit or self._next_to(owner, _UNITS)
+            found.append(replace(f, name=name or f.name, stored=f.name, unit=unit))
+        count = Counter(f.name for f in found)
+        return [f if count[f.name] == 1 else replace(f, name=f.place) for f in found]
+
+    def _next_to(self, owner: str, keys: Collection[str]) -> str:
+        """Text of one of these names in a structure or group; empty if none."""
+        texts = self._texts.get(owner, {})
+        return next((texts[key][:_TEXT] for key in keys if key in texts), "")
+
+    def _long(self, found: list[Found], wanted: Wanted) -> list[Found]:
+        """Arrays without the short ones next to long channels, unless they are requested."""
+        sizes = [math.prod(f.extent) for f in found]
+        if max(sizes, default=0) < _LONG:
+            return found
+        kept = []
+        for f, size in zip(found, sizes, strict=True):
+            if size > _SHORT or wanted.channels and any(wanted.takes(name) for name, _ in _split(f, None)):
+                kept.append(f)
+            else:
+                self.skip(f"{f.name} ({size})", "shorter than a channel")
+        return kept
 
     def _one_time(self, times: list[Found], chosen: list[Found]) -> Found | None:
-        """Time axis of these channels: the one in the same group."""
+        """Time axis of these channels: the one in the same group, or with the same raster."""
         if len(times) > 1:
-            owners = {_owner(f.name) for f in chosen}
-            times = [t for t in times if _owner(t.name) in owners] or times
+            grids = {grid for f in chosen if (grid := self._next_to(_owner(f.place), _GRIDS))}
+            times = [t for t in times if self._next_to(_owner(t.place), _GRIDS) in grids] or times
+            owners = {_owner(f.place) for f in chosen}
+            times = [t for t in times if _owner(t.place) in owners] or times
         if len(times) > 1 and any(not np.array_equal(times[0].read(), t.read()) for t in times[1:]):
-            listed = ", ".join(t.name for t in times)
+            listed = ", ".join(t.place for t in times)
             raise refused(
                 self._path, "time", listed, "are different time axes", "one", "choose channels of one of them"
             )
         return times[0] if times else None
 
 
-def stated_rate(path: Path, name: str, value: float, unit: str = "") -> float | None:
-    """Sample rate [Hz] given by a number of this name, None for other names."""
-    from pitchpoint.io.measured.units import to_si
+def _parts(name: str) -> tuple[str, str, str]:
+    """Structure or group, separator and last part of a name."""
+    owner = _owner(name)
+    return owner, name[len(owner) : len(owner) + 1] if owner else "", name[len(owner) + bool(owner) :]
 
-    key = key_of(name)
-    if key not in (*RATE_NAMES, *STEP_NAMES):
+
+def _is_time(found: Found, places: Collection[str]) -> bool:
+    """Whether a vector is a time axis: by its name, or as the data of `X` next to `Y`."""
+    if key_of(found.name) in TIME_NAMES or key_of(found.place) in TIME_NAMES:
+        return True
+    owner, _, last = _parts(found.place)
+    before, sign, group = _parts(owner)
+    match = re.fullmatch(r"([xX])(_values|_data|)(?:\[\d+\])?", group)
+    if last.lower() not in _DATA or match is None:
+        return False
+    y = f"{before}{sign}{'Y' if match[1] == 'X' else 'y'}{match[2]}"
+    return any(re.fullmatch(re.escape(y) + r"(\[\d+\])?", _owner(other)) for other in places)
+
+
+def _rate_of(time: Column | None) -> float | None:
+    """Mean sample rate of a time axis [Hz]; None if it has none."""
+    if time is None or time.values.size < 2:
         return None
-    stated = value * to_si(unit)[1]
-    rate = stated if key in RATE_NAMES else (1.0 / stated if stated else 0.0)
-    if not (np.isfinite(rate) and rate > 0.0):
-        raise refused(path, name, f"{value:g}", "is not a sample rate", "> 0", "give sample_rate=")
-    return rate
+    span = float(time.values[-1] - time.values[0]) * to_si(time.unit)[1]
+    return (time.values.size - 1) / span if span > 0.0 else None
 
 
 def _owner(name: str) -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -10,20 +11,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.core.errors import join_notes
 from pitchpoint.core.nearest import hint
-from pitchpoint.io.measured.record import Column, MeasuredError, Record, refused
+from pitchpoint.io.measured.clock import clock_of, finite
+from pitchpoint.io.measured.record import Column, Record, refused
+from pitchpoint.io.measured.stated import family_of
 from pitchpoint.io.measured.units import to_si
 
 if TYPE_CHECKING:
     import xarray as xr
 
-UNIFORM = 1e-6
-"""Tolerance of the times of a uniform record, relative to the step, as in `analysis.sampled`."""
-_AGREE = 1e-3
 _SHOWN = 12
+_OWN = ("format", "sha256", "sample_rate", "sample_rate_from", "shaft_speed", "shaft_speed_from")
+"""Attributes with this meaning only; numbers of the file with these names are not repeated."""
 
 
 def assemble(
@@ -57,12 +58,12 @@ def assemble(
     from pitchpoint.core.provenance import package_version
 
     columns = _chosen(path, record, channels)
-    _known(path, "units", units, [c.name for c in columns])
+    known_names(path, "units", units, [c.name for c in columns])
     columns = [replace(c, unit=units.get(c.name, c.unit)) for c in columns]
     count = _one_length(path, columns, record)
-    _finite(path, columns)
-    time, rate, notes = _time_axis(path, record, count, sample_rate)
-    notes = [*record.notes, *notes]
+    finite(path, columns)
+    clock = clock_of(path, record, count, sample_rate)
+    notes = [*record.notes, *clock.notes]
     variables: dict[str, Any] = {}
     for column in columns:
         unit, factor, known = to_si(column.unit)
@@ -87,12 +88,22 @@ def assemble(
         "format": record.form,
         "sha256": digest,
         "package_version": package_version(),
-        **({"sample_rate": rate} if rate is not None else {}),
-        **{key: value for key, value in record.attributes.items() if key not in ("format", "sha256")},
+        **({"sample_rate": clock.rate} if clock.rate is not None else {}),
+        **({"sample_rate_from": clock.source} if clock.source else {}),
+        **_stated(record),
+        **{key: value for key, value in record.attributes.items() if key not in _OWN},
         "notes": join_notes(notes),
     }
-    axis = ("time", time, {"units": "s", "long_name": "time"})
+    axis = ("time", clock.time, {"units": "s", "long_name": "time"})
     return xr.Dataset(variables, coords={"time": axis}, attrs=about)
+
+
+def _stated(record: Record) -> dict[str, str | float]:
+    """Attributes of the speed and the bearing given in the file."""
+    found: dict[str, str | float] = {f"fault_order[{k}]": v for k, v in record.fault_orders.items()}
+    if record.speed is not None:
+        found |= {"shaft_speed": math.tau * record.speed.value, "shaft_speed_from": record.speed.name}
+    return found
 
 
 def _chosen(path: Path, record: Record, channels: Sequence[str] | None) -> list[Column]:
@@ -136,10 +147,11 @@ def unknown_channels(path: Path, asked: Sequence[str], names: Sequence[str]) -> 
     names
         Channels of the file.
     """
-    _known(path, "channels", [name for name in asked if not _columns_of(name, names)], names)
+    known_names(path, "channels", [name for name in asked if not _columns_of(name, names)], names)
 
 
-def _known(path: Path, what: str, asked: Any, names: Sequence[str]) -> None:
+def known_names(path: Path, what: str, asked: Any, names: Sequence[str]) -> None:
+    """Reject names of the option `what` that are not among those of the channels."""
     for name in asked:
         if name not in names:
             remedy = hint(name, names, 3)
@@ -151,6 +163,15 @@ def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:
     lengths = {c.name: c.values.size for c in columns}
     if record.time is not None:
         lengths = {record.time.name: record.time.values.size} | lengths
+    families: dict[str, set[int]] = {}
+    for name, n in lengths.items():
+        families.setdefault(family_of(name), set()).add(n)
+    if len(families) > 1 and "" not in families and all(len(sizes) == 1 for sizes in families.values()):
+        listed = ", ".join(f"{family} {min(sizes)}" for family, sizes in list(families.items())[:_SHOWN])
+        last = [name for name in lengths if family_of(name) == next(reversed(families))]
+        remedy = f"choose the channels of one, such as channels={last[:_SHOWN]} (-c on the command line)"
+        if len(set.union(*families.values())) > 1:
+            raise refused(path, "samples", listed, "are records of different length", "one record", remedy)
     if len(set(lengths.values())) > 1:
         usual = Counter(lengths.values()).most_common(1)[0][0]
         if record.time is not None:
@@ -165,116 +186,3 @@ def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:
             path, "samples", str(count), "is too short for a record", "2 or more", "record for longer"
         )
     return count
-
-
-def _finite(path: Path, columns: Sequence[Column]) -> None:
-    """Reject samples that are NaN or infinite; all channels are reported together."""
-    problems = []
-    for c in columns:
-        bad = np.flatnonzero(~np.isfinite(c.values))
-        if bad.size:
-            k = int(bad[0])
-            problems.append(
-                f"{c.name}: {bad.size} of {c.values.size} samples, first {c.values[k]} at sample {k}"
-            )
-    if problems:
-        raise refused(
-            path,
-            "; ".join(problems[:_SHOWN]),
-            "",
-            "are not finite numbers",
-            "0",
-            "cut the record before them, repair them, or leave the channel out with channels=",
-        )
-
-
-def _time_axis(
-    path: Path, record: Record, count: int, sample_rate: float | None
-) -> tuple[NDArray[np.float64], float | None, list[str]]:
-    """Times [s], sample rate [Hz] if they are uniform, and notes."""
-    if sample_rate is not None and not (np.isfinite(sample_rate) and sample_rate > 0.0):
-        raise refused(path, "sample_rate", f"{sample_rate:g} Hz", "is impossible", "> 0", "give it in Hz")
-    stated = record.rate
-    if stated is not None and not (np.isfinite(stated) and stated > 0.0):
-        raise refused(
-            path, "sample rate", f"{stated:g} Hz", "is given in the file", "> 0", "give sample_rate="
-        )
-    if stated is not None and sample_rate is not None:
-        _agree(path, sample_rate, stated)
-    rate = sample_rate if sample_rate is not None else stated
-    if record.time is not None:
-        return _stored_axis(path, record, rate)
-    if rate is None:
-        raise refused(
-            path,
-            "time",
-            "",
-            "the file has neither a time axis nor a sample rate",
-            "one of them",
-            "give sample_rate= in Hz (--sample-rate on the command line)",
-        )
-    return record.start + np.arange(count) / rate, rate, []
-
-
-def _agree(path: Path, given: float, stated: float) -> None:
-    if abs(given - stated) > _AGREE * stated:
-        message = "contradicts the file"
-        raise refused(
-            path, "sample_rate", f"{given:g} Hz", message, f"{stated:.6g} Hz", "leave it out or correct it"
-        )
-
-
-def _stored_axis(
-    path: Path, record: Record, rate: float | None
-) -> tuple[NDArray[np.float64], float | None, list[str]]:
-    """Time axis of the file; rounded times are moved to an even grid."""
-    assert record.time is not None
-    unit, factor, known = to_si(record.time.unit)
-    if unit not in ("", "s") or not known:
-        message, remedy = "is not a unit of time", "correct it in the file, such as time [s]"
-        raise refused(path, record.time.name, repr(record.time.unit), message, "s, ms, min, h", remedy)
-    time, own = record.time.values * factor, record.form.startswith("pitchpoint")
-    _finite(path, [record.time])
-    steps = np.diff(time)
-    step = float(time[-1] - time[0]) / steps.size
-    grid = time[0] + np.arange(time.size) * step
-    off = float(np.abs(time - grid).max())
-    exact = UNIFORM * step + 4.0 * np.finfo(np.float64).eps * float(np.abs(time).max())
-    resolution = record.resolution * factor
-    if step > 0.0 and off > exact and off <= 1.001 * resolution and resolution <= 0.25 * step:
-        found = rate if rate is not None else 1.0 / step
-        _agree(path, found, 1.0 / step)
-        note = f"times are rounded to {resolution:g} s and were moved to an even grid"
-        return time[0] + np.arange(time.size) / found, found, [note]
-    back = np.flatnonzero(steps <= 0.0)
-    if back.size:
-        k = int(back[0])
-        coarse = resolution > 0.25 * abs(step)
-        message = "does not increase" + (f" (times are written to {resolution:g} s only)" if coarse else "")
-        remedy = (
-            "leave the column out and give sample_rate=" if coarse else "sort the file, drop repeated samples"
-        )
-        raise _uneven(
-            path, record, f"sample {k + 1} at {time[k + 1]:.9g} s after {time[k]:.9g} s", message, remedy
-        )
-    if off <= exact:
-        if rate is not None:
-            _agree(path, rate, 1.0 / step)
-        return time, 1.0 / step, []
-    if own:  # adaptive solvers store variable steps; functions that require even steps report it
-        return time, None, ["times are not evenly spaced"]
-    usual = float(np.median(steps))
-    k = int(np.argmax(np.abs(steps - usual)))
-    value = f"step {steps[k]:.6g} s after sample {k}"
-    raise _uneven(
-        path,
-        record,
-        value,
-        f"differs from the usual {usual:.6g} s: samples are missing or unevenly spaced",
-        "resample the record evenly, or cut it where samples are missing",
-    )
-
-
-def _uneven(path: Path, record: Record, value: str, message: str, remedy: str) -> MeasuredError:
-    assert record.time is not None
-    return refused(path, record.time.name, value, message, "even steps", remedy)

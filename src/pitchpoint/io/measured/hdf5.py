@@ -15,10 +15,8 @@ import numpy as np
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.io.container import FORMAT
-from pitchpoint.io.measured.arrays import MAX_BYTES, Arrays, Found, stated_rate
+from pitchpoint.io.measured.arrays import MAX_BYTES, Arrays, Found
 from pitchpoint.io.measured.record import (
-    RATE_NAMES,
-    STEP_NAMES,
     Column,
     MeasuredError,
     Record,
@@ -100,7 +98,7 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
             found = Arrays(path, "MAT 7.3" if matlab else "HDF5", most)
             for name, value in _attributes(file).items():
                 _take_attribute(found, name, value)
-            for name, dataset in _datasets(path, file):
+            for name, dataset in _datasets(path, file, found):
                 _take(path, found, name, dataset)
             return found.record(wanted)
     except MeasuredError:
@@ -109,36 +107,52 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
         raise _damaged(path, error, "copy it again from where it was recorded") from error
 
 
-def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:
-    """Arrays of a file in the order of their names, without those that describe others."""
+def _datasets(path: Path, file: h5py.File, found: Arrays) -> Iterator[tuple[str, h5py.Dataset]]:
+    """Arrays of a file by levels, without those that describe others; numbers at groups are statements."""
     import h5py
 
-    stack: list[tuple[str, Any]] = [("", file)]
+    queue: list[tuple[str, Any]] = [("", file)]
     seen: set[Any] = set()
-    while stack:
-        prefix, group = stack.pop(0)
-        for key in group:
+    while queue:
+        name, item = queue.pop(0)
+        if isinstance(item, h5py.Dataset):
+            if h5py.check_ref_dtype(item.dtype) is None:
+                yield name, item
+                continue
+            inner = _referenced(file, name, item, found)
+        else:
+            inner = [
+                (f"{name}/{key}" if name else key, item[key])
+                for key in item
+                if not key.startswith("#") and isinstance(item.get(key, getlink=True), h5py.HardLink)
+            ]
+            for key, value in (_attributes(item) if name else {}).items():
+                if isinstance(value, float):
+                    found.state(f"{name}/{key}", value)
+        for entry in inner:
             if len(seen) > _MAX_OBJECTS:
                 raise refused(
-                    path,
-                    "",
-                    f"{len(seen)} objects",
-                    "are too many",
-                    f"{_MAX_OBJECTS}",
-                    "export the channels",
+                    path, "", f"{len(seen)} objects", "are too many", f"{_MAX_OBJECTS}", "export the channels"
                 )
-            if key.startswith("#") or not isinstance(group.get(key, getlink=True), h5py.HardLink):
-                continue
-            item = group[key]
-            address = h5py.h5o.get_info(item.id).addr
-            if address in seen:
-                continue
-            seen.add(address)
-            name = f"{prefix}/{key}" if prefix else key
-            if isinstance(item, h5py.Group):
-                stack.append((name, item))
-            elif isinstance(item, h5py.Dataset):
-                yield name, item
+            address = h5py.h5o.get_info(entry[1].id).addr
+            if address not in seen and isinstance(entry[1], h5py.Group | h5py.Dataset):
+                seen.add(address)
+                queue.append(entry)
+
+
+def _referenced(file: h5py.File, name: str, dataset: h5py.Dataset, found: Arrays) -> list[tuple[str, Any]]:
+    """Parts of a cell array, `c[1]`, or of a field of an array of structures, `y[1]/data`, of MATLAB."""
+    if dataset.size > _MAX_OBJECTS or is_elsewhere(dataset):
+        found.skip(name, "a list of too many parts")
+        return []
+    cell = _attributes(dataset).get("MATLAB_class") == "cell"
+    owner, _, field = name.rpartition("/")
+    parts = []
+    for k, reference in enumerate(np.asarray(dataset[()]).ravel()):
+        if reference:
+            inner = f"{name}[{k}]" if cell or not owner else f"{owner}[{k}]/{field}"
+            parts.append((inner, file[reference]))
+    return parts
 
 
 def _attributes(item: Any) -> dict[str, Any]:
@@ -172,6 +186,8 @@ def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
     """Add one array with its unit, description and sample rate."""
     attributes = _attributes(dataset)
     kind = dataset.dtype.kind
+    if "MATLAB_object_decode" in attributes:
+        return found.skip(name, "an object, such as a table")
     if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000 and not is_elsewhere(dataset):
         found.text(
             name, "".join(chr(c) for c in np.asarray(dataset[()], dtype=np.int64).ravel() if 0 < c < 0x110000)
@@ -189,10 +205,9 @@ def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
         return None
     unit = next((str(attributes[k]) for k in _UNIT_NAMES if isinstance(attributes.get(k), str)), "")
     words = next((str(attributes[k]) for k in _WORD_NAMES if isinstance(attributes.get(k), str)), "")
-    rate = None
     for key, value in attributes.items():
-        if key_of(key) in (*RATE_NAMES, *STEP_NAMES) and isinstance(value, float):
-            rate = stated_rate(path, key, value)
+        if isinstance(value, float):
+            found.state(f"{name}/{key}", value)
     start = next(
         (v for k, v in attributes.items() if key_of(k) in ("t0", "wf_start_offset") and isinstance(v, float)),
         0.0,
@@ -207,8 +222,7 @@ def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
             unit,
             words,
             f"{gain:g} times the number stored, plus {shift:g}" if scaled else "",
-            rate,
-            start,
+            start=start,
         )
     )
     return None

@@ -3,7 +3,7 @@
 
 They are decoded here, element by element, because available readers allocate the size given in the header of
 an array without checking the data; `scipy.io` is the reference of the tests. Files of version
-7.3 are HDF5 (`hdf5.read_hdf5`).
+7.3 are HDF5 (`hdf5.read_hdf5`), those of version 4 have another form (`mat4`).
 
 References
 ----------
@@ -23,7 +23,8 @@ from pitchpoint.io.measured.record import MeasuredError, Record, Wanted, refused
 
 _MATRIX, _COMPRESSED = 14, 15
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
-_CELL, _STRUCT, _OBJECT, _CHAR, _SPARSE = 1, 2, 3, 4, 5
+_CELL, _STRUCT, _OBJECT, _CHAR, _SPARSE, _OPAQUE = 1, 2, 3, 4, 5, 17
+_BYTES = 9
 _NUMERIC = range(6, 16)
 _MAX_PARTS = 10_000
 
@@ -99,13 +100,19 @@ def _elements(path: Path, data: memoryview, order: str) -> Iterator[tuple[int, m
 def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays, depth: int) -> None:
     """Add one array with its name; parts of structures and cells are named after their parent."""
     parts = list(_limited(path, _elements(path, data, order)))
-    if len(parts) < 3 or len(parts[0][1]) < 8 or parts[1][0] != 5:
-        return  # empty arrays, and objects that have a form of their own
+    if len(parts) < 3 or len(parts[0][1]) < 8:
+        return None  # empty arrays
     flags = int(np.frombuffer(parts[0][1], f"{order}u4", 1)[0])
     kind, is_complex = flags & 0xFF, bool(flags & 0x0800)
+    if kind == _OPAQUE:
+        return found.skip(owner or bytes(parts[1][1]).decode("latin-1"), "an object, such as a table")
+    if parts[1][0] != 5:
+        return None
     shape = tuple(np.frombuffer(parts[1][1][: len(parts[1][1]) // 4 * 4], f"{order}i4").tolist())
     own = bytes(parts[2][1]).decode("latin-1")
-    name = f"{owner}{own}" if own or owner else "variable"
+    if not (own or owner) and kind == _BYTES:
+        return None  # contents of the objects
+    name = f"{owner}{own}" if owner else found.unique(own or "variable")
     if kind in _NUMERIC and len(parts) > 3:
         values = _numbers(path, parts[3], order, name)
         if values.size != int(np.prod([float(n) for n in shape])):
@@ -124,9 +131,9 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
         fields = [letters[k : k + length] for k in range(0, len(letters), length)] if length > 0 else []
         names = [field.partition(b"\0")[0].decode("latin-1") for field in fields]
         elements = parts[5:]
-        if names and len(elements) % len(names):
+        if len(elements) % max(len(names), 1) or (elements and not names):
             raise _damaged(path, f"structure {name} has {len(elements)} values for {len(names)} fields")
-        several = bool(names) and len(elements) > len(names)
+        several = len(elements) > len(names)
         for k, (inner, content) in enumerate(elements):
             index = f"[{k // len(names)}]" if several else ""
             if inner == _MATRIX:
@@ -137,6 +144,7 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
                 _matrix(path, content, order, f"{name}[{k}]", found, depth + 1)
     elif kind in (_OBJECT, _SPARSE) or kind > _NUMERIC[-1]:
         found.skip(name, "an object" if kind != _SPARSE else "a sparse matrix")
+    return None
 
 
 def _limited(path: Path, elements: Iterator[tuple[int, memoryview]]) -> Iterator[tuple[int, memoryview]]:

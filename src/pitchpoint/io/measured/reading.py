@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import UnitError
+from pitchpoint.io.measured.mat4 import is_mat4
+from pitchpoint.io.measured.packed import suffix_of, unpacked
 from pitchpoint.io.measured.record import MeasuredError, Record, Wanted, refused
 
 if TYPE_CHECKING:
@@ -19,7 +21,7 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 _EXPECTED = {
     ".wav": ("WAV",),
     ".wave": ("WAV",),
-    ".mat": ("MAT", "HDF5"),
+    ".mat": ("MAT", "MAT 4", "HDF5"),
     ".h5": ("HDF5",),
     ".hdf5": ("HDF5",),
     ".hdf": ("HDF5",),
@@ -33,7 +35,7 @@ _EXPECTED = {
 
 
 def read_measured(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     *,
     sample_rate: float | str | None = None,
     channels: Sequence[str] | str | None = None,
@@ -47,10 +49,12 @@ def read_measured(
     Parameters
     ----------
     path
-        File; its contents decide the format.
+        File; its contents decide the format. Several files are joined to one record: they have the same
+        sample rate and start, and the record has the length of the shortest. Channels with equal names are
+        named after their files: `front.x`, or `front` if the file has no other channel.
     sample_rate
         Sample rate [Hz] or a text such as "25.6 kHz", if the file has none; it must not contradict a time
-        axis.
+        axis, and it decides between contradictory statements of the file.
     channels
         Names of the channels to read, in this order; default: all of them.
     units
@@ -62,8 +66,9 @@ def read_measured(
     xarray.Dataset
         One variable per channel over `time` [s]. Attributes of a channel: `units` (SI where the unit is
         known), `long_name`, `scale` and `units_in_file` where numbers were converted. Attributes of the
-        dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `notes` (what was omitted, constant
-        channels) and other metadata of the file.
+        dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `sample_rate_from` (name of the number
+        in the file), `notes` (what was omitted, constant channels) and other metadata of the file; if the
+        file states them, `shaft_speed` [rad/s], `shaft_speed_from`, and `fault_order[BPFO]` [-] or similar.
 
     Raises
     ------
@@ -82,16 +87,15 @@ def read_measured(
     ([1500.0, 2500.0], 'N', 2000.0)
     """
     from pitchpoint.io.measured.assembly import assemble
+    from pitchpoint.io.measured.joining import read_joined
 
-    place = Path(path)
-    data = _contents(place)
-    digest = hashlib.sha256(data).hexdigest()
-    try:
-        record, asked = _record(place, data, channels)
-    except MemoryError:
-        remedy = "choose fewer channels=, or cut it into shorter records"
-        raise refused(place, "", "", "requires more memory than there is", None, remedy) from None
-    del data  # release memory for long records
+    asked = (channels,) if isinstance(channels, str) else None if channels is None else tuple(channels)
+    paths = [Path(path)] if isinstance(path, str | os.PathLike) else [Path(one) for one in path]
+    if len(paths) != 1:
+        rate = _hertz(paths[0] if paths else Path(), sample_rate)
+        return read_joined(paths, _read, sample_rate=rate, channels=asked, units=dict(units or {}))
+    place = paths[0]
+    record, digest = _read(place, asked)
     return assemble(
         place,
         record,
@@ -102,18 +106,30 @@ def read_measured(
     )
 
 
-def _record(
-    path: Path, data: bytes, channels: Sequence[str] | str | None
-) -> tuple[Record, tuple[str, ...] | None]:
-    """Contents of the file, and the requested channels."""
+def _read(path: Path, asked: tuple[str, ...] | None) -> tuple[Record, str]:
+    """Contents of a file with the requested channels, and its SHA-256."""
+    data = _contents(path)
+    digest = hashlib.sha256(data).hexdigest()
+    try:
+        return _record(path, data, asked), digest
+    except MemoryError:
+        remedy = "choose fewer channels=, or cut it into shorter records"
+        raise refused(path, "", "", "requires more memory than there is", None, remedy) from None
+
+
+def _record(path: Path, packed: bytes, asked: tuple[str, ...] | None) -> Record:
+    """Contents of the file with the requested channels."""
     from pitchpoint.io.measured.assembly import unknown_channels
 
-    reader = _reader(path, data, _form(path, data))
-    asked = (channels,) if isinstance(channels, str) else None if channels is None else tuple(channels)
+    data = unpacked(path, packed)
+    form = _form(path, data)
+    if data is not packed and form in ("HDF5", "UFF"):
+        raise refused(path, "", form, "is packed", "CSV, MAT 4 to 7 or WAV", "unpack the file first")
+    reader = _reader(path, data, form)
     record = reader(Wanted(asked))
     if asked is not None and len(record.columns) < len(asked):
         unknown_channels(path, asked, [c.name for c in reader(Wanted()).columns])
-    return record, asked
+    return record
 
 
 def _contents(path: Path) -> bytes:
@@ -153,18 +169,20 @@ def _form(path: Path, data: bytes) -> str:
         form = "MAT"
     elif data.lstrip(b"\r\n")[:80].split(b"\n")[0].rstrip() == b"    -1":
         form = "UFF"
+    elif is_mat4(data):
+        form = "MAT 4"
     else:
         form = "text"
-    expected = _EXPECTED.get(path.suffix.lower(), (form,))
+    suffix = suffix_of(path)
+    expected = _EXPECTED.get(suffix, (form,))
     if form not in expected:
         first = data[:8].decode("latin-1")
         what = {"text": "no known format", "MAT": "MAT 5"}.get(form, form)
-        old = "; MAT files of version 4 are not read" if path.suffix.lower() == ".mat" else ""
         raise refused(
             path,
             "first bytes",
             f"{first!r}",
-            f"identify {what}, but the extension is {path.suffix}{old}",
+            f"identify {what}, but the extension is {suffix}",
             " or ".join(expected),
             "copy or export the file again, or correct the extension",
         )
@@ -182,6 +200,8 @@ def _reader(path: Path, data: bytes, form: str) -> Callable[[Wanted], Record]:
         from pitchpoint.io.measured.wav import read_wav as decode
     elif form == "MAT":
         from pitchpoint.io.measured.mat import read_mat5 as decode
+    elif form == "MAT 4":
+        from pitchpoint.io.measured.mat4 import read_mat4 as decode
     elif form == "UFF":
         from pitchpoint.io.measured.uff import read_uff as decode
     else:

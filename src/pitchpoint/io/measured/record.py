@@ -13,12 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, PitchpointError
+from pitchpoint.io.measured.stated import Stated
 
 TIME_NAMES = ("time", "t", "zeit", "temps", "tiempo", "timestamp")
-RATE_NAMES = ("sample_rate", "samplerate", "sampling_rate", "samplingrate", "fs", "f_s", "sr",
-              "sample_frequency", "sampling_frequency", "samplingfrequency", "abtastrate")  # fmt: skip
-STEP_NAMES = ("dt", "delta_t", "time_step", "sample_interval", "sampling_interval", "wf_increment")
-"""Common names of a time axis, a sample rate [Hz] and its inverse [s]; spaces count as `_`."""
+"""Common names of a time axis."""
 
 
 class MeasuredError(PitchpointError, ValueError):
@@ -64,8 +62,14 @@ class Record:
         Time axis with its unit, None if the file has none.
     resolution
         Resolution of the times in the file, in the unit of `time`.
-    rate, start
-        Sample rate [Hz] and time of the first sample [s] given in the file, or None.
+    rates
+        Sample rates given in the file; they may contradict each other.
+    start
+        Time of the first sample [s] given in the file.
+    speed
+        Rotation frequency of a shaft given in the file [Hz], or None.
+    fault_orders
+        Orders of the fault frequencies of a bearing given in the file [-].
     notes
         Remarks, such as omitted columns.
     attributes
@@ -76,8 +80,10 @@ class Record:
     columns: tuple[Column, ...]
     time: Column | None = None
     resolution: float = 0.0
-    rate: float | None = None
+    rates: tuple[Stated, ...] = ()
     start: float = 0.0
+    speed: Stated | None = None
+    fault_orders: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     attributes: Mapping[str, str | float | int] = field(default_factory=dict)
 
@@ -120,6 +126,11 @@ def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> Mea
     )
 
 
+def header_rate(rate: float) -> Stated:
+    """Sample rate [Hz] in the header of a format."""
+    return Stated("header", float(rate), f"{rate:g} Hz")
+
+
 def as_floats(values: NDArray[Any]) -> NDArray[np.float64]:
     """Numbers in double precision; invalid bit patterns become NaN without a warning."""
     with np.errstate(all="ignore"):
@@ -127,7 +138,7 @@ def as_floats(values: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def key_of(name: str) -> str:
-    """Normalised name without case, spaces and hyphens, for comparison with the lists above.
+    """Normalised name without case, spaces and hyphens, for comparison with `TIME_NAMES`.
 
     Examples
     --------

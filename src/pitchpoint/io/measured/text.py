@@ -20,11 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import UnitError
-from pitchpoint.core.units import parse_quantity
 from pitchpoint.io.measured.record import (
-    RATE_NAMES,
-    STEP_NAMES,
     TIME_NAMES,
     Column,
     MeasuredError,
@@ -34,12 +30,13 @@ from pitchpoint.io.measured.record import (
     refused,
     split_name,
 )
+from pitchpoint.io.measured.stated import Given, Statements, is_rate
 from pitchpoint.io.measured.units import is_unit
 
 _REMARK = ("#", "%", "//")
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eEdD][+-]?\d+)?|[+-]?(?:nan|inf(?:inity)?)", re.I)
 _WORDS = re.compile(r"[^\s\[]+(?:\s*\[[^\]]*\])?")
-_KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
+_KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?(?:\s*[\[(][^\[\]()]{1,20}[\])])?)\s*[:=]\s*(.{1,100})")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _PROBE = 20
 """Number of rows used to distinguish numbers from text."""
@@ -118,13 +115,16 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
         if place is None
         else _resolution([_cut(line, layout)[place] for _, line in (*head[:_CLOCK], text.last)])
     )
+    given = _statements(path, text.remarks, [names[j] for j in chosen])
     return Record(
         form="TSV" if layout.separator == "\t" else "CSV",
         columns=tuple(c for j, c in columns.items() if j != place),
         time=None if place is None else columns[place],
         resolution=decimals,
-        rate=_stated_rate(path, text.remarks),
-        notes=tuple(notes),
+        rates=given.rates,
+        speed=given.speed,
+        fault_orders=given.fault_orders,
+        notes=(*notes, *given.notes),
     )
 
 
@@ -376,22 +376,19 @@ def _resolution(cells: Sequence[str]) -> float:
     return float(f"1e{math.floor(math.log10(largest)) + 1 - digits}")
 
 
-def _stated_rate(path: Path, remarks: Sequence[tuple[int, str]]) -> float | None:
-    """Sample rate given in a comment [Hz]; numbers without unit are in Hz, steps in s."""
+def _statements(path: Path, remarks: Sequence[tuple[int, str]], names: Sequence[str]) -> Given:
+    """Sample rate, speed and bearing given in comments; numbers without unit are in Hz, steps in s."""
+    found = Statements()
     for k, line in remarks:
-        found = _KEY_VALUE.fullmatch(line.lstrip("#%/ \t").strip())
-        name = key_of(split_name(found[1])[0]) if found else ""
-        if not found or name not in (*RATE_NAMES, *STEP_NAMES):
+        pair = _KEY_VALUE.fullmatch(line.lstrip("#%/ \t").strip())
+        if not pair:
             continue
-        dimension = "frequency" if name in RATE_NAMES else "time"
-        try:
-            text = found[2].strip()
-            value = parse_quantity(
-                float(text) if _is_number(text, comma=False) else text, dimension, positive=True
-            )
-        except UnitError as error:
+        name, unit = split_name(pair[1])
+        text = pair[2].strip()
+        used = found.text(name, f"{text} {unit}") or found.text(name, text)
+        if is_rate(name) and not (used and found.on(names, names).rates):
+            remedy = "correct the comment or delete it"
             raise refused(
-                path, found[1], "", str(error), None, "correct the remark or delete it", line=k + 1
-            ) from error
-        return value if dimension == "frequency" else 1.0 / value
-    return None
+                path, name, repr(text), "is not a sample rate", "such as 12.8 kHz", remedy, line=k + 1
+            )
+    return found.on(names, names)

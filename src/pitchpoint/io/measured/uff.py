@@ -11,7 +11,16 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core.errors import MissingDependencyError
-from pitchpoint.io.measured.record import Column, MeasuredError, Record, Wanted, as_floats, refused, truncated
+from pitchpoint.io.measured.record import (
+    Column,
+    MeasuredError,
+    Record,
+    Wanted,
+    as_floats,
+    header_rate,
+    refused,
+    truncated,
+)
 
 _TIME_RESPONSE = 1
 _TIME, _EVEN = 17, 1
@@ -68,7 +77,7 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
         tuple(columns),
         time=Column("time", axes[0], "s") if axes else None,
         resolution=1e-5 * float(np.abs(axes[0]).max()) if axes and axes[0].size else 0.0,
-        rate=next(iter(rates), None),
+        rates=tuple(header_rate(rate) for rate in rates),
         start=next(iter(starts), 0.0),
         notes=(f"{left} functions that are not time responses were omitted",) if left else (),
     )

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.io.measured.record import Column, Record, Wanted, as_floats, refused, truncated
+from pitchpoint.io.measured.record import Column, Record, Wanted, as_floats, header_rate, refused, truncated
 
 _PCM, _FLOAT, _EXTENSIBLE = 1, 3, 0xFFFE
 _MAX_CHANNELS = 4096
@@ -51,7 +51,9 @@ def read_wav(path: Path, data: bytes, wanted: Wanted) -> Record:
         for k, name in enumerate(names)
         if wanted.takes(name)
     ]
-    return Record("WAV", tuple(columns), rate=float(rate), attributes={"bits_per_sample": int(bits)})
+    return Record(
+        "WAV", tuple(columns), rates=(header_rate(rate),), attributes={"bits_per_sample": int(bits)}
+    )
 
 
 def _chunks(path: Path, data: bytes, order: str) -> tuple[bytes, bytes]:

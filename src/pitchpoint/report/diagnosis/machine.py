@@ -13,7 +13,7 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts, train_parts
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.report.diagnosis.bearings import given_bearing
-from pitchpoint.report.diagnosis.speeds import GivenSpeed, given_speed
+from pitchpoint.report.diagnosis.speeds import TOLERANCE, GivenSpeed, given_speed
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -45,6 +45,8 @@ class Machine:
         Remarks on omitted parts.
     sources
         Source of the orders of each given bearing, in words.
+    speed_source
+        Number in the file that gives the speed, in words; empty if an option or the model gives it.
     """
 
     parts: TurningParts
@@ -54,6 +56,11 @@ class Machine:
     names: dict[str, str]
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
+    speed_source: str = ""
+
+
+SETTLED = 0.01
+"""Relative deviation of the speed of a run from that of its scenario: free speeds settle under load."""
 
 
 def machine_of(request: Request, record: Record) -> Machine:
@@ -67,17 +74,20 @@ def machine_of(request: Request, record: Record) -> Machine:
         If the model has no such scenario or nothing that rotates.
     """
     model = None if request.train is not None else _model(request, record)
-    found = _of_model(request, record, model) if model is not None else _of_options(request)
+    found = _of_model(request, record, model) if model is not None else _of_options(request, record)
     return _with_bearings(found, request)
 
 
-def _of_options(request: Request) -> Machine:
+def _of_options(request: Request, record: Record) -> Machine:
     """Machine of tooth numbers, belts and speeds; without tooth numbers it has one shaft, or those of belts."""
     given = [given_speed(text) for text in request.speeds]
+    where, source = request.tacho or request.angle or "", ""
+    if not given and not where and record.speed is not None:
+        given, source = [GivenSpeed("", record.speed, TOLERANCE, False)], f"file, variable {record.speed_source}"
     if request.train is not None:
         parts = train_parts(_stages(request.train))
     else:
-        if not (request.bearings or request.shafts or given or request.tacho or request.angle):
+        if not (request.bearings or request.shafts or request.speeds or where or record.fault_orders):
             raise SignalError(
                 f"{request.file}: does not describe the machine; give --speed, and --bearing or --train with the "
                 "tooth counts, such as --train 32/96-48/80, or --model MODEL.yaml"
@@ -88,11 +98,17 @@ def _of_options(request: Request) -> Machine:
     names = {str(k + 1): shaft.name for k, shaft in enumerate(parts.shafts)}
     names |= {shaft.name: shaft.name for shaft in parts.shafts}
     parts, names = _with_shafts(parts, names, request.shafts)
-    where = request.tacho or request.angle or ""
     reference = shaft_of(where, names) or parts.shafts[0].name
     parts = _counted_from(parts, reference)
     frequency, tolerance = _reference_speed(given, parts, names)
-    return Machine(parts, reference, frequency, tolerance, names)
+    if record.fault_orders and not request.bearings and len(parts.shafts) == 1:
+        orders = ",".join(f"{fault}={order!r}" for fault, order in record.fault_orders.items())
+        one = given_bearing(f"bearing:{orders}", parts, names)
+        parts = replace(parts, bearings=(one.bearing,))
+        sources = (f"bearing: fault orders of the file, {orders}",)
+    else:
+        sources = ()
+    return Machine(parts, reference, frequency, tolerance, names, sources=sources, speed_source=source)
 
 
 def _at(request: Request) -> str:
@@ -205,7 +221,7 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
         if not measured:
             raise SignalError(
                 f"{request.file}: the speed is not known; give --speed BODY=QUANTITY, such as --speed "
-                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho"
+                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho{_stated(record)}"
             )
         spins = turning_speeds(model, {measured: 1.0})
     known = {name: abs(spins.get(name, 0.0)) for name in model.bodies}
@@ -217,6 +233,13 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
     parts, names, more = parts_of(model, spins, reference)
     parts, names = _with_shafts(parts, names, request.shafts)
     return Machine(parts, reference, known[reference] / math.tau, tolerance, names, (*remarks, *more))
+
+
+def _stated(record: Record) -> str:
+    """Speed of the file as the end of a sentence."""
+    if record.speed is None:
+        return ""
+    return f"; the file states {60.0 * record.speed:.6g} rpm ({record.speed_source})"
 
 
 def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], float, list[str]]:
@@ -244,13 +267,7 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
     if not scenario:
         return {}, 0.0, []
     speeds, remarks = scenario_speeds(model, scenario)
-    # a simulated speed is exact; a loaded machine settles near it
-    tolerance = SETTLED
-    return turning_speeds(model, speeds, model.scenarios[scenario]), tolerance, remarks
-
-
-SETTLED = 0.01
-"""Relative deviation of the speed of a run from that of its scenario: free speeds settle under load."""
+    return turning_speeds(model, speeds, model.scenarios[scenario]), SETTLED, remarks
 
 
 def _with_bearings(machine: Machine, request: Request) -> Machine:
@@ -263,7 +280,7 @@ def _with_bearings(machine: Machine, request: Request) -> Machine:
     return replace(
         machine,
         parts=replace(machine.parts, bearings=bearings),
-        sources=tuple(f"{one.bearing.name}: {one.source}" for one in given),
+        sources=(*machine.sources, *(f"{one.bearing.name}: {one.source}" for one in given)),
     )
 
 

@@ -38,11 +38,12 @@ def origin(
     time, count = record.time, record.time.size
     length = float(time[-1] - time[0])
     rate = (count - 1) / length if length > 0.0 else 0.0
-    source = "--sample-rate" if request.sample_rate is not None else "file"
+    named = f"file, {record.rate_source}" if record.rate_source else "file"
+    source = "--sample-rate" if request.sample_rate is not None else named
     rows = [
         (
             "file",
-            request.file,
+            ", ".join((request.file, *request.more)),
             ", ".join(text for key, text in record.about.items() if key != "notes" and text),
         ),
         ("sample rate", f"{rate:.6g} Hz", source),

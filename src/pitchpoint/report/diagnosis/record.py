@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -41,6 +41,12 @@ class Record:
         Unit of each channel, if known.
     about
         Format, fingerprint and notes of the file, by name.
+    speed, speed_source
+        Rotation frequency of a shaft given in the file [Hz], or None, and the name of this number.
+    fault_orders
+        Orders of the fault frequencies of a bearing given in the file [-] by BPFO, BPFI, BSF, FTF.
+    rate_source
+        Name of the number or time axis in the file that gives the sample rate.
     """
 
     time: Array
@@ -50,6 +56,10 @@ class Record:
     settle_time: float = 0.0
     units: Mapping[str, str] = field(default_factory=dict)
     about: Mapping[str, str] = field(default_factory=dict)
+    speed: float | None = None
+    speed_source: str = ""
+    fault_orders: Mapping[str, float] = field(default_factory=dict)
+    rate_source: str = ""
 
 
 @dataclass(frozen=True)
@@ -205,8 +215,19 @@ class ResultChannels(Mapping[str, Array]):
         return len(self._names)
 
 
-def read_record(path: str, sample_rate: float | None = None) -> Record:
-    """Read the channels of a time response or a measured file.
+def read_record(
+    paths: Sequence[str], sample_rate: float | None = None, channels: Sequence[str] | None = None
+) -> Record:
+    """Read the channels of a time response or a measured file, or of files that were recorded together.
+
+    Parameters
+    ----------
+    paths
+        One file or more.
+    sample_rate
+        Sample rate given by the user [Hz], or None.
+    channels
+        Channels to which the record is reduced if not all of a measured file fit together.
 
     Raises
     ------
@@ -218,22 +239,25 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
     from pitchpoint.io.container import ResultError
     from pitchpoint.io.reading import read_channel, read_header, read_units
 
+    path = paths[0]
+    if len(paths) > 1:
+        return _measured(paths, sample_rate, channels)
     try:
         header = read_header(path)
     except ResultError:
-        return _measured(path, sample_rate)
+        return _measured(paths, sample_rate, channels)
     if header.get("kind") != "time":
         raise SignalError(
             f"{path}: contains {header.get('kind')} results (limit: a time response); compute one first"
         )
-    channels = ResultChannels(path)
-    if not channels:
+    stored = ResultChannels(path)
+    if not stored:
         raise SignalError(f"{path}: has no channel (limit 1); run the scenario again")
-    time = read_channel(path, next(iter(channels)))[0]
+    time = read_channel(path, next(iter(stored)))[0]
     settle = float(header["options"].get("settle_time") or 0.0)
     return Record(
         time=np.asarray(time, dtype=np.float64),
-        channels=channels,
+        channels=stored,
         model_text=str(header.get("model_text", "")),
         scenario=str(header.get("scenario", "")),
         settle_time=settle,
@@ -242,23 +266,36 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
     )
 
 
-def _measured(path: str, sample_rate: float | None) -> Record:
-    """Read a measured file: all its channels over time."""
+def _measured(paths: Sequence[str], sample_rate: float | None, chosen: Sequence[str] | None) -> Record:
+    """Read measured files: all channels over time, or the chosen ones if others prevent it."""
     from pitchpoint.io.measured.reading import read_measured
+    from pitchpoint.io.measured.record import MeasuredError
 
-    data = read_measured(path, sample_rate=sample_rate)
+    try:
+        data = read_measured(paths, sample_rate=sample_rate)
+    except MeasuredError:
+        if not chosen:
+            raise
+        data = read_measured(paths, sample_rate=sample_rate, channels=list(dict.fromkeys(chosen)))
     channels = {
         str(name): np.asarray(values.values, dtype=np.float64)
         for name, values in data.data_vars.items()
         if values.dims == ("time",)
     }
+    about = {key: str(data.attrs.get(key, "")) for key in ("format", "notes")}
+    digests = [one[:16] for one in str(data.attrs.get("sha256", "")).split(", ")]
+    speed = data.attrs.get("shaft_speed")
     return Record(
         np.asarray(data["time"].values, dtype=np.float64),
         channels,
         units={name: str(data[name].attrs.get("units", "")) for name in channels},
-        about={
-            "format": str(data.attrs.get("format", "")),
-            "SHA-256": str(data.attrs.get("sha256", ""))[:16],
-            "notes": str(data.attrs.get("notes", "")),
+        about={"format": about["format"], "SHA-256": ", ".join(digests), "notes": about["notes"]},
+        speed=None if speed is None else float(speed) / math.tau,
+        speed_source=str(data.attrs.get("shaft_speed_from", "")),
+        fault_orders={
+            key.removeprefix("fault_order[").removesuffix("]"): float(value)
+            for key, value in data.attrs.items()
+            if str(key).startswith("fault_order[")
         },
+        rate_source=str(data.attrs.get("sample_rate_from", "")),
     )

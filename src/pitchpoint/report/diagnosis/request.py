@@ -18,6 +18,8 @@ from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over
 from pitchpoint.report.diagnosis.study import Study, preferred, study, usable
 
 Array = NDArray[np.float64]
+SAME_SPEED = 0.02
+"""Relative difference between the speed in a file and that of a shaft."""
 SIMULATED = 20.0
 """Default signal-to-noise ratio of simulation results [dB]."""
 
@@ -41,6 +43,8 @@ class Request:
     allow_code: bool = False
     sample_rate: float | None = None
     noise: float | None = None
+    more: Sequence[str] = ()
+    """Further files, recorded together with the first one."""
 
 
 def diagnose_file(request: Request) -> Study:
@@ -53,7 +57,10 @@ def diagnose_file(request: Request) -> Study:
     """
     from pitchpoint.report.diagnosis.record import read_record
 
-    record = read_record(request.file, request.sample_rate)
+    channels = [*request.channels, *(t.partition("@")[0] for t in (request.tacho, request.angle) if t)]
+    record = read_record(
+        (request.file, *request.more), request.sample_rate, channels if request.channels else None
+    )
     machine = machine_of(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
@@ -66,18 +73,32 @@ def diagnose_file(request: Request) -> Study:
     signals = {name: values[part] for name, values in signals.items()}
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
-    found = study(
-        over,
-        machine.parts,
-        false_alarm=request.false_alarm,
-        remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
-        units={name: record.units.get(name, "") for name in signals},
-    )
+    other = _other_speed(record, machine)
+    remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
+    units = {name: record.units.get(name, "") for name in signals}
+    try:
+        found = study(over, machine.parts, false_alarm=request.false_alarm, remarks=remarks, units=units)
+    except SignalError as error:
+        source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
+        raise SignalError("; ".join([str(error), *other, *source])) from error
     return replace(
         found,
-        file=request.file,
+        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
         origin=origin(request, record, machine, found, noise),
     )
+
+
+def _other_speed(record: Record, machine: Machine) -> list[str]:
+    """Remark on a speed in the file that is the speed of no shaft."""
+    if record.speed is None or math.isnan(machine.frequency):
+        return []
+    speeds = [machine.frequency * float(shaft.order) for shaft in machine.parts.shafts]
+    if any(abs(record.speed - speed) <= SAME_SPEED * speed for speed in speeds):
+        return []
+    return [
+        f"speed: {60.0 * record.speed:.6g} rpm in the file ({record.speed_source}) is the speed of no shaft; "
+        "it is not used"
+    ]
 
 
 def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
@@ -163,11 +184,15 @@ def _over_angle(request: Request, record: Record, machine: Machine, signals: dic
             "with --pulses N, or --angle CHANNEL"
         )
     else:
-        source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
+        given = ", ".join(f"--speed {text}" for text in request.speeds)
+        source = given or machine.speed_source or "scenario of the model"
         over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency, machine.tolerance)
         nominal = f" ±{100.0 * machine.tolerance:.3g} %" if machine.tolerance else ""
         refined = nominal + (f", refined by the {over.lines} lines" if over.lines else "")
-        return replace(over, source=source + refined, began=_began(record, 0))
+        taken = (f"speed of {machine.reference} from the {machine.speed_source}",) * bool(machine.speed_source)
+        return replace(
+            over, source=source + refined, began=_began(record, 0), remarks=(*taken, *over.remarks)
+        )
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}
     zeros = _zeros(record, machine, first, zero, shaft.angle)
