@@ -205,7 +205,9 @@ def diagnose(
     not_tested, not_reported = (
         tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
     )
-    return Diagnosis(findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed)
+    return Diagnosis(
+        findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed
+    )
 
 
 def _of_shafts(

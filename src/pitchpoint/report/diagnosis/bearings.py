@@ -19,7 +19,12 @@ EXAMPLES = (
     "left:BPFO=3.58,BPFI=5.42,BSF=2.36,FTF=0.398@2"
 )
 _OPTION = re.compile(r"([^:@]+):([^@]+)(?:@(.+))?")
-_FAULTS = {"BPFO": ("outer ring", 1.0), "BPFI": ("inner ring", 1.0), "BSF": ("rolling element", 2.0), "FTF": ("cage", 1.0)}
+_FAULTS = {
+    "BPFO": ("outer ring", 1.0),
+    "BPFI": ("inner ring", 1.0),
+    "BSF": ("rolling element", 2.0),
+    "FTF": ("cage", 1.0),
+}
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,9 @@ def _shaft(text: str, at: str, parts: TurningParts, names: Mapping[str, str]) ->
     if not at:
         if len(parts.shafts) == 1:
             return parts.shafts[0].name
-        raise SignalError(f"--bearing: {text!r} has no shaft; write {text}@SHAFT; there are: {', '.join(names)}")
+        raise SignalError(
+            f"--bearing: {text!r} has no shaft; write {text}@SHAFT; there are: {', '.join(names)}"
+        )
     shaft = names.get(at)
     if shaft is None:
         raise SignalError(f"--bearing: no shaft {at!r}; there are: {', '.join(names)}")

@@ -83,7 +83,10 @@ def _of_options(request: Request, record: Record) -> Machine:
     given = [given_speed(text) for text in request.speeds]
     where, source = request.tacho or request.angle or "", ""
     if not given and not where and record.speed is not None:
-        given, source = [GivenSpeed("", record.speed, TOLERANCE, False)], f"file, variable {record.speed_source}"
+        given, source = (
+            [GivenSpeed("", record.speed, TOLERANCE, False)],
+            f"file, variable {record.speed_source}",
+        )
     if request.train is not None:
         parts = train_parts(_stages(request.train))
     else:

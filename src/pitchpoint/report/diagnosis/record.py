@@ -167,7 +167,13 @@ def at_speed(
         )
     per_turn = sample_rate / found.frequency
     return OverAngle(
-        dict(signals), per_turn, found.frequency, per_turn, tuple(remarks), tolerance=found.tolerance, lines=found.what
+        dict(signals),
+        per_turn,
+        found.frequency,
+        per_turn,
+        tuple(remarks),
+        tolerance=found.tolerance,
+        lines=found.what,
     )
 
 

@@ -189,7 +189,9 @@ def _over_angle(request: Request, record: Record, machine: Machine, signals: dic
         over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency, machine.tolerance)
         nominal = f" ±{100.0 * machine.tolerance:.3g} %" if machine.tolerance else ""
         refined = nominal + (f", refined by the {over.lines} lines" if over.lines else "")
-        taken = (f"speed of {machine.reference} from the {machine.speed_source}",) * bool(machine.speed_source)
+        taken = (f"speed of {machine.reference} from the {machine.speed_source}",) * bool(
+            machine.speed_source
+        )
         return replace(
             over, source=source + refined, began=_began(record, 0), remarks=(*taken, *over.remarks)
         )

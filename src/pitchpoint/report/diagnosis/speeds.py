@@ -87,7 +87,9 @@ def _tolerance(rest: list[str], frequency: float, option: str) -> float:
             f"{option}: {text!r} is not a tolerance; write it as in 1750rpm±2% or 1750rpm±20rpm"
         ) from error
     if found > LARGEST:
-        raise SignalError(f"{option}: tolerance {100.0 * found:.3g} % (limit 10 %); give the speed more closely")
+        raise SignalError(
+            f"{option}: tolerance {100.0 * found:.3g} % (limit 10 %); give the speed more closely"
+        )
     return found
 
 

@@ -18,7 +18,13 @@ from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
-from pitchpoint.report.diagnosis.words import evidence_rows, mesh_remarks, nothing_found, observation, sentence
+from pitchpoint.report.diagnosis.words import (
+    evidence_rows,
+    mesh_remarks,
+    nothing_found,
+    observation,
+    sentence,
+)
 
 Array = NDArray[np.float64]
 

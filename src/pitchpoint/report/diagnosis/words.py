@@ -90,7 +90,9 @@ def observation(
     if finding.kind == "modulation":
         e = max((e for e in mine if e.kind == "sidebands" and e.found), key=lambda e: e.value)
         mesh = next(
-            line for line in diagnosis.meshes[e.channel] if line.mesh == parts.gears_of(e.shaft)[e.gear][0].name
+            line
+            for line in diagnosis.meshes[e.channel]
+            if line.mesh == parts.gears_of(e.shaft)[e.gear][0].name
         )
         ratio = e.amplitude / max(float(mesh.amplitude.max(initial=0.0)), 1e-300)
         return (
@@ -106,7 +108,9 @@ def observation(
             "bent shaft"
         )
     e = max((e for e in mine if e.kind == "comb" and e.found), key=lambda e: e.value)
-    where = "impacts at one angle of the turn are not" if parts.gears_of(finding.shaft) else "the cause is not"
+    where = (
+        "impacts at one angle of the turn are not" if parts.gears_of(finding.shaft) else "the cause is not"
+    )
     return (
         f"raised orders of {shaft} about {_rate(e.order, frequency)} in {e.channel}, {e.value:.1f} standard "
         f"deviations above the spectrum between them; {where} visible"
