@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.line_prominence import OMITTED, line_prominence, prominence_probability
+from pitchpoint.analysis.line_prominence import OMITTED, line_prominences, prominence_probability
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import TurningParts
 
@@ -19,12 +19,12 @@ Places = NDArray[np.int64]
 
 HARMONICS = 3
 """Harmonics of a part that must be prominent together."""
-CANDIDATES = 5
-"""Lowest harmonics of a part from which the first three without lines of a clearer part are taken."""
-EXPLAINED = 12
-"""Harmonics of a clearer part whose lines are no evidence for others."""
+CAGE_HARMONICS = 5
+"""The same for a cage: unequal rolling elements that pass the load zone cause the lowest ones, too."""
+SPARE = 2
+"""Further harmonics, which replace those that coincide with lines of a clearer part."""
 SIDEBANDS = 3
-"""Sidebands on either side of them."""
+"""Sidebands on either side of the harmonics of a clearer part that are not evidence for others."""
 AVERAGES = (1, 3, 9, 27)
 """Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
 BACKGROUND = 128
@@ -56,6 +56,11 @@ class BearingPart:
     order: float
     spacing: float = 0.0
 
+    @property
+    def harmonics(self) -> int:
+        """Number of harmonics that must be prominent together."""
+        return CAGE_HARMONICS if self.name == "cage" else HARMONICS
+
 
 @dataclass(frozen=True)
 class FaultFamily:
@@ -70,22 +75,23 @@ class FaultFamily:
     scale
         Factor on the order with the most significant lines [-]: deviation of the speed, and slip.
     harmonic
-        Shape (3,). Harmonics of the part that are compared [-].
+        Shape (n,). Harmonics of the part that are compared [-]: three, five of a cage.
     prominence
-        Shape (3,). Levels of their lines above the local median [dB].
+        Shape (n,). Levels of their lines above the local median [dB].
     line_probability
-        Shape (3,). Probability of each line in noise, by itself [-].
+        Shape (n,). Probability of each line in noise, by itself [-].
     average
         Number of lines of the spectrum that are averaged [-], see `line_prominence`.
     probability
-        Probability that noise alone has three lines as significant at any scale and average [-].
+        Probability that noise alone has n lines as significant at any scale and average [-].
     spacing
         Distance of the sidebands [orders]; 0 for a part without.
     sidebands
-        Shape (3, 4). Levels of the lines two spacings and one below and one and two above each harmonic,
+        Shape (n, 4). Levels of the lines two spacings and one below and one and two above each harmonic,
         above the local median [dB]; NaN if there is none.
     same_lines
-        Detected parts that explain all lines of this part.
+        Parts from which a detected part is not distinguished; of another part, detected ones that explain all
+        its lines.
     named
         Whether this part is detected.
     """
@@ -115,20 +121,20 @@ class FaultFamily:
 
     @property
     def lines(self) -> Array:
-        """Orders of the compared lines, shape (3,) [-]."""
+        """Orders of the compared lines, shape (n,) [-]."""
         return np.asarray(self.harmonic * (self.order * self.scale))
 
-    @property
-    def comb(self) -> Array:
-        """Orders of all lines that the damage can cause, shape (n,) [-].
+    def comb(self, highest: float) -> Array:
+        """Orders of all lines up to `highest` that the damage can cause, shape (n,) [-].
 
         A spot on a rolling element touches both rings in turn, and the impacts may differ: every second line
-        is half-way between the harmonics.
+        is half-way between the harmonics. It also causes the lines of its cage.
         """
-        step = 0.5 if self.part == "rolling element" else 1.0
-        harmonics = np.arange(0.0, EXPLAINED + step, step) * (self.order * self.scale)
-        sides = np.arange(-SIDEBANDS, SIDEBANDS + 1) * self.spacing
-        lines = np.unique(harmonics[:, None] + sides)
+        step = self.order * self.scale * (0.5 if self.part == "rolling element" else 1.0)
+        harmonics = step * np.arange(0.0, highest / step + 1.0)
+        lines = harmonics[:, None] + np.arange(-SIDEBANDS, SIDEBANDS + 1) * self.spacing
+        alone = np.arange(1.0, CAGE_HARMONICS + SPARE + 1.0) * self.spacing
+        lines = np.unique(np.append(lines, alone if self.part == "rolling element" else []))
         return np.asarray(lines[lines > 0.0])
 
 
@@ -149,15 +155,12 @@ class FamilySearch:
 
     def __init__(self, values: Array, rate: float, parts: TurningParts, prominence: float) -> None:
         self.turns = values.size / rate
-        self.step = 1.0 / self.turns
         orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
+        top = min(1.2 * (CAGE_HARMONICS + SPARE) * max(orders, default=1.0) + 2.0, 0.5 * rate)
         count = max(BACKGROUND, round(self.turns))
-        top = min(1.2 * CANDIDATES * max(orders, default=1.0) + 2.0, 0.5 * rate)
-        self.spectra = {
-            m: line_prominence(values, rate, width=count * self.step, average=m, highest=top)
-            for m in AVERAGES
-            if 8 * m <= count
-        }
+        averages = [m for m in AVERAGES if 8 * m <= count]
+        self.spectra = line_prominences(values, rate, averages, width=count / self.turns, highest=top)
+        self.step = self.spectra[1].resolution
         self.available = {m: np.ones(s.frequency.size, dtype=bool) for m, s in self.spectra.items()}
         self.highest = float(self.spectra[1].frequency[-1])
         self.line_limit = float(prominence_probability(10.0 ** (0.1 * prominence), count))
@@ -174,13 +177,14 @@ class FamilySearch:
             }
             for name, order in bearing.orders.items():
                 whose, events = f"{name} of {bearing.name}", order * self.turns
-                spacing = speeds.get(MODULATION.get(name, ""), 0.0)
+                part = BearingPart(bearing.name, name, order, speeds.get(MODULATION.get(name, ""), 0.0))
                 if events < MIN_EVENTS:
                     notes.append(f"{whose}: {events:.2g} events (limit {MIN_EVENTS:g}); use a longer record")
-                elif HARMONICS * order * within > self.highest:
-                    notes.append(f"{whose}: third harmonic is above half the sample rate; not tested")
+                elif part.harmonics * order * within > self.highest:
+                    text = f"harmonic {part.harmonics} is above half the sample rate; not tested"
+                    notes.append(f"{whose}: {text}")
                 else:
-                    tested.append(BearingPart(bearing.name, name, order, spacing))
+                    tested.append(part)
         return tested, notes
 
     def shaft_scale(self, parts: TurningParts, tolerance: float) -> float:
@@ -197,25 +201,27 @@ class FamilySearch:
         for shaft in parts.shafts:
             step = float(shaft.order) * lines.scale
             if step > 2.0 * (2.0 * SEPARATE + 1.0) * self.step:
-                self._remove(np.arange(step, self.highest, step), 0)
+                multiples = np.arange(step, self.highest, step)
+                self._remove(multiples, self._width(lines, multiples))
         return lines.scale
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:
         """Most significant scale and average of a part."""
-        step = 0.5 * self.step / (HARMONICS * part.order)
+        needed = part.harmonics
+        step = 0.5 * self.step / (needed * part.order)
         scales = np.linspace(*span, int((span[1] - span[0]) / step) + 2)
-        places = self._at(np.arange(1, CANDIDATES + 1)[:, None] * (part.order * scales))
+        places = self._at(np.arange(1, needed + SPARE + 1)[:, None] * (part.order * scales))
         trials, best = 0, (2.0, 1, 0)
         for m in self.spectra:
-            chance, _, chosen = self._chances(m, places)
+            chance, _, chosen = self._chances(m, places, needed)
             trials += np.unique(np.where(chosen, places, -1), axis=1).shape[1]
             at = int(np.argmin(chance))
             best = min(best, (float(chance[at]), m, at))
         _, m, at = best
-        _, each, chosen = self._chances(m, places[:, at : at + 1])
-        rows = np.flatnonzero(chosen[:, 0]) if chosen.sum() == HARMONICS else np.arange(HARMONICS)
+        _, each, chosen = self._chances(m, places[:, at : at + 1], needed)
+        rows = np.flatnonzero(chosen[:, 0]) if chosen.sum() == needed else np.arange(needed)
         same = np.all(places == places[:, at : at + 1], axis=0)
-        joint = float(each[rows, 0].max()) ** HARMONICS
+        joint = float(each[rows, 0].max()) ** needed
         found = FaultFamily(
             bearing=part.bearing,
             part=part.name,
@@ -227,23 +233,36 @@ class FamilySearch:
             average=m,
             probability=float(-np.expm1(trials * np.log1p(-min(joint, 1.0 - 1e-16)))),
             spacing=part.spacing,
-            sidebands=np.full((HARMONICS, 4), np.nan),
+            sidebands=np.full((needed, 4), np.nan),
         )
         return self._with_sidebands(found, slip) if part.spacing else found
 
     def explains(self, one: FaultFamily, other: FaultFamily) -> bool:
         """Whether one part can cause all lines of the other, but not vice versa."""
-        return self._on(other, one.comb, one.average) and not self._on(one, other.comb, other.average)
+        return self._on(other, one, one.comb(self.highest)) and not self._on(
+            one, other, other.comb(self.highest)
+        )
 
     def alike(self, one: FaultFamily, other: FaultFamily) -> bool:
         """Whether the lines of either part are harmonics of the other."""
-        many = np.arange(1.0, EXPLAINED + 1)
+        many = np.arange(1.0, len(one.harmonic) + len(other.harmonic))
         pairs = ((one, other), (other, one))
-        return all(self._on(a, many * (b.order * b.scale), b.average) for a, b in pairs)
+        return all(self._on(a, b, many * (b.order * b.scale)) for a, b in pairs)
 
     def remove(self, family: FaultFamily) -> None:
         """Remove all lines of a part from those available to others."""
-        self._remove(family.comb, 2 * (family.average - 1))
+        comb = family.comb(self.highest)
+        self._remove(comb, self._width(family, comb))
+
+    def _width(self, family: FaultFamily, orders: Array) -> Array:
+        """Distance, in lines, at which lines of a part are not resolved, at any orders, shape of `orders`.
+
+        It grows beyond the compared lines: with the order due to the error of the scale, half a line, and
+        with its square due to random slip, up to a quarter of the distance of the harmonics.
+        """
+        beyond = np.maximum(orders / family.lines[-1], 1.0)
+        slip = np.minimum((family.average - 1) * beyond**2, 0.25 * family.order / self.step)
+        return np.asarray(SEPARATE + 0.5 * beyond + slip)
 
     def _with_sidebands(self, family: FaultFamily, slip: float) -> FaultFamily:
         """Family with the spacing, within the slip, at which the sidebands are clearest."""
@@ -272,23 +291,26 @@ class FamilySearch:
         free = (places >= 0) & self.available[average][places]
         return free, np.where(free, self.spectra[average].probability[places], 1.0)
 
-    def _chances(self, average: int, places: Places) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Largest line probability of the first three available harmonics at every scale; each; which."""
+    def _chances(self, average: int, places: Places, needed: int) -> tuple[Array, Array, NDArray[np.bool_]]:
+        """Largest probability of the first `needed` available harmonics at every scale; each; which."""
         free, each = self._probabilities(average, places)
         count = np.cumsum(free, axis=0)
-        chosen = free & (count <= HARMONICS)
+        chosen = free & (count <= needed)
         worst = np.where(chosen, each, 0.0).max(axis=0)
-        return np.where(count[-1] >= HARMONICS, worst, 1.0), each, chosen
+        return np.where(count[-1] >= needed, worst, 1.0), each, chosen
 
-    def _on(self, family: FaultFamily, comb: Array, average: int) -> bool:
-        """Whether all lines of a family are unresolved from those of a comb."""
-        reach = (SEPARATE + average + family.average - 2.0) * self.step
-        return bool(np.all(np.abs(family.lines[:, None] - comb).min(axis=1) <= reach))
+    def _on(self, family: FaultFamily, other: FaultFamily, comb: Array) -> bool:
+        """Whether all lines of a family are unresolved from those of another one, given as a comb."""
+        reach = self._width(other, family.lines) + family.average - 1
+        return bool(np.all(np.abs(family.lines[:, None] - comb).min(axis=1) <= reach * self.step))
 
-    def _remove(self, orders: Array, more: int) -> None:
-        """Remove lines at given orders, within the resolution and `more` lines."""
+    def _remove(self, orders: Array, width: Array) -> None:
+        """Remove lines at given orders and those within a width, in lines, shapes (n,)."""
         for m, available in self.available.items():
-            reach = int(np.ceil(SEPARATE)) + m - 1 + more
+            reach = np.ceil(width).astype(np.int64) + m - 1
             middle = np.rint(orders / self.step).astype(np.int64) - OMITTED
-            near = middle[:, None] + np.arange(-reach, reach + 1)
-            available[near[(near >= 0) & (near < available.size)]] = False
+            near = middle[:, None] + np.arange(-reach.max(), reach.max() + 1)
+            inside = (
+                (np.abs(near - middle[:, None]) <= reach[:, None]) & (near >= 0) & (near < available.size)
+            )
+            available[near[inside]] = False

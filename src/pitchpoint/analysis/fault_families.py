@@ -73,8 +73,8 @@ def fault_families(
     slip
         Maximum relative deviation of the orders of a bearing due to slip [-].
     prominence
-        Minimum level of each of three harmonics above the local median [dB]; for averaged lines the level of
-        the same probability.
+        Minimum level of each of the first three harmonics, five of a cage, above the local median [dB]; for
+        averaged lines the level of the same probability.
     false_alarm
         Probability that noise alone leads to any detection [-].
 
@@ -91,14 +91,15 @@ def fault_families(
     Notes
     -----
     For every part, the scale s and the number of averaged lines are determined at which the largest of the
-    probabilities p_k of its lines k o s, k = 1, 2, 3, is smallest. Three independent lines of noise are as
-    significant with the probability p³ at each of N scales and averages, 1 - (1 - p³)^N in total (Šidák
-    [1]_). Of the parts with three prominent lines, one whose lines are all lines k o ± j n of another one is
-    explained by it; n is the speed of the shaft for rings, of the cage for rolling elements [2]_. The
-    clearest of the others is accepted, and the test of the rest is repeated without its lines, at scales that
-    differ from its own by at most twice the slip. Two parts that explain each other cannot be distinguished:
-    both are named. Valid for steady speed or signals over the angle, and for records that resolve the parts:
-    at least 16 events of each.
+    probabilities p_k of its lines k o s, k = 1 ... n, is smallest. Independent lines of noise are all as
+    significant with the probability p^n at each of N scales and averages, 1 - (1 - p^n)^N in total (Šidák
+    [1]_). If all lines of a part are lines k o ± j m of another one, but not vice versa, it is explained by
+    the latter; m is the speed of the shaft for rings, of the cage for rolling elements [2]_. The clearest of
+    the other parts is accepted, and the test of the rest is repeated without its lines, at scales that differ
+    from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
+    both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
+    the speed of the cage. Lines of the shafts are removed if the first three of the reference shaft are prominent.
+    Valid for steady speed or signals over the angle, and at least 16 events of a part.
 
     References
     ----------
@@ -148,6 +149,10 @@ def fault_families(
         trials = {part: search.family(part, span, slip) for part in tested if part not in found}
     rest = []
     for part, t in trials.items():
+        if part.name == "rolling element":
+            # a damaged one modulates at the speed of its cage, and random slip may hide its own lines
+            for cage in [p for p in found if (p.bearing, p.name) == (part.bearing, "cage")]:
+                found[cage] = replace(found[cage], same_lines=(*found[cage].same_lines, t.name))
         seemed = first[part].is_clear(search.line_limit, chance)
         same = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
         rest.append(replace(t, same_lines=tuple(same)))

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pitchpoint.analysis.line_tests import LONG, PARTS, hann_transform
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
 OMITTED = 2
@@ -44,7 +46,7 @@ class LineProminence:
     probability
         Shape (n,). Probability that noise alone reaches the prominence, of each line by itself [-].
     resolution
-        Reciprocal of the length of the record [Hz, or orders].
+        Distance of the lines [Hz, or orders], the reciprocal of the length of the record.
     """
 
     frequency: Array
@@ -119,39 +121,95 @@ def line_prominence(
     >>> round(float(found.frequency[k]), 3), abs(float(found.prominence[k]) - 35.8) < 1.0
     (100.0, True)
     """
+    merged = whole(average, "average")
+    return line_prominences(values, sample_rate, (merged,), width=width, highest=highest)[merged]
+
+
+def line_prominences(
+    values: ArrayLike,
+    sample_rate: float,
+    averages: Sequence[int],
+    *,
+    width: float | None = None,
+    highest: float | None = None,
+) -> dict[int, LineProminence]:
+    """Levels of spectral lines for several numbers of averaged lines.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit.
+    sample_rate
+        Sample rate f_s [Hz].
+    averages
+        Odd numbers of lines whose powers are averaged [-].
+    width
+        Width of the running median [Hz]; default 128 lines.
+    highest
+        Highest frequency of the result [Hz]; default half the sample rate.
+
+    Returns
+    -------
+    dict
+        `LineProminence` by number of averaged lines.
+
+    Raises
+    ------
+    SignalError
+        As `line_prominence`.
+
+    Notes
+    -----
+    As `line_prominence` [1]_, from one transform. Valid as there.
+
+    References
+    ----------
+    .. [1] F. J. Harris, On the use of windows for harmonic analysis with the discrete Fourier transform,
+       Proceedings of the IEEE 66(1), 1978, 51-83.
+
+    Examples
+    --------
+    >>> noise = np.random.default_rng(5).standard_normal(4096)
+    >>> found = line_prominences(noise, 1.0, (1, 9))
+    >>> bool(found[1].prominence.max() > 8.0), bool(found[9].prominence.max() > 8.0)
+    (True, False)
+    """
+    from scipy.fft import next_fast_len
+
     x = as_signal(values, minimum=2 * MIN_BACKGROUND)
     rate = positive(sample_rate, "sample_rate")
-    merged = whole(average, "average")
-    step = rate / x.size
-    top = (
-        (x.size - 1) // 2
-        if highest is None
-        else min((x.size - 1) // 2, int(positive(highest, "highest") / step))
-    )
+    even = [m for m in averages if m % 2 == 0]
+    if even:
+        raise SignalError(f"average: {even[0]} lines (limit: an odd number); choose {even[0] + 1}")
+    parts = PARTS if x.size > LONG else 1
+    size = int(next_fast_len(-(-x.size // parts), real=True))
+    step = rate / (parts * size)
+    last = (x.size - 1) // 2
+    top = last if highest is None else min(last, int(positive(highest, "highest") / step))
     count = DEFAULT_BACKGROUND if width is None else int(round(positive(width, "width") / step))
-    if merged % 2 == 0:
-        raise SignalError(f"average: {merged} lines (limit: an odd number); choose {merged + 1}")
-    least = max(MIN_BACKGROUND, 8 * merged)
+    least = max(MIN_BACKGROUND, 8 * max(averages))
     if count < least:
         raise SignalError(f"width: {count} lines (limit {least}); widen the median or use a longer record")
-    reach = min((x.size - 1) // 2, top + count)
-    lines = np.arange(x.size) * (2.0 * np.pi / x.size)
-    power = np.abs(np.fft.rfft((x - x.mean()) * (0.5 - 0.5 * np.cos(lines)))[OMITTED : reach + 1]) ** 2
-    power *= (4.0 / x.size) ** 2
+    power = (hann_transform(x, size, parts)[OMITTED : min(last, top + count) + 1] * (4.0 / x.size)) ** 2
     if power.size < count or top <= OMITTED:
         raise SignalError(
             f"values: {power.size} lines (limit {count}, those of the median); use a longer record"
         )
-    power = _averaged(power, merged)
-    median = _running_median(power, count)
+    return {m: _levels(power, count, m, top, step) for m in averages}
+
+
+def _levels(power: Array, count: int, average: int, top: int, step: float) -> LineProminence:
+    """Prominence from the powers of the lines."""
+    mean = _averaged(power, average)
     kept = slice(0, top + 1 - OMITTED)
-    power, median = power[kept], np.maximum(median[kept], np.finfo(np.float64).tiny)
+    median = np.maximum(_running_median(mean, count)[kept], np.finfo(np.float64).tiny)
+    mean = mean[kept]
     return LineProminence(
-        frequency=np.arange(OMITTED, OMITTED + power.size, dtype=np.float64) * step,
-        amplitude=np.sqrt(power),
+        frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
+        amplitude=np.sqrt(mean),
         background=np.sqrt(median),
-        prominence=10.0 * np.log10(np.maximum(power / median, 1e-30)),
-        probability=prominence_probability(power / median, count, merged),
+        prominence=10.0 * np.log10(np.maximum(mean / median, 1e-30)),
+        probability=prominence_probability(mean / median, count, average),
         resolution=step,
     )
 

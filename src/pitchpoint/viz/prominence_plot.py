@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 FALSE_ALARM = 0.01
 """Probability that noise alone has any marked line."""
-_POINTS, _LABELS, _APART = 6000, 6, 0.08
+_POINTS, _LABELS, _APART = 6000, 6, 0.07
 """Points of the curve, labels, and their distance over the width of the plot."""
 
 
