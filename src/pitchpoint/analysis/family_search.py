@@ -206,7 +206,7 @@ class FamilySearch:
         return lines.scale
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:
-        """Most significant scale and average of a part."""
+        """Most significant scale of a part, at the least average for which its lines are prominent."""
         needed = part.harmonics
         step = 0.5 * self.step / (needed * part.order)
         scales = np.linspace(*span, int((span[1] - span[0]) / step) + 2)
@@ -216,7 +216,9 @@ class FamilySearch:
             chance, _, chosen = self._chances(m, places, needed)
             trials += np.unique(np.where(chosen, places, -1), axis=1).shape[1]
             at = int(np.argmin(chance))
-            best = min(best, (float(chance[at]), m, at))
+            # averaged only as far as necessary: a wide mean has the same maximum at many scales
+            if best[0] > self.line_limit:
+                best = min(best, (float(chance[at]), m, at))
         _, m, at = best
         _, each, chosen = self._chances(m, places[:, at : at + 1], needed)
         rows = np.flatnonzero(chosen[:, 0]) if chosen.sum() == needed else np.arange(needed)
@@ -250,19 +252,25 @@ class FamilySearch:
         return all(self._on(a, b, many * (b.order * b.scale)) for a, b in pairs)
 
     def remove(self, family: FaultFamily) -> None:
-        """Remove all lines of a part from those available to others."""
+        """Remove all lines of a part from those available to others.
+
+        At most half of the spectrum is removed where its harmonics are not resolved.
+        """
         comb = family.comb(self.highest)
-        self._remove(comb, self._width(family, comb))
+        self._remove(comb, np.minimum(self._width(family, comb), self._resolved(family)))
 
     def _width(self, family: FaultFamily, orders: Array) -> Array:
         """Distance, in lines, at which lines of a part are not resolved, at any orders, shape of `orders`.
 
         It grows beyond the compared lines: with the order due to the error of the scale, half a line, and
-        with its square due to random slip, up to a quarter of the distance of the harmonics.
+        with its square due to random slip.
         """
         beyond = np.maximum(orders / family.lines[-1], 1.0)
-        slip = np.minimum((family.average - 1) * beyond**2, 0.25 * family.order / self.step)
-        return np.asarray(SEPARATE + 0.5 * beyond + slip)
+        return np.asarray(SEPARATE + 0.5 * beyond + (family.average - 1) * beyond**2)
+
+    def _resolved(self, family: FaultFamily) -> float:
+        """Quarter of the distance of the harmonics, in lines, or the resolution if this is more."""
+        return max(SEPARATE + 1.0, 0.25 * family.order / self.step)
 
     def _with_sidebands(self, family: FaultFamily, slip: float) -> FaultFamily:
         """Family with the spacing, within the slip, at which the sidebands are clearest."""
@@ -300,9 +308,12 @@ class FamilySearch:
         return np.where(count[-1] >= needed, worst, 1.0), each, chosen
 
     def _on(self, family: FaultFamily, other: FaultFamily, comb: Array) -> bool:
-        """Whether all lines of a family are unresolved from those of another one, given as a comb."""
-        reach = self._width(other, family.lines) + family.average - 1
-        return bool(np.all(np.abs(family.lines[:, None] - comb).min(axis=1) <= reach * self.step))
+        """Whether all lines of a family are among those of another one (comb), which are resolved there."""
+        reach = self._width(other, family.lines)
+        if np.any(reach > self._resolved(other)):
+            return False
+        distance = np.abs(family.lines[:, None] - comb).min(axis=1)
+        return bool(np.all(distance <= (reach + family.average - 1) * self.step))
 
     def _remove(self, orders: Array, width: Array) -> None:
         """Remove lines at given orders and those within a width, in lines, shapes (n,)."""
