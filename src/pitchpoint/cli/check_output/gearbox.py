@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pitchpoint.cli.output import NOTHING, show, shown, table
+from pitchpoint.core.words import ranges
 
 DIMENSIONS = {"torque": "torque", "power": "power", "force": "force"}
 """Dimensions of the values of a load in a load case."""
@@ -27,7 +28,7 @@ def _show_load_cases(cases: Mapping[str, Mapping[str, Any]]) -> None:
     timed = any(case["load_duration"] is not None for case in cases.values())
     rows = [
         [
-            name + (" (in effect)" if case["in_effect"] else ""),
+            name + _where(case),
             _listed({body: shown(rate, "angular_speed", 6) for body, rate in case["speed"].items()}),
             _listed({load: _values(change) for load, change in case["loads"].items()}),
             shown(case["temperature"], "temperature", 4),
@@ -48,6 +49,13 @@ def _show_load_cases(cases: Mapping[str, Mapping[str, Any]]) -> None:
             *(["time"] if timed else []),
         ]
         table("Load cases", head, rows)
+
+
+def _where(case: Mapping[str, Any]) -> str:
+    """Where a load case is in effect."""
+    if case["in_effect"]:
+        return " (in effect)"
+    return f" (in {ranges(case['scenarios'])})" if case["scenarios"] else ""
 
 
 def _hours(time: float | None) -> str:
