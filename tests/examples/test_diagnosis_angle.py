@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Angle domain, indicators, noise and bearings on the page on diagnosis: its lines are tried as they stand."""
+"""Angle domain, indicators, noise, bearings on the page on diagnosis: its lines are tried as they stand."""
 
 from __future__ import annotations
 

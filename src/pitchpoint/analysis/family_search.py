@@ -320,8 +320,7 @@ class FamilySearch:
         for m, available in self.available.items():
             reach = np.ceil(width).astype(np.int64) + m - 1
             middle = np.rint(orders / self.step).astype(np.int64) - OMITTED
-            near = middle[:, None] + np.arange(-reach.max(), reach.max() + 1)
-            inside = (
-                (np.abs(near - middle[:, None]) <= reach[:, None]) & (near >= 0) & (near < available.size)
-            )
-            available[near[inside]] = False
+            depth = np.zeros(available.size + 1)
+            np.add.at(depth, np.clip(middle - reach, 0, available.size), 1.0)
+            np.add.at(depth, np.clip(middle + reach + 1, 0, available.size), -1.0)
+            available[np.cumsum(depth[:-1]) > 0.0] = False

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.family_search import BearingPart, FamilySearch, FaultFamily
 from pitchpoint.analysis.sampled import SignalError, as_signal, positive
 from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.core.errors import join_notes
 
 
 @dataclass(frozen=True)
@@ -131,7 +132,7 @@ def fault_families(
     search = FamilySearch(x, rate, parts, positive(prominence, "prominence"))
     tested, notes = search.testable(parts, within)
     if not tested:
-        raise SignalError("bearings: none can be tested; " + ("; ".join(notes) or "state their orders"))
+        raise SignalError("bearings: none can be tested; " + (join_notes(notes) or "state their orders"))
     chance = false_alarm / len(tested)
     scale = search.shaft_scale(parts, tolerance)
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))

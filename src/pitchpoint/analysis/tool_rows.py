@@ -76,7 +76,17 @@ class Tool:
 
 
 def spectrum_outputs(axis: str, unit: str, of: str = "{u}") -> tuple[Output, ...]:
-    """Fields of `spectra.Spectrum` over frequency or order."""
+    """Fields of `spectra.Spectrum` over frequency or order.
+
+    Parameters
+    ----------
+    axis
+        Dimension, `frequency` or `order`.
+    unit
+        Its unit.
+    of
+        Unit of the amplitudes.
+    """
     return (
         Output("frequency", axis, unit, axis),
         Output("amplitude", axis, of),
