@@ -48,9 +48,10 @@ def study(
     from pitchpoint.cli.study_output import forecast_words, show_factors
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.io.yaml_plan import load_study
+    from pitchpoint.model.reading.plan import model_path
     from pitchpoint.sweep.study.check import check_study
     from pitchpoint.sweep.study.remarks import remarks
-    from pitchpoint.sweep.study.run import model_path, planned, remaining
+    from pitchpoint.sweep.study.run import planned, remaining
 
     plan = load_study(file, allow_code)
     checked = check_study(plan, read_model(str(model_path(plan)), allow_code, quiet))

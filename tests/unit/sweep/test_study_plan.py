@@ -12,11 +12,12 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_study
+from pitchpoint.model.reading.plan import model_path
 from pitchpoint.sweep.study.check import Study, check_study
 from pitchpoint.sweep.study.design import cases_of, count_of
 from pitchpoint.sweep.study.factors import Number
 from pitchpoint.sweep.study.remarks import remarks
-from pitchpoint.sweep.study.run import key_maker, model_path
+from pitchpoint.sweep.study.run import key_maker
 from tests.support.model_files import TORSIONAL_PAIR
 from tests.support.study_files import FREQUENCY, INERTIAS, SERIES, written
 

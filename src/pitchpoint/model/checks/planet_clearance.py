@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the room between planets, and between planets and the other gears around their carrier."""
+"""Checks of the clearance between planets, and between planets and the other gears around their carrier."""
 
 from __future__ import annotations
 
