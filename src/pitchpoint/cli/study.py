@@ -181,6 +181,8 @@ def write_products(
     study: Study, folder: StudyFolder, cases: Cases, known: Mapping[str, Record], found: Any
 ) -> None:
     """Write the result file and the page with pictures."""
+    from dataclasses import replace
+
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.core.status import OK
     from pitchpoint.io.container import FAILED, FINISHED, Header
@@ -209,8 +211,9 @@ def write_products(
         status=FAILED if bad else FINISHED,
         code=bad[0] if bad else OK,
         sentence=f"{len(bad)} of {data.sizes['case']} cases failed" if bad else "",
-        notes=found.notes,
+        notes=tuple(data.attrs["notes"]),
     )
+    found = replace(found, notes=tuple(data.attrs["notes"]))
     text = study_page(found, title or str(study.plan.file), options_of(study), package_version())
     write_file(folder.path / PAGE, text)
 

@@ -289,7 +289,7 @@ def _least(A: Array, b: Array, levers: Array) -> tuple[Array, Array]:
     free = V[rank:].T
     if free.shape[1]:
         toothed = np.flatnonzero(levers > 0.0)
-        # rounding errors of a null space without tooth forces are no directions
+        # rounding errors of a null space without tooth forces count as none
         held = np.where(np.abs(free[toothed]) > SAME, free[toothed], 0.0)
         x = x - free @ (np.linalg.pinv(held, rcond=SAME) @ x[toothed])
     x[np.abs(x) < ROUND_OFF * np.abs(x).max(initial=0.0)] = 0.0
