@@ -26,6 +26,7 @@ NO_TOOL = {
     "diagnosis.diagnose": "takes several channels and what turns; the command diagnose",
     "fault_frequencies.gear_pair_frequencies": "from tooth counts, not from a signal",
     "fault_frequencies.train_frequencies": "from tooth counts, not from a signal",
+    "fault_families.fault_families": "takes fault orders by part",
     "gear_indicators.na4": "takes several averages",
     "gear_indicators.nb4": "takes several averages",
     "gear_indicators.running_kurtosis": "takes several records",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Angle domain, indicators and noise on the page on diagnosis: its lines are tried as they stand."""
+"""Angle domain, indicators, noise, bearings on the page on diagnosis: its lines are tried as they stand."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pitchpoint.analysis import gear_indicators, indicators
 
 TEXT = (Path(__file__).parents[2] / "docs" / "diagnosis.md").read_text(encoding="utf-8")
 SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", TEXT, re.DOTALL | re.MULTILINE))
-NAMES = ("Angle domain", "Indicators", "Noise", "diagnose")
+NAMES = ("Angle domain", "Indicators", "Noise", "diagnose", "Rolling bearings")
 
 
 def test_lines_give_what_the_page_shows() -> None:

@@ -6,10 +6,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.cepstrum import whitened
 from pitchpoint.analysis.kurtogram import kurtogram
 from pitchpoint.analysis.sampled import Array, as_signal
 from pitchpoint.analysis.shaft_tests import passing_balls
 from pitchpoint.analysis.turning_parts import TurningParts
+
+__all__ = ["envelope_band", "whitened", "without_healthy_lines"]
 
 
 def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
@@ -103,39 +106,4 @@ def without_healthy_lines(values: ArrayLike, samples_per_turn: float, parts: Tur
     np.add.at(depth, first, 1.0)
     np.add.at(depth, last, -1.0)
     lines[np.cumsum(depth[:-1]) > 0.0] = 0.0
-    return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)
-
-
-def whitened(values: ArrayLike) -> Array:
-    """Whitened signal: spectral lines of unit amplitude with their original phases.
-
-    Parameters
-    ----------
-    values
-        Signal, shape (n,), any unit.
-
-    Notes
-    -----
-    Cepstrum pre-whitening [1]_: meshes and their sidebands are few lines and lose their weight, impacts fill
-    a band and keep it. Valid for impacts that fill a band with many lines.
-
-    References
-    ----------
-    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
-       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
-       and Signal Processing 36(2), 2013, 370-384.
-
-    Examples
-    --------
-    A single pulse is already white:
-
-    >>> pulse = np.zeros(8)
-    >>> pulse[3] = 2.0
-    >>> (np.abs(whitened(pulse) + 1 / 8) > 1e-9).tolist().index(True)
-    3
-    """
-    lines = np.fft.rfft(as_signal(values))
-    lines[0] = 0.0
-    size = np.abs(lines)
-    lines /= np.where(size > 0.0, size, 1.0)
     return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)

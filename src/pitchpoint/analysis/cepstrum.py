@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cepstra, in which families of equally spaced lines and echoes appear as single peaks."""
+"""Cepstra, in which families of equally spaced lines and echoes appear as single peaks; whitening."""
 
 from __future__ import annotations
 
@@ -48,6 +48,19 @@ class Rahmonics:
     quefrency: Array
     value: Array
     background: Array
+
+
+@dataclass(frozen=True)
+class WhitenedSignal:
+    """Signal whose spectral lines have equal amplitudes.
+
+    Attributes
+    ----------
+    values
+        Shape (n,). Whitened samples, with a mean square of about 1 [-].
+    """
+
+    values: Array
 
 
 def real_cepstrum(
@@ -212,3 +225,83 @@ def rahmonics(cepstrum: Cepstrum, quefrency: float, *, count: int = 3, tolerance
         raise SignalError(f"quefrency: {period:g} s (limit below {float(axis[-1]):g} s, half the record)")
     number, place, value, background = np.array(rows).T
     return Rahmonics(number, place, value, background)
+
+
+def cepstral_whitening(values: ArrayLike) -> WhitenedSignal:
+    """Cepstrum pre-whitening: all spectral lines get the same amplitude and keep their phases.
+
+    Parameters
+    ----------
+    values
+        Signal, shape (n,), any unit.
+
+    Returns
+    -------
+    WhitenedSignal
+        Samples without a unit.
+
+    Raises
+    ------
+    SignalError
+        If the signal is constant.
+
+    Notes
+    -----
+    The real cepstrum is set to zero, except for its mean [1]_. Gear meshes and other tones lose their weight;
+    impacts, which fill a band, keep it. Valid for impacts that fill a band with many lines.
+
+    References
+    ----------
+    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
+       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
+       and Signal Processing 36(2), 2013, 370-384.
+
+    Examples
+    --------
+    A tone 1000 times as large as white noise is no longer visible:
+
+    >>> t = np.arange(1000)
+    >>> noise = np.random.default_rng(1).standard_normal(t.size)
+    >>> lines = np.abs(np.fft.rfft(cepstral_whitening(1000 * np.sin(0.2 * np.pi * t) + noise).values))[1:]
+    >>> round(float(lines.min()), 6), round(float(lines.max()), 6)
+    (31.622777, 31.622777)
+    """
+    x = as_signal(values)
+    if float(np.ptp(x)) == 0.0:
+        raise SignalError("values: are constant; there is nothing to whiten")
+    return WhitenedSignal(whitened(x) * np.sqrt(x.size))
+
+
+def whitened(values: ArrayLike) -> Array:
+    """Whitened signal: spectral lines of unit amplitude with their original phases.
+
+    Parameters
+    ----------
+    values
+        Signal, shape (n,), any unit.
+
+    Notes
+    -----
+    Cepstrum pre-whitening [1]_: meshes and their sidebands are few lines and lose their weight, impacts fill
+    a band and keep it. Valid for impacts that fill a band with many lines.
+
+    References
+    ----------
+    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
+       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
+       and Signal Processing 36(2), 2013, 370-384.
+
+    Examples
+    --------
+    A single pulse is already white:
+
+    >>> pulse = np.zeros(8)
+    >>> pulse[3] = 2.0
+    >>> (np.abs(whitened(pulse) + 1 / 8) > 1e-9).tolist().index(True)
+    3
+    """
+    lines = np.fft.rfft(as_signal(values))
+    lines[0] = 0.0
+    size = np.abs(lines)
+    lines /= np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.fft.irfft(lines, np.size(values)), dtype=np.float64)

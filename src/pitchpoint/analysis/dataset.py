@@ -18,7 +18,8 @@ import numpy as np
 
 from pitchpoint.analysis.sampled import Array, SignalError, sample_rate_of
 from pitchpoint.analysis.tacho import angle_channel
-from pitchpoint.analysis.tools import SOURCES, TOOLS, Output, Tool
+from pitchpoint.analysis.tool_rows import SOURCES, Output, Tool
+from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.core.errors import join_notes, split_notes
 from pitchpoint.core.nearest import did_you_mean, hint
 
@@ -221,7 +222,8 @@ def _applied(
         result = function(**given, **options)
     except SignalError as error:
         raise SignalError(f"{tool} of {channel}: {error}") from error
-    return _dataset_of(result, row, dataset[channel], squared=options.get("squared") is True)
+    unit = "" if options.get("whiten") is True else str(dataset[channel].attrs.get("units", ""))
+    return _dataset_of(result, row, dataset[channel], unit, squared=options.get("squared") is True)
 
 
 def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> Any:
@@ -265,11 +267,10 @@ def _angle(dataset: xr.Dataset, time: Array, name: str | None) -> Array:
     raise SignalError(f"angle: {name} is in {unit or 'no unit'} (limit rad or rad/s); state its unit")
 
 
-def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool) -> xr.Dataset:
+def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, unit: str, *, squared: bool) -> xr.Dataset:
     """Dataset of a result; coordinates come from the fields with dimension names, or from the channel."""
     import xarray as xr
 
-    unit = str(channel.attrs.get("units", ""))
     variables: dict[str, Any] = {}
     for output in row.outputs:
         value = operator.attrgetter(output.field)(result)

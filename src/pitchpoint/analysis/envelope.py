@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.cepstrum import cepstral_whitening
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.spectra import Spectrum, amplitude_spectrum
 
@@ -30,7 +31,7 @@ class Envelope:
 
 
 def band_envelope(
-    values: ArrayLike, sample_rate: float, *, band: tuple[float, float] | None = None
+    values: ArrayLike, sample_rate: float, *, band: tuple[float, float] | None = None, whiten: bool = False
 ) -> Envelope:
     """Hilbert envelope of a band of a signal.
 
@@ -43,6 +44,8 @@ def band_envelope(
     band
         Lower and upper edge [Hz]; default: the whole signal without its mean. `kurtogram.kurtogram` finds a
         suitable band.
+    whiten
+        Whether to use the whitened signal, without a unit, see `cepstrum.cepstral_whitening`.
 
     Returns
     -------
@@ -76,6 +79,8 @@ def band_envelope(
     True
     """
     x = as_signal(values, minimum=8)
+    if whiten:
+        x = cepstral_whitening(x).values
     rate = positive(sample_rate, "sample_rate")
     low, high = (0.0, 0.5 * rate) if band is None else checked_band(band, rate)
     lines = np.fft.rfft(x - x.mean())
@@ -101,6 +106,7 @@ def envelope_spectrum(
     *,
     band: tuple[float, float] | None = None,
     squared: bool = False,
+    whiten: bool = False,
     window_name: str = "hann",
 ) -> Spectrum:
     """Amplitude spectrum of the envelope of a band, or of the squared envelope.
@@ -115,6 +121,9 @@ def envelope_spectrum(
         Lower and upper edge of the band [Hz]; default: the whole signal.
     squared
         Whether to use the squared envelope, which has no harmonics caused by the square root.
+    whiten
+        Whether to use the whitened signal, without a unit, see `cepstrum.cepstral_whitening`. With `squared`
+        and the whole band this is the usual spectrum for bearings next to gears.
     window_name
         See `spectra.window`; windows that end at zero suppress the end effects of the envelope.
 
@@ -147,7 +156,7 @@ def envelope_spectrum(
     >>> round(s.mean, 6), round(float(s.amplitude[8]), 6), round(float(s.amplitude[16]), 6)
     (1.125, 1.0, 0.125)
     """
-    found = band_envelope(values, sample_rate, band=band).envelope
+    found = band_envelope(values, sample_rate, band=band, whiten=whiten).envelope
     return amplitude_spectrum(found**2 if squared else found, sample_rate, window_name=window_name)
 
 

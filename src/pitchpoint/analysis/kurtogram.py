@@ -19,6 +19,8 @@ SLOPE = 0.25
 band would leak far into it."""
 MIN_SAMPLES = 128
 """Default minimum number of envelope samples of a band: with fewer, the kurtosis of noise is large."""
+MIN_BLOCK = 40
+"""Default minimum number of envelope samples of a band in each block."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +35,8 @@ class Kurtogram:
     low, high
         Shape (n_band,). Edges of the band [Hz].
     kurtosis
-        Shape (n_band,). Kurtosis of the envelope [-]: 0 for Gaussian noise, -1 for a steady tone, large for
-        impacts.
+        Shape (n_band,). Kurtosis of the envelope, median of the blocks [-]: 0 for Gaussian noise, -1 for a
+        steady tone, large for impacts.
     spread
         Shape (n_band,). Standard deviation of the kurtosis of Gaussian noise in this band [-].
     best_low, best_high
@@ -60,6 +62,8 @@ def kurtogram(
     *,
     levels: int | None = None,
     band: tuple[float, float] | None = None,
+    least_width: float = 0.0,
+    blocks: int = 1,
 ) -> Kurtogram:
     """Kurtosis of the envelope in bands split into halves and thirds, and the band of the largest kurtosis.
 
@@ -70,9 +74,16 @@ def kurtogram(
     sample_rate
         Sample rate f_s [Hz].
     levels
-        Number of times that bands are halved [-]; default: as many as leave 128 samples per band.
+        Number of times that bands are halved [-]; default: as many as leave 128 samples per band, and 40 per
+        block.
     band
         Edges within which the best band is chosen [Hz]; default all.
+    least_width
+        Minimum width of the best band [Hz]: three times the highest fault frequency, for three harmonics in
+        the envelope spectrum.
+    blocks
+        Number of equal parts of the record [-] whose median kurtosis counts: with 8 or more, single shocks
+        have no effect. Each part must contain several impacts.
 
     Returns
     -------
@@ -83,15 +94,16 @@ def kurtogram(
     Raises
     ------
     SignalError
-        If the record is shorter than 256 samples or constant, is too short for the levels, or no band is
-        inside `band`.
+        If the record is shorter than 256 samples or constant, is too short for the levels or blocks, or no
+        band is inside `band` and wide enough.
 
     Notes
     -----
     K = mean |c|⁴/(mean |c|²)² - 2 of the complex envelope c of a band [1]_, over the tiling of [2]_: 2^k
     bands and 3·2^(k-1) bands at the levels k and k - 1 + log2(3). Instead of a filter bank, bands are cut out
     of the Fourier transform of the record and transformed back at a rate equal to their width: no delay and
-    no redundancy. For Gaussian noise the standard deviation of K is 2/√m with m samples of c. Valid for
+    no redundancy. For Gaussian noise the standard deviation of K is 2/√m with m samples of c; that of the
+    median of blocks is √(π/2) times as large at most, and its mean -4/m of a block is corrected. Valid for
     impacts that repeat many times within the record and decay between each other, with tones up to 40 dB
     above the noise: stronger tones within ten lines of the edge of an otherwise empty band look like impacts.
 
@@ -115,10 +127,14 @@ def kurtogram(
     """
     x = as_signal(values, minimum=2 * MIN_SAMPLES)
     rate = positive(sample_rate, "sample_rate")
-    most = int(np.log2(x.size / (2.0 * MIN_SAMPLES))) if levels is None else whole(levels, "levels", 0)
-    if x.size < 2 ** (most + 4):
+    parts = whole(blocks, "blocks")
+    samples = max(MIN_SAMPLES, MIN_BLOCK * parts) if parts > 1 else MIN_SAMPLES
+    most = int(np.log2(max(x.size / (2.0 * samples), 1.0))) if levels is None else whole(levels, "levels", 0)
+    least = 8 if parts == 1 else 16 * parts
+    if x.size < 2 ** (most + 1) * least:
         raise SignalError(
-            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); request fewer"
+            f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit {least}); request "
+            f"fewer{' levels or blocks' if parts > 1 else ''}"
         )
     if float(np.ptp(x)) == 0.0:
         raise SignalError("values: are constant; there is no band to choose")
@@ -126,17 +142,17 @@ def kurtogram(
     rows = []
     for level, count in _tiling(most):
         edges = np.round(np.linspace(0.0, lines.size, count + 1)).astype(np.int64)
-        kurtosis_of, spread_of = _level(lines, edges)
+        kurtosis_of, spread_of = _level(lines, edges, parts)
         ends = edges / lines.size * 0.5 * rate
         rows += [(level, *row, spread_of) for row in zip(ends[:-1], ends[1:], kurtosis_of, strict=True)]
     table = np.array(rows)
     level_of, lows, highs, kurtosis, spread = table.T
-    allowed = np.full(lows.size, True)
-    if band is not None:
-        slack = 0.5 * rate / lines.size
-        allowed = (lows >= band[0] - slack) & (highs <= band[1] + slack)
-        if not allowed.any():
-            raise SignalError(f"band: {band[0]:g} to {band[1]:g} Hz contains no kurtogram band; widen it")
+    slack = 0.5 * rate / lines.size
+    low, high = (0.0, 0.5 * rate) if band is None else band
+    allowed = (lows >= low - slack) & (highs <= high + slack) & (highs - lows >= least_width - slack)
+    if not allowed.any():
+        wide = f", at least {least_width:g} Hz wide" if least_width > 0.0 else ""
+        raise SignalError(f"band: {low:g} to {high:g} Hz contains no kurtogram band{wide}; widen it")
     best = int(np.argmax(np.where(allowed, kurtosis, -np.inf)))
     return Kurtogram(
         level=level_of,
@@ -161,7 +177,7 @@ def _tiling(levels: int) -> list[tuple[float, int]]:
     return found
 
 
-def _level(lines: Lines, edges: NDArray[np.int64]) -> tuple[Array, float]:
+def _level(lines: Lines, edges: NDArray[np.int64], blocks: int) -> tuple[Array, float]:
     """Kurtosis of the complex envelopes of the bands of one level, and its standard deviation for noise."""
     from scipy.fft import next_fast_len
 
@@ -178,11 +194,20 @@ def _level(lines: Lines, edges: NDArray[np.int64]) -> tuple[Array, float]:
     counted = slice(int(np.ceil(LEFT_OUT * size)), int((1.0 - LEFT_OUT) * size))
     c = np.fft.ifft(cut)[:, counted] / window("hann", size)[counted]
     power = np.abs(c) ** 2
-    mean = power.mean(axis=1)
-    # an empty band has no impacts
-    mean[mean == 0.0] = np.inf
     # correlation of adjacent noise samples, for the number of independent samples
     rho = np.abs(np.fft.ifft(weight**2, size))
     rho /= rho[0]
-    spread = 2.0 * float(np.sqrt(np.sum(rho**4) / power.shape[1]))
-    return np.where(np.isinf(mean), -1.0, (power**2).mean(axis=1) / mean**2 - 2.0), spread
+    if blocks == 1:
+        return _kurtosis(power), 2.0 * float(np.sqrt(np.sum(rho**4) / power.shape[1]))
+    length = power.shape[1] // blocks
+    own = 2.0 * float(np.sqrt(np.sum(rho**4) / length))
+    each = [_kurtosis(power[:, k * length : (k + 1) * length]) for k in range(blocks)]
+    return np.median(each, axis=0) + own**2, own * float(np.sqrt(0.5 * np.pi / blocks))
+
+
+def _kurtosis(power: Array) -> Array:
+    """Kurtosis of complex envelopes from their squared magnitudes, shape (n_band,)."""
+    mean = power.mean(axis=1)
+    # an empty band has no impacts
+    mean[mean == 0.0] = np.inf
+    return np.where(np.isinf(mean), -1.0, (power**2).mean(axis=1) / mean**2 - 2.0)

@@ -91,16 +91,45 @@ def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
     rate = positive(sample_rate, "sample_rate")
     parts = PARTS if x.size > LONG else 1
     size = int(next_fast_len(-(-PADDING * x.size // parts), real=True))
-    amplitude = _transform(x, size, parts)
+    amplitude = hann_transform(x, size, parts)
     amplitude *= 4.0 / x.size  # twice over the sum of a Hann window, half its length
     return FineSpectrum(amplitude, rate / (parts * size), rate / x.size)
 
 
-def _transform(x: Array, size: int, parts: int) -> Array:
+def hann_transform(x: Array, size: int, parts: int) -> Array:
     """Magnitudes of the Fourier transform of a record with a Hann window and zero padding.
 
-    Decimation in time: one transform of `size` points for every `parts`-th sample, combined by blocks, which
-    needs a third of the memory for a long record.
+    Parameters
+    ----------
+    x
+        Samples, shape (n,), any unit; their mean is removed.
+    size
+        Points of the transform of every part [-], at least n/parts.
+    parts
+        Number of parts [-]: 1, or `PARTS` for more than `LONG` samples.
+
+    Returns
+    -------
+    NDArray
+        Magnitudes at the points 0 ... parts·size/2, shape (parts·size/2 + 1,), in the unit of the samples.
+
+    Notes
+    -----
+    Decimation in time [1]_: one transform of `size` points for every `parts`-th sample, combined by blocks,
+    which needs a third of the memory for a long record. Valid for any number of samples.
+
+    References
+    ----------
+    .. [1] J. W. Cooley, J. W. Tukey, An algorithm for the machine calculation of complex Fourier series,
+       Mathematics of Computation 19, 1965, 297-301.
+
+    Examples
+    --------
+    The sum of the window, half the number of samples, times half of the amplitude:
+
+    >>> x = np.cos(2 * np.pi * 10 * np.arange(64) / 64)
+    >>> round(float(hann_transform(x, 64, 1)[10]), 9), round(float(hann_transform(x, 16, 4)[10]), 9)
+    (16.0, 16.0)
     """
     from scipy.fft import rfft
 

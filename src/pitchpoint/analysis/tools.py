@@ -8,86 +8,18 @@ require the result of another one, or several records, are not in this table.
 
 from __future__ import annotations
 
-import importlib
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
-
-SOURCES = ("values", "sample_rate", "time", "start", "angle", "samples_per_revolution", "average")
-"""Arguments that come from a dataset: samples of the channel, sample rate [Hz], times [s], first time [s],
-shaft angle at the samples [rad]; for a signal over an angle its samples per revolution [-] and, as `average`,
-its samples."""
+from pitchpoint.analysis.tool_rows import Output, Tool, spectrum_outputs
 
 
-@dataclass(frozen=True)
-class Output:
-    """One field of a result.
-
-    Attributes
-    ----------
-    field
-        Name in the dataclass; `lines.amplitude` is a field of its field `lines`.
-    dims
-        Dimensions, separated by spaces; empty for a scalar.
-    unit
-        SI unit; `{u}`: of the channel, `{u2}`: its square, `{squared}`: its square if that option is set.
-    name
-        Name in the dataset, if it is different.
-    """
-
-    field: str
-    dims: str = ""
-    unit: str = "1"
-    name: str = ""
-
-    @property
-    def variable(self) -> str:
-        """Name in the dataset."""
-        return self.name or self.field.rpartition(".")[2]
-
-
-@dataclass(frozen=True)
-class Tool:
-    """One row of the table.
-
-    Attributes
-    ----------
-    home
-        Module and function in `pitchpoint.analysis`.
-    summary
-        Description of the result in one line.
-    takes
-        Arguments that come from the dataset, all in `SOURCES`; the others are options.
-    outputs
-        Fields of the result.
-    picture
-        Type of plot: a name in `viz.analysis_pictures.PICTURES`, or `lines` for one curve per field.
-    without
-        Fields that are not stored in a dataset, such as arrays of different lengths.
-    """
-
-    home: str
-    summary: str
-    takes: tuple[str, ...]
-    outputs: tuple[Output, ...]
-    picture: str = "lines"
-    without: tuple[str, ...] = ()
-
-    def load(self) -> Callable[..., Any]:
-        """Import the function."""
-        module, _, name = self.home.rpartition(".")
-        found: Callable[..., Any] = getattr(importlib.import_module(f"pitchpoint.analysis.{module}"), name)
-        return found
-
-
-def _spectrum(axis: str, unit: str, of: str = "{u}") -> tuple[Output, ...]:
-    """Fields of `spectra.Spectrum` over frequency or order."""
+def _prominence(axis: str, unit: str) -> tuple[Output, ...]:
+    """Fields of `line_prominence.LineProminence` over frequency or order."""
     return (
         Output("frequency", axis, unit, axis),
-        Output("amplitude", axis, of),
-        Output("mean", "", of),
+        Output("prominence", axis, "dB"),
+        Output("amplitude", axis, "{u}"),
+        Output("background", axis, "{u}"),
+        Output("probability", axis),
         Output("resolution", "", unit),
-        Output("noise_bandwidth", "", unit),
     )
 
 
@@ -109,7 +41,7 @@ TOOLS: dict[str, Tool] = {
         "spectra.amplitude_spectrum",
         "Peak amplitudes over frequency.",
         ("values", "sample_rate"),
-        _spectrum("frequency", "Hz"),
+        spectrum_outputs("frequency", "Hz"),
         "spectrum",
     ),
     "power_spectral_density": Tool(
@@ -143,14 +75,14 @@ TOOLS: dict[str, Tool] = {
         "spectra.order_spectrum",
         "Peak amplitudes over orders, of a signal over an angle.",
         ("values", "samples_per_revolution"),
-        _spectrum("order", "1"),
+        spectrum_outputs("order", "1"),
         "order_spectrum",
     ),
     "tracked_spectrum": Tool(
         "orders.tracked_spectrum",
         "Peak amplitudes over orders of a shaft, of a signal over time.",
         ("values", "angle"),
-        _spectrum("order", "1"),
+        spectrum_outputs("order", "1"),
         "order_spectrum",
     ),
     "order_map": Tool(
@@ -246,7 +178,7 @@ TOOLS: dict[str, Tool] = {
         "envelope.envelope_spectrum",
         "Amplitudes of the envelope of a band over frequency.",
         ("values", "sample_rate"),
-        _spectrum("frequency", "Hz", "{squared}"),
+        spectrum_outputs("frequency", "Hz", "{squared}"),
         "spectrum",
     ),
     "kurtogram": Tool(
@@ -265,6 +197,46 @@ TOOLS: dict[str, Tool] = {
             Output("best_spread"),
         ),
         "kurtogram",
+    ),
+    "cepstral_whitening": Tool(
+        "cepstrum.cepstral_whitening",
+        "Signal whose spectral lines have equal amplitudes: impacts without tones.",
+        ("values",),
+        (Output("values", "time"),),
+    ),
+    "line_prominence": Tool(
+        "line_prominence.line_prominence",
+        "Levels of lines above the running median of the spectrum.",
+        ("values", "sample_rate"),
+        _prominence("frequency", "Hz"),
+        "line_prominence",
+    ),
+    "order_prominence": Tool(
+        "line_prominence.order_prominence",
+        "Levels of orders above the running median, of a signal over an angle.",
+        ("values", "samples_per_revolution"),
+        _prominence("order", "1"),
+        "order_prominence",
+    ),
+    "spectral_coherence": Tool(
+        "spectral_coherence.spectral_coherence",
+        "Periodic modulation over cyclic and carrier frequency, and envelope spectra.",
+        ("values", "sample_rate"),
+        (
+            Output("cyclic_frequency", "cyclic_frequency", "Hz"),
+            Output("frequency", "frequency", "Hz"),
+            Output("coherence", "cyclic_frequency frequency"),
+            Output("threshold", "cyclic_frequency"),
+            Output("density", "frequency", "{u2}/Hz"),
+            Output("enhanced", "cyclic_frequency"),
+            Output("enhanced_threshold", "cyclic_frequency"),
+            Output("improved", "cyclic_frequency"),
+            Output("improved_threshold", "cyclic_frequency"),
+            Output("low", "", "Hz"),
+            Output("high", "", "Hz"),
+            Output("segments"),
+        ),
+        "spectral_coherence",
     ),
     "real_cepstrum": Tool(
         "cepstrum.real_cepstrum", "Families of lines over their period.", ("values", "sample_rate"), _CEPSTRUM

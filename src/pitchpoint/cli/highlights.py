@@ -82,6 +82,40 @@ def _kurtogram(result: xr.Dataset) -> list[list[str]]:
     ]
 
 
+def _prominence(result: xr.Dataset) -> list[list[str]]:
+    """Most prominent lines with their probability in noise."""
+    axis = "frequency" if "frequency" in result.coords else "order"
+    across, level = str(result[axis].attrs["units"]), result["prominence"].values
+    top = np.r_[True, level[1:] >= level[:-1]] & np.r_[level[:-1] > level[1:], True]
+    lines = np.flatnonzero(top)
+    lines = lines[np.argsort(-level[lines], kind="stable")][:_PEAKS]
+    return [
+        [
+            f"line {k}, {number(float(level[i]), 3)} dB",
+            shown(float(result[axis].values[i]), across),
+            f"probability in noise {number(float(result['probability'].values[i]), 2)}",
+        ]
+        for k, i in enumerate(lines, start=1)
+    ]
+
+
+def _coherence(result: xr.Dataset) -> list[list[str]]:
+    """Highest lines of the enhanced envelope spectrum relative to the threshold."""
+    cyclic, value = result["cyclic_frequency"].values, result["enhanced"].values
+    ratio = value / result["enhanced_threshold"].values
+    top = np.r_[True, ratio[1:] >= ratio[:-1]] & np.r_[ratio[:-1] > ratio[1:], True]
+    lines = np.flatnonzero(top)
+    lines = lines[np.argsort(-ratio[lines], kind="stable")][:_PEAKS]
+    return [
+        [
+            f"mean coherence {k}, {number(float(value[i]), 3)}",
+            shown(float(cyclic[i]), "Hz"),
+            f"{number(float(ratio[i]), 3)} times the threshold of noise (1 %)",
+        ]
+        for k, i in enumerate(lines, start=1)
+    ]
+
+
 def _period(result: xr.Dataset) -> list[list[str]]:
     """Detected period, if any, with its significance."""
     limit = f"limit {number(float(result['false_alarm']))}"
@@ -134,6 +168,9 @@ _OWN = {
     "wavelet_packets": _packets,
     "scalogram": _scalogram,
     "kurtogram": _kurtogram,
+    "line_prominence": _prominence,
+    "order_prominence": _prominence,
+    "spectral_coherence": _coherence,
     "find_period": _period,
     "period_evidence": _evidence,
 }

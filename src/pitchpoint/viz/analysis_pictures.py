@@ -11,7 +11,14 @@ import numpy as np
 from pitchpoint.analysis.orders import OrderMap
 from pitchpoint.analysis.spectra import Spectrum
 from pitchpoint.analysis.time_frequency import TimeFrequencyMap
-from pitchpoint.viz import kurtogram_plot, period_plot, spectrum_plots, wavelet_plots
+from pitchpoint.viz import (
+    coherence_plot,
+    kurtogram_plot,
+    period_plot,
+    prominence_plot,
+    spectrum_plots,
+    wavelet_plots,
+)
 from pitchpoint.viz.quantities import Channel
 from pitchpoint.viz.signals_plot import plot_signals
 
@@ -88,6 +95,9 @@ PICTURES: dict[str, Callable[[xr.Dataset, str], list[go.Figure]]] = {
     "wavelet_packets": wavelet_plots.plot_packets,
     "scalogram": wavelet_plots.plot_scalogram,
     "kurtogram": kurtogram_plot.plot_kurtogram,
+    "line_prominence": prominence_plot.plot_line_prominence,
+    "order_prominence": prominence_plot.plot_order_prominence,
+    "spectral_coherence": coherence_plot.plot_spectral_coherence,
     "find_period": period_plot.plot_search,
     "period_evidence": period_plot.plot_evidence,
 }

@@ -213,7 +213,7 @@ def amplitude_map(
     quantity
         Name in the title.
     """
-    x, y, z = _reduced(x, y, amplitude)
+    x, y, z = reduced_map(x, y, amplitude)
     largest = float(z.max())
     level = 20.0 * np.log10(np.maximum(z, 1e-12 * largest) / largest) if largest > 0.0 else np.zeros_like(z)
     shown = scale(unit, [largest])
@@ -235,7 +235,7 @@ def amplitude_map(
     return figure
 
 
-def _reduced(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
+def reduced_map(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
     """Map reduced to the resolution of the screen; merged cells have their maximum amplitude."""
     for dimension, limit in ((1, MAP_COLUMNS), (0, MAP_ROWS)):
         n = z.shape[dimension]

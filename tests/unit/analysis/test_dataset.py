@@ -15,7 +15,8 @@ import xarray as xr
 from pitchpoint.analysis.bandwidth import lost_harmonics
 from pitchpoint.analysis.dataset import analyse, channel_names, tool_options
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.tools import SOURCES, TOOLS
+from pitchpoint.analysis.tool_rows import SOURCES
+from pitchpoint.analysis.tools import TOOLS
 
 RATE = 2048.0
 TIME = 0.25 + np.arange(8192) / RATE

@@ -53,6 +53,8 @@ def record():
         ("find_period", 1, "period [ms]", "−log₁₀ of the probability in noise"),
         ("period_evidence", 1, "period, travel", "−log₁₀ of the probability in noise"),
         ("kurtogram", 1, "frequency [Hz]", "bandwidth"),
+        ("spectral_coherence", 2, "cyclic frequency [Hz]", "mean coherence"),
+        ("line_prominence", 1, "frequency [Hz]", "above the median [dB]"),
         ("gear_signals", 1, "angle [°]", "[µm]"),
         ("tones", 1, "frequency [Hz]", "amplitude [µm]"),
     ],
