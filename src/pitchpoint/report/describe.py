@@ -55,13 +55,15 @@ def describe(model: Model) -> ReportModel:
 
 def _gearbox(model: Model) -> GearboxData:
     """Drawing in section and power flow at constant speed."""
+    from pitchpoint.report.machine_tables import machine_tables
     from pitchpoint.report.power_tables import flow_texts
     from pitchpoint.report.section.build import gearbox_drawing
     from pitchpoint.report.static_power import static_powers
 
     flows = static_powers(model)
     texts = [flow for flow in flow_texts(flows) if flow.tables]
-    return GearboxData(drawing=gearbox_drawing(model, flows) or "", flows=texts[:MAX_FLOWS])
+    drawing = gearbox_drawing(model, flows) or ""
+    return GearboxData(drawing=drawing, flows=texts[:MAX_FLOWS], tables=machine_tables(model))
 
 
 def _sources(model: Model) -> tuple[str, ...]:

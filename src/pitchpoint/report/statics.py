@@ -7,9 +7,9 @@ computed (for example loads that no tooth carries) are omitted with a remark.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.words import ranges
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.report.rolls import Train
+    from pitchpoint.solvers.quasistatic.roll import Roll
+    from pitchpoint.system.system import System
     from pitchpoint.viz.report.build import MeshCycleData
 
 
@@ -28,12 +30,34 @@ IDLE = 1e-9
 """Torque relative to the largest one up to which a mesh carries no load."""
 
 
+@dataclass
+class Rolled:
+    """Results of slow rolls.
+
+    Attributes
+    ----------
+    cycles
+        Mesh cycles by mesh.
+    planets
+        Load sharing of planetary stages (`system.planet_loads.as_data`).
+    notes
+        Notes for the summary.
+    count
+        Number of rolls.
+    """
+
+    cycles: dict[str, MeshCycleData]
+    planets: dict[str, dict[str, Any]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    count: int = 0
+
+
 def with_rolls(
     model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress, after: int = 0
-) -> tuple[dict[str, MeshCycleData], list[str], int]:
+) -> Rolled:
     """Add transmission errors and load sharing to mesh cycles (with the reference stiffness [N/m]).
 
-    `after` is the number of work units that follow, for `progress`. Also returns notes and the number of rolls.
+    `after` is the number of work units that follow, for `progress`.
     """
     from pitchpoint.core.status import INTERRUPTED
     from pitchpoint.report.rolls import MAX_ROLLS, from_roll, plan_of
@@ -43,17 +67,17 @@ def with_rolls(
     from pitchpoint.system.compile import compile_model
 
     scenario = loaded_scenario(model)
-    found = {name: data for name, (data, _) in cycles.items()}
+    found = Rolled({name: data for name, (data, _) in cycles.items()})
     train, names, notes = _loaded_train(model, cycles, scenario)
     groups = meshes_rolled_together(model, names, train)
     groups, left = groups[:MAX_ROLLS], groups[MAX_ROLLS:]
     try:
         if not groups:
-            return found, notes, 0
+            return replace(found, notes=notes)
         given = compile_model(model, scenario)
         system = loads_at_state(given, operating_point(given, scenario).state)
     except PitchpointError as error:
-        return found, [f"No slow roll: {error}."], 0
+        return replace(found, notes=[f"No slow roll: {error}."])
     if left:
         notes.append(
             f"Slow rolls of {len(names)} meshes would take too long: those of "
@@ -74,13 +98,27 @@ def with_rolls(
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{ranges(group)}: the slow roll stopped: {roll.sentence}.")
-            notes += [said for note in roll.notes if (said := f"{note}.") not in notes]
+            known = {note.partition(":")[0] for note in notes}
+            notes += [f"{note}." for note in roll.notes if str(note).partition(":")[0] not in known]
             if len(roll.position) > 2:
-                found |= {n: from_roll(n, *cycles[n], system, roll, plan) for n in group}
+                found.cycles |= {n: from_roll(n, *cycles[n], system, roll, plan) for n in group}
+                found.planets |= _planets(model, group, system, roll)
         except PitchpointError as error:
             notes.append(f"{ranges(group)}: no slow roll: {error}.")
         progress(k + 1, len(groups) + after, first)
-    return found, [*notes, *_fewer(fewer)], len(groups)
+    return replace(found, notes=[*notes, *_fewer(fewer)], count=len(groups))
+
+
+def _planets(model: Model, group: Sequence[str], system: System, roll: Roll) -> dict[str, dict[str, Any]]:
+    """Load sharing of the planets whose meshes a roll contains, by the means of its points."""
+    from pitchpoint.system.planet_loads import as_data, loads_of_planets
+
+    def mean(channel: str) -> float:
+        """Mean over the periods; the last point repeats the first one."""
+        return float(roll.rows[:-1, system.layout.channel(channel)].mean())
+
+    loads = loads_of_planets(model, mean)
+    return as_data({name: one for name, one in loads.items() if {*one.meshes} & {*group}})
 
 
 def _fewer(meshes: Sequence[str]) -> list[str]:
@@ -101,6 +139,8 @@ def _loaded_train(
 ) -> tuple[Train, list[str], list[str]]:
     """Meshes that move and carry load in a scenario, those to roll, and remarks on the others."""
     from pitchpoint.report.rolls import Train
+    from pitchpoint.solvers.quasistatic.roll import Roll
+    from pitchpoint.system.system import System
 
     idle, locked = idle_meshes(model, scenario), locked_meshes(model, scenario)
     turning, notes = [name for name in meshes if rolls(model, name)], []
@@ -165,7 +205,11 @@ def locked_meshes(model: Model, scenario: Scenario | None) -> set[str]:
     if scenario is None or not scenario.engaged:
         return set()
     moving: set[str] = set()
-    for body in (load.body for load in model.loads.values() if load.body in model.bodies):
+    loaded = [load.body for load in model.loads.values()]
+    geared = [model.body_of(gear) for mesh in model.every_mesh.values() for gear in mesh.gears]
+    for body in dict.fromkeys([*loaded, *geared]):
+        if body is None or model.bodies[body].moves == "fixed":
+            continue
         try:
             meshes = frequencies_of(model, turning_speeds(model, {body: 1.0}, scenario))["meshes"]
         except PitchpointError:  # held by a brake

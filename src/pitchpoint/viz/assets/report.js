@@ -27,7 +27,7 @@
   const paperWidth = (node) => (node.closest(".pair") ? 325 : 680);
 
   // Rows with a name each, and diagrams full of names, need their height; other plots are lower on paper.
-  const paperHeight = (height, meta) => (meta && meta.whole ? height : Math.round(0.8 * height));
+  const paperHeight = (height, meta) => (meta && meta.whole ? height : Math.round(0.7 * height));
 
   function apply(mode, printing) {
     for (const { node, height } of plots) {
