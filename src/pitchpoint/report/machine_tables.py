@@ -129,8 +129,8 @@ def scissor_table(scissors: Mapping[str, Mapping[str, Any]]) -> PowerTable:
         for name, row in scissors.items()
     ]
     notes = [
-        "backlash along the base tangent; the fixed half lifts off at a load, with inertia torques, above the "
-        "spring torque and against it"
+        "backlash along the base tangent; the fixed half lifts off at a load, with inertia torques, above "
+        "the spring torque and against it"
     ]
     return PowerTable("Scissor gears", head, rows, notes)
 

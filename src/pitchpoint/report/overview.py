@@ -40,7 +40,9 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
         if isinstance(parts, Mapping) and section not in NO_PARTS:
             own = {*model.scissor_gears} if section in SPRINGS else set()  # parts of scissor gears
             own |= {f"{name}-friction" for name in model.scissor_gears} if section == "clutches" else set()
-            parts = [n for n, part in parts.items() if n not in own and not getattr(part, "of_housing", False)]
+            parts = [
+                n for n, part in parts.items() if n not in own and not getattr(part, "of_housing", False)
+            ]
             if not parts:
                 continue
             names = [_named(model, section, name) for name in parts[:MAX_NAMES]]

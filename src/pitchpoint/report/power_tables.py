@@ -94,6 +94,12 @@ def flow_texts(flows: Mapping[str, Mapping[str, Any]]) -> list[FlowText]:
     return [_texts(names, resting, flow) for names, resting, flow in groups]
 
 
+def further_flows(flows: Sequence[FlowText]) -> list[PowerTable]:
+    """Table of the power flows without tables of their own: names of the scenarios and summary."""
+    rows = [[ranges(flow.names), flow.summary] for flow in flows]
+    return [PowerTable("Power flow in further scenarios", ("scenario", "power flow"), rows)] if rows else []
+
+
 def _texts(names: Sequence[str], resting: Sequence[str], flow: Mapping[str, Any]) -> FlowText:
     """One power flow as texts."""
     if "failure" in flow:

@@ -92,7 +92,9 @@ def plan_of(model: Model, mesh: str, coordinates: int, train: Train = ALL) -> Ro
         periods = min(until, MAX_TURNS, total // MIN_POINTS)
         return RollPlan(until, periods, max(MIN_POINTS, min(POINTS, total // periods)))
     turning, order = _rates(model, mesh, train)
-    faster = max((_order_of(model, name, turning) / order for name in train.meshes(model) if order), default=1.0)
+    faster = max(
+        (_order_of(model, name, turning) / order for name in train.meshes(model) if order), default=1.0
+    )
     points = min(total, max(POINTS_OF_LONG, math.ceil(MESH_POINTS * faster)))
     periods = min(until, MAX_PERIODS, total // points)
     return RollPlan(until, periods, max(points, min(POINTS, total // periods)))

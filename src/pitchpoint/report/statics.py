@@ -81,7 +81,8 @@ def with_rolls(
     if left:
         notes.append(
             f"Slow rolls of {len(names)} meshes would take too long: those of "
-            f"{ranges(name for group in left for name in group)} are omitted. Use a scenario with a slow roll."
+            f"{ranges(name for group in left for name in group)} are omitted. "
+            "Use a scenario with a slow roll."
         )
     fewer: list[str] = []
     still = replace(scenario, quasi_static=None) if scenario is not None else None
@@ -139,8 +140,6 @@ def _loaded_train(
 ) -> tuple[Train, list[str], list[str]]:
     """Meshes that move and carry load in a scenario, those to roll, and remarks on the others."""
     from pitchpoint.report.rolls import Train
-    from pitchpoint.solvers.quasistatic.roll import Roll
-    from pitchpoint.system.system import System
 
     idle, locked = idle_meshes(model, scenario), locked_meshes(model, scenario)
     turning, notes = [name for name in meshes if rolls(model, name)], []

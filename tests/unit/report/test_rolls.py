@@ -17,9 +17,9 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.rolls import (
-    given_roll,
     RollPlan,
     Train,
+    given_roll,
     periods_until_repeat,
     plan_of,
     points_to_roll,

@@ -35,7 +35,7 @@ mu/(mu + k/m) times this one, so the mass factor mu stays above 2 |k|/m."""
 LARGE = 300
 """Number of coordinates from which matrices are sparse (importing SciPy takes a fifth of a second)."""
 FACTORISED = 100
-"""Number of unknowns from which dense matrices are factorised by SciPy, in a third of the time of an inverse."""
+"""Number of unknowns from which SciPy factorises dense matrices, in a third of the time of an inverse."""
 REGULAR = 1e13
 """Condition number up to which a matrix is inverted; beyond it the pseudo-inverse is used."""
 

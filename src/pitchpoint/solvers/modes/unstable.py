@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
 RIGID = 1e-10
-"""Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which neither grows nor decays."""
+"""Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which does not grow."""
 ANTISYMMETRIC = 1e-12
 """Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
 SHOWN = 3

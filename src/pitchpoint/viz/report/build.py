@@ -210,10 +210,10 @@ class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
     `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
-    bodies with prescribed motion, which do not vibrate, `engaged` the engaged clutches. `total` is the number of all modes
-    if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
-    (number of modes, number of components). `at` is the state of a sweep, in words. `sources` are the
-    components that feed unstable modes, "" for the others; `undamped`: the model has no damping.
+    bodies with prescribed motion, which do not vibrate, `engaged` the engaged clutches. `total` is the number
+    of all modes if only the lowest are given. `strain_share` are the shares of `components` in the strain
+    energy, shape (number of modes, number of components). `at` is the state of a sweep, in words. `sources`
+    are the components that feed unstable modes, "" for the others; `undamped`: the model has no damping.
     """
 
     names: Sequence[str]

@@ -119,8 +119,7 @@ def _movers_table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int]) -> str
     ranks: dict[str, list[int]] = {}
     for k in listed:
         words = ", ".join(
-            f"{label} {_signed(100.0 * STEP * value, 1)}"
-            for label, value in ranked[k].moved_by[:MOVERS]
+            f"{label} {_signed(100.0 * STEP * value, 1)}" for label, value in ranked[k].moved_by[:MOVERS]
         )
         if words:
             ranks.setdefault(words, []).append(k)

@@ -14,7 +14,7 @@ from pitchpoint.viz.tables import plain_table, symbol_html
 
 WORDS = (
     *("gears", "driven by", "drives", "section", "bodies"),
-    *("speed of the bodies", "loads", "next to", "elements", "clearance", "axial force", "on its supports"),
+    *("power flow", "loads", "next to", "elements", "clearance", "axial force", "on its supports"),
 )
 """Heads of columns with words."""
 SYMBOLS = ("T_1", "T_2", "F_wt", "F_wr", "F_a", "v_w", "f_z")
@@ -78,7 +78,7 @@ def _notes(notes: Sequence[str]) -> str:
 def _row(row: Sequence[str], texts: Sequence[int]) -> str:
     """Row of a table: name, words and numbers."""
     cells = "".join(
-        f"<td>{escape(text)}</td>" if k in texts else f'<td class="num">{escape(printed(text))}</td>'
+        f"<td>{escape(printed(text))}</td>" if k in texts else f'<td class="num">{escape(printed(text))}</td>'
         for k, text in enumerate(row)
         if k
     )

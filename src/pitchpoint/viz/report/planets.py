@@ -31,7 +31,9 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         if factor is None:
             found.append(f"<p>{escape(name)}: no load on the planets, no mesh load factor K<sub>γ</sub>.</p>")
             continue
-        if factor < EQUAL and stage.get("positions") is None:
+        positions = stage.get("positions")
+        largest = factor if positions is None else max(factor, positions["load_sharing_factor"])
+        if largest < EQUAL:
             words = ranges(stage["meshes"])
             load = amount(max(map(abs, stage["mean_force"])), "N", 4)
             found.append(
@@ -41,7 +43,6 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
             continue
         force = scale("N", stage["mean_force"])
         head = ["planet", "mesh", f"mean mesh force [{force.unit}]", "share [%]"]
-        positions = stage.get("positions")
         pairs: list[tuple[float, ...]] = [()] * len(stage["planets"])
         if positions is not None:
             head += ["smallest share [%]", "largest share [%]"]

@@ -73,8 +73,8 @@ def _conditions(modes: Any) -> str:
         or_clutches = " or engaged clutches" if modes.engaged else ""
         plural = "s" if len(modes.others) > 1 else ""
         words += (
-            f" The prescribed motions{or_clutches} of scenario{plural} {', '.join(modes.others)} differ, and so "
-            f"do the modes: for a report of these, give {'their results' if plural else 'its result'}."
+            f" The prescribed motions{or_clutches} of scenario{plural} {', '.join(modes.others)} differ, and "
+            f"so do the modes: for a report of these, give {'their results' if plural else 'its result'}."
         )
     return words
 
