@@ -71,13 +71,16 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
 def named_speeds(ranked: Sequence[RankedSpeed]) -> list[int]:
     """Places of the critical speeds that the summary names, in the ranking.
 
-    Those with a large response that are within the operating range, else those close to it, else the nearest
-    one.
+    Those with a large response that are within the operating range, else the nearest one and those close to
+    the range.
     """
     known = [k for k, c in enumerate(ranked) if np.isfinite(c.separation) and c.response >= LARGE]
     inside = [k for k in known if ranked[k].separation == 0.0]
+    if inside:
+        return inside[:MAX_CRITICAL]
+    nearest = sorted(known, key=lambda k: abs(ranked[k].separation))[:1]
     close = [k for k in known if abs(ranked[k].separation) <= CLOSE]
-    return (inside or close)[:MAX_CRITICAL] or sorted(known, key=lambda k: abs(ranked[k].separation))[:1]
+    return sorted({*close[: MAX_CRITICAL - 1], *nearest})
 
 
 def _conditions(data: xr.Dataset) -> str:
