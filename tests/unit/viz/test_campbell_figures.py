@@ -169,7 +169,7 @@ def test_the_legend_names_only_modes_in_the_plot() -> None:
 
 
 def test_the_table_has_the_critical_speed_that_the_summary_names() -> None:
-    """Orders 2 to 30 of a mode at 100 Hz; that of rank 19 is 0.5 % above the operating speed, 18 within 10 %."""
+    """Orders 2 to 30 of a mode at 100 Hz; rank 19 is 0.5 % above the operating speed, 18 within 10 %."""
     crossing = 2.0 * np.pi * 100.0 / 20.0
     data = campbell(
         {"bending": 100.0},
