@@ -12,8 +12,6 @@ from pitchpoint.report.power_tables import NOTHING, PowerTable, shown
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-DIMENSIONS = {"torque": "torque", "power": "power", "force": "force"}
-"""Dimensions of the values of a load in a load case."""
 ERRORS = {"tangential_pin_error": "tangential pin error", "radial_pin_error": "radial pin error"}
 ROUNDING = 1e-13
 """Angle that counts as zero [rad]."""
@@ -61,11 +59,11 @@ def _hours(time: float | None) -> str:
 
 
 def _values(change: Mapping[str, Any]) -> str:
-    """Values of one load as text."""
+    """Values of one load as text, by their dimensions: torque, power, force."""
     found = []
     for key, value in change.items():
         each = value if isinstance(value, tuple) else (value,)
-        text = ", ".join(shown(one, DIMENSIONS[key], 6) for one in each)
+        text = ", ".join(shown(one, key, 6) for one in each)
         found.append(f"[{text}]" if isinstance(value, tuple) else text)
     return ", ".join(found)
 
