@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.report.power_tables import NOTHING, PowerTable, shown
+from pitchpoint.report.power_tables import FORCE, NOTHING, TORQUE, PowerTable, shown
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -121,8 +121,8 @@ def scissor_table(scissors: Mapping[str, Mapping[str, Any]]) -> PowerTable:
             " + ".join(shown(width, "length", 7) for width in row["face_widths"]),
             shown(row["backlash"], "length", 4),
             shown(row["twist"], "angle", 3),
-            shown(row["spring_torque"], "torque", 4),
-            shown(row["flank_force"], "force", 4),
+            shown(row["spring_torque"], TORQUE, 4),
+            shown(row["flank_force"], FORCE, 4),
         ]
         for name, row in scissors.items()
     ]
