@@ -50,7 +50,7 @@ def load_case_table(cases: Mapping[str, Mapping[str, Any]]) -> PowerTable:
         ]
         for name, case in cases.items()
     ]
-    head = ["load case", "speed", "loads", "temperature", "share of the time", *(["time"] if timed else [])]
+    head = ["load case", "speeds", "loads", "temperature", "share of the time", *(["time"] if timed else [])]
     return PowerTable("Load cases", head, rows)
 
 

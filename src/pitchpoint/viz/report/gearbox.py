@@ -14,7 +14,7 @@ from pitchpoint.viz.tables import plain_table, symbol_html
 
 WORDS = (
     *("gears", "driven by", "drives", "section", "bodies"),
-    *("power flow", "loads", "next to", "elements", "clearance", "axial force", "on its supports"),
+    *("power flow", "speeds", "loads", "next to", "elements", "clearance", "axial force", "on its supports"),
 )
 """Heads of columns with words."""
 SYMBOLS = ("T_1", "T_2", "F_wt", "F_wr", "F_a", "v_w", "f_z")
