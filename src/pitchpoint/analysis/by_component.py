@@ -25,6 +25,7 @@ OF_ELEMENT = {
     "front_impacts back_impacts impact_rate contact_frequency closing_speed_mean closing_speed_rms "
     "closing_speed_max impulse_mean impulse_max front_contact_share back_contact_share both_flanks_share "
     "contact_loss_share longest_loss shortest_contact resolution rattle_index "
+    "load_reversal peak_force_ratio flank_changes_per_revolution impact_energy_per_revolution "
     "pair_force penetration friction_torque_1 friction_torque_2 friction_power damping_power "
     "parametric_power elastic_energy",
     "load": "torque force",

@@ -195,7 +195,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str], head
 
     meshes = list(dict.fromkeys(m for r in results for m in meshes_of(r))) or [""]
     rolled = any(is_roll(r) for r in results)
-    words = roll.WORDS if rolled else (*WORDS, *([INDEX] if any(map(has_index, results)) else []))
+    words = roll.WORDS if rolled else (*WORDS, *causes_of(results))
     columns = list(heads)
     several = len(meshes) > 1
     if rolled:
@@ -207,7 +207,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str], head
     rows = []
     for result in results[:MAX_ROWS]:
         values = [str(result.values[path]) for path in paths]
-        per_mesh = [mesh_cells(result, mesh, len(words)) for mesh in meshes]
+        per_mesh = [mesh_cells(result, mesh, words) for mesh in meshes]
         if result.status != OK and all(cell == NOTHING for cells in per_mesh for cell in cells):
             per_mesh[0][0] = f"{how_a_status_ends(result.status)} ({result.status})"
         if rolled:
@@ -233,8 +233,8 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str], head
 
 
 WORDS = ("rms of deflection", "maximum force", "contact loss", "impacts", "closing speed")
-INDEX, QUIET = "rattle index", 0.1
-"""Further column, and the index up to which it is omitted: the speed of the driving gear hardly varies."""
+CAUSES = {"rattle index": ("rattle_index", 0.1), "load reversal": ("load_reversal", 0.05)}
+"""Further columns, and the number up to which they are omitted: the load of the meshes hardly varies."""
 
 CONTACT = ("contact_loss_share", "impact_rate", "closing_speed_max")
 
@@ -244,9 +244,10 @@ def is_roll(result: CaseResult) -> bool:
     return any(name.startswith("unloaded_transmission_error[") for name in result.channels)
 
 
-def has_index(result: CaseResult) -> bool:
-    """Whether the rattle index of any mesh is shown."""
-    return any(row.get("rattle_index", 0.0) > QUIET for row in result.channels.values())
+def causes_of(results: Sequence[CaseResult]) -> list[str]:
+    """Columns of `CAUSES` that are shown."""
+    rows = [row for result in results for row in result.channels.values()]
+    return [word for word, (name, least) in CAUSES.items() if any(row.get(name, 0.0) > least for row in rows)]
 
 
 def stages_of(result: CaseResult) -> list[str]:
@@ -270,10 +271,10 @@ def meshes_of(result: CaseResult) -> list[str]:
     return [n[len("deflection[") : -1] for n in result.channels if n.startswith("deflection[")]
 
 
-def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
-    """Table cells of one mesh: results of a slow roll, or those of `WORDS`, of a sweep the largest.
+def mesh_cells(result: CaseResult, mesh: str, words: Sequence[str]) -> list[str]:
+    """Table cells of one mesh: those of a slow roll, or of `WORDS` and `CAUSES`, of a sweep the largest.
 
-    There are `count` cells, also for a case without numbers.
+    There is a cell for each of `words`, also for a case without numbers.
     """
     if is_roll(result):
         from pitchpoint.cli import roll
@@ -289,11 +290,11 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
         force = greatest(result.channels[f"mesh_force[{mesh}]"])
         contact = [result.channels[f"contact_state[{mesh}]"][name] for name in CONTACT]
     else:
-        return [NOTHING] * count
+        return [NOTHING] * len(words)
     cells = [shown(rms, "length", 4), shown(force, "force", 5), *contact_cells(*contact)]
-    if count > len(WORDS):
-        index = result.channels.get(f"contact_state[{mesh}]", {}).get("rattle_index", math.nan)
-        cells.append(f"{index:.3f}" if math.isfinite(index) else NOTHING)
+    for word in words[len(WORDS) :]:
+        number = result.channels.get(f"contact_state[{mesh}]", {}).get(CAUSES[word][0], math.nan)
+        cells.append(f"{number:.3f}" if math.isfinite(number) else NOTHING)
     return cells
 
 

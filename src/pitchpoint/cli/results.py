@@ -218,7 +218,6 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
         if not row.get("contact_loss_share", 0.0) > 0.0:
             continue
         mesh = name.partition("[")[2][:-1]
-        index = row["rattle_index"]
         rows.append(
             [
                 mesh,
@@ -228,7 +227,7 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
                 _largest_force(channels.get(f"mesh_force[{mesh}]")),
                 f"{1e3 * row['closing_speed_max']:.4g} mm/s",
                 f"{row['impulse_max']:.4g} N s" if row["impulse_max"] > 0.0 else "-",
-                (f"{index:.3g}" if index >= 1e-3 else "0") if math.isfinite(index) else "not known",
+                *_load_cells(row),
             ]
         )
         if 0.0 < row["shortest_contact"] < FEWEST_STEPS * row["resolution"]:
@@ -242,16 +241,26 @@ def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
         )
     if rows:
         head = [
-            "mesh",
-            "contact loss",
-            "longest",
-            "impacts",
-            "largest force",
-            "closing speed",
-            "impulse",
-            "rattle index",
+            *("mesh", "contact loss", "longest", "impacts", "largest force", "closing speed", "impulse"),
+            *("rattle index", "load reversal", "flank changes", "impact energy"),
         ]
+        notes.append("flank changes and energy of the impacts per revolution of gear 1")
         table("contact loss", head, rows, notes)
+
+
+def _load_cells(row: Mapping[str, Any]) -> list[str]:
+    """Cells of the numbers that follow from loads and inertia."""
+    index, reversal = (
+        (f"{x:.3g}" if x >= 1e-3 else "0") if math.isfinite(x) else "-"
+        for x in (row["rattle_index"], row["load_reversal"])
+    )
+    changes, energy = (row[f"{name}_per_revolution"] for name in ("flank_changes", "impact_energy"))
+    return [
+        index,
+        reversal,
+        f"{changes:.3g}" if math.isfinite(changes) else "-",
+        shown(energy, "energy", 3) if math.isfinite(energy) else "-",
+    ]
 
 
 def statistics_cells(row: Mapping[str, Any], zero: str = "") -> list[str]:

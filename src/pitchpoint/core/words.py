@@ -36,3 +36,27 @@ def ranges(names: Iterable[str]) -> str:
         for part in ([f"{group[0]} … {group[-1]}"] if len(group) > 2 else group)
     ]
     return listed(parts) if parts else ""
+
+
+def shortened(words: str, most: int) -> str:
+    """Text in which longer names have … in the middle.
+
+    Parameters
+    ----------
+    words
+        Names, separated by spaces or commas.
+    most
+        Largest number of letters of a name.
+
+    Examples
+    --------
+    >>> shortened("shaft_1 and not_a_catalogue_bearing_33016_rolling_60", 20)
+    'shaft_1 and not_a_cat…rolling_60'
+    """
+
+    def short(name: re.Match[str]) -> str:
+        """One name."""
+        word, head = name[0], (most - 1) // 2
+        return word if len(word) <= most else f"{word[:head]}…{word[head + 1 - most :]}"
+
+    return re.sub(r"[^\s,]+", short, words)

@@ -21,5 +21,10 @@ RATTLE = (
     ("shortest_contact", "s", "shortest contact after an impact"),
     ("resolution", "s", "largest step between two checks of the contact"),
     ("rattle_index", "1", "inertia torque of the idle gear over its drag torque"),
+    ("load_reversal", "1", "load of the back flank over that of the front flank, smaller over larger"),
+    ("peak_force_ratio", "1", "largest mesh force over the mean load of the mesh"),
+    ("flank_changes_per_revolution", "1", "changes of the flank in contact per revolution of gear 1"),
+    ("impact_energy_per_revolution", "J", "kinetic energy of the impacts per revolution of gear 1"),
 )
-"""Numbers of the contact of a mesh: name, unit, description; see `analysis.rattle.Rattle`."""
+"""Numbers of the contact of a mesh: name, unit, description; see `analysis.rattle.Rattle` and
+`solvers.contact_counts`."""

@@ -2,6 +2,8 @@
 """The load case in effect: its speeds and loads in place of those of the file.
 
 Loads and scenarios with the values of a load case keep the component as given, which is written and replaced.
+A scenario may name its own load case: its speeds replace those of the scenario in the model, its loads and
+temperature are those of `in_own_load_case`.
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.model.checks.references import speed_as_written
+from pitchpoint.model.checks.references import known, speed_as_written
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
@@ -21,6 +23,7 @@ from pitchpoint.model.speed_ratios import start_speeds
 if TYPE_CHECKING:
     from pitchpoint.model.components.load_case import CaseLoad, LoadCase
     from pitchpoint.model.components.lubricant import Lubricant
+    from pitchpoint.model.model import Model
     from pitchpoint.model.parts import Parts
     from pitchpoint.model.scenario import Scenario
 
@@ -47,27 +50,77 @@ def apply_load_case(parts: Parts, report: Reader) -> None:
             remedy="correct load_duration_fraction",
         )
     chosen = parts.load_case
-    if chosen is None or (KEY,) in report.tainted:
-        return
-    if chosen not in parts.load_cases:
-        if not parts.has(SECTION, chosen):
-            names = parts.known(SECTION)
-            report.problem(
-                (KEY,),
-                f"names the load case {chosen[:40]!r}, which does not exist",
-                remedy=did_you_mean(chosen, names) + f"there are {', '.join(sorted(names)) or 'none'}",
-            )
-        return
-    case = parts.load_cases[chosen]
-    if (SECTION, chosen) in report.tainted:
+    own = {name: each.load_case for name, each in parts.scenarios.items() if each.load_case is not None}
+    for name, named in own.items():
+        case = _named(parts, named, ("scenarios", name, KEY), report)
+        if case is not None and chosen is None:
+            _put_speeds(parts, name, case)
+    case = None if chosen is None else _named(parts, chosen, (KEY,), report)
+    if case is None:
         return
     speeds = start_speeds(parts, case.speed)[0] if case.speed else {}
     for name, change in case.loads.items():
         load = parts.loads[name]
         parts.loads[name] = replace(load, **_values(load, change, speeds), given=load)
+    for name in parts.scenarios:
+        _put_speeds(parts, name, case)
+
+
+def _named(parts: Parts, name: str, at: Place, report: Reader) -> LoadCase | None:
+    """Load case that a key names; None if it does not exist or has problems."""
+    if at in report.tainted or not known(parts, SECTION, name, at, report):
+        return None
+    return None if (SECTION, name) in report.tainted else parts.load_cases.get(name)
+
+
+def _put_speeds(parts: Parts, name: str, case: LoadCase) -> None:
+    """Replace the speeds of a scenario by those of a load case."""
     if case.speed:
-        for name, scenario in parts.scenarios.items():
-            parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
+        scenario = parts.scenarios[name]
+        parts.scenarios[name] = replace(_at_speed(scenario, case), given=scenario)
+
+
+def in_own_load_case(model: Model, scenario: Scenario) -> tuple[Model, Scenario]:
+    """Model and scenario in the load case that the scenario names, unless one is in effect for all.
+
+    Parameters
+    ----------
+    model
+        The model.
+    scenario
+        One of its scenarios or another one.
+
+    Returns
+    -------
+    tuple of Model, Scenario
+        The arguments themselves if nothing differs.
+
+    Raises
+    ------
+    ModelError
+        If the load case does not exist.
+
+    Examples
+    --------
+    >>> from pitchpoint import Body, Load, LoadCase, Model, Scenario
+    >>> from pitchpoint.model.components.load_case import CaseLoad
+    >>> peak = LoadCase(loads={"motor": CaseLoad(torque="80 N m")})
+    >>> model = Model(
+    ...     bodies={"rotor": Body(mass="1 kg", inertia="0.01 kg m^2")},
+    ...     loads={"motor": Load(body="rotor", torque="50 N m")},
+    ...     load_cases={"peak": peak},
+    ...     scenarios={"start": Scenario(load_case="peak", duration="1 s")},
+    ... )
+    >>> in_own_load_case(model, model.scenarios["start"])[0].loads["motor"].torque.value
+    80.0
+    """
+    if scenario.load_case is None or model.load_case is not None:
+        return model, scenario
+    changed = model.replace(KEY, scenario.load_case)
+    case = changed.load_cases[scenario.load_case]
+    if scenario.given is None and case.speed:  # not a scenario of the model, whose speeds are replaced
+        scenario = replace(_at_speed(scenario, case), given=scenario)
+    return changed, scenario
 
 
 def _check_times(parts: Parts, report: Reader) -> None:

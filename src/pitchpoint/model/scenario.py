@@ -244,6 +244,12 @@ class Scenario(Component):
         (),
         choices=EVENTS,
     )
+    load_case: str | None = text(
+        "load case that applies to this scenario: its speeds and loads replace those of loads and scenario; "
+        "--load-case and the key load_case of the file take precedence",
+        None,
+        later=True,
+    )
     channels: tuple[str, ...] = key(
         "names",
         "channels to store; * matches any characters, as in mesh_force[*]",

@@ -28,7 +28,7 @@ def lubricant_facts(model: Model) -> dict[str, Any]:
 
 
 def load_case_facts(model: Model) -> dict[str, dict[str, Any]]:
-    """Speeds, loads, temperature, share of the time of every load case, and whether it is in effect; SI."""
+    """Speeds, loads, temperature, share of the time of every load case, and where it is in effect; SI."""
     shares = shares_of_time(model.load_cases)
     return {
         name: {
@@ -41,6 +41,7 @@ def load_case_facts(model: Model) -> dict[str, dict[str, Any]]:
             "load_duration_fraction": shares[name],
             "load_duration": case.load_duration,
             "in_effect": name == model.load_case,
+            "scenarios": [n for n, s in model.scenarios.items() if (model.load_case or s.load_case) == name],
         }
         for name, case in model.load_cases.items()
     }

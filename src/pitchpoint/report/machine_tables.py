@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.words import ranges
 from pitchpoint.report.power_tables import FORCE, NOTHING, TORQUE, PowerTable, shown
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def load_case_table(cases: Mapping[str, Mapping[str, Any]]) -> PowerTable:
     timed = any(case["load_duration"] is not None for case in cases.values())
     rows = [
         [
-            name + (" (in effect)" if case["in_effect"] else ""),
+            name + _where(case),
             _listed({body: shown(rate, "angular_speed", 6) for body, rate in case["speed"].items()}),
             _listed({load: _values(change) for load, change in case["loads"].items()}),
             shown(case["temperature"], "temperature", 4),
@@ -52,6 +53,13 @@ def load_case_table(cases: Mapping[str, Mapping[str, Any]]) -> PowerTable:
     ]
     head = ["load case", "speeds", "loads", "temperature", "share of the time", *(["time"] if timed else [])]
     return PowerTable("Load cases", head, rows)
+
+
+def _where(case: Mapping[str, Any]) -> str:
+    """Where a load case is in effect."""
+    if case["in_effect"]:
+        return " (in effect)"
+    return f" (in {ranges(case['scenarios'])})" if case["scenarios"] else ""
 
 
 def _hours(time: float | None) -> str:

@@ -82,10 +82,12 @@ def static_power(model: Model, scenario: Scenario, name: str = "") -> dict[str, 
     ModelError
         If the speeds are not known or contradict each other.
     """
+    from pitchpoint.model.load_cases import in_own_load_case
     from pitchpoint.model.torque_balance import torque_balance
     from pitchpoint.report.external_torques import external_torques, overloaded_clutches
     from pitchpoint.report.frequencies import frequencies_of, turning_speeds, undetermined_speeds
 
+    model, scenario = in_own_load_case(model, scenario)
     given, notes = _speeds(model, scenario, name)
     spins = turning_speeds(model, given, scenario)
     external, sticking, remarks = external_torques(model, scenario, spins)

@@ -4,10 +4,16 @@
 A contact that lasts a few steps only would be missed at the sample rate of the output, so the counters are
 updated with the running statistics. A state applies from half-way to the preceding step to half-way to the
 next one, as in `analysis.statistics.contact_statistics`; `analysis.rattle` has the definitions.
+
+Loads of a mesh: along the base tangent, with the mesh force F and the mass m = J/r_b^2 of each gear, the
+loads on the gears are P_1 = F + m_1 a_1 and P_2 = F + m_2 a_2, with the accelerations a = r_b alpha. With its
+flanks held together the mesh would transmit F_c = (m_2 P_1 + m_1 P_2)/(m_1 + m_2) = F + m u'', with the
+reduced mass m and the deflection u. Impacts of this mesh cancel in F_c.
 """
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -37,6 +43,10 @@ COUNTS = np.dtype(
         ("period", "f8"),  # natural period of the flanks in contact: impulses of longer contacts do not count
         *((name, "f8") for name in ("shortest_contact", "resolution")),
         *((name, "f8") for name in ("least_1", "most_1", "least_2", "most_2")),
+        *((name, "f8") for name in ("r_b1", "r_b2", "mass_1", "mass_2", "mass")),  # [m], [kg]; inf if driven
+        *((name, "f8") for name in ("forward_1", "reverse_1", "forward_2", "reverse_2")),  # of P_1, P_2
+        *((name, "f8") for name in ("forward", "reverse", "force_most", "energy", "turned")),
+        *((name, "i8") for name in ("flank", "changes")),
     ],
     align=True,
 )
@@ -47,7 +57,12 @@ CONTACT_NUMBERS = (
     *("closing_speed_mean", "closing_speed_rms", "closing_speed_max", "impulse_mean", "impulse_max"),
     *("front_contact_share", "back_contact_share", "both_flanks_share", "contact_loss_share"),
     *("longest_loss", "shortest_contact", "resolution", "rattle_index"),
+    *("load_reversal", "peak_force_ratio", "flank_changes_per_revolution", "impact_energy_per_revolution"),
 )
+STEADY = 0.05
+"""Largest share of the opposite direction in a load that counts as a drag torque."""
+FEWEST_TURNS = 0.5
+"""Revolutions of gear 1 below which there are no numbers per revolution: it rocks."""
 
 
 def new_counts(system: System) -> NDArray[np.void]:
@@ -66,7 +81,21 @@ def new_counts(system: System) -> NDArray[np.void]:
         row["shortest_contact"] = np.inf
         frequency = mesh_mode(record, system, driven)
         row["period"] = 1.0 / frequency if frequency > 0.0 else np.inf
+        _set_masses(row, system, record, driven)
     return counts
+
+
+def _set_masses(row: np.void, system: System, record: np.void, driven: set[int]) -> None:
+    """Set the masses of both gears on the base tangent, infinite for gears that no force accelerates."""
+    inverse = 0.0
+    for end, gear in (("i", 1), ("j", 2)):
+        body = system.program["body"][int(record[end])]
+        radius, polar = float(record[f"r_b{gear}"]), float(body["i_p"])
+        free = body["joint"] != 0 and int(record[end]) not in driven and row[f"speed_{gear}_at"] >= 0
+        row[f"r_b{gear}"] = radius
+        row[f"mass_{gear}"] = polar / radius**2 if free and polar > 0.0 else np.inf
+        inverse += 1.0 / float(row[f"mass_{gear}"])
+    row["mass"] = 1.0 / inverse if inverse > 0.0 else 0.0
 
 
 @kernel
@@ -93,6 +122,8 @@ def _count(t, row, c):
         _add_share(c, state, 0.5 * h)
         _add_accelerations(c, (speed_1 - c["speed_1"]) / h, (speed_2 - c["speed_2"]) / h)
         c["momentum"] += 0.5 * h * (c["mesh_force"] + force)
+        c["turned"] += 0.5 * h * (c["speed_1"] + speed_1)
+        _add_loads(c, 0.5 * h * (c["mesh_force"] + force), speed_1 - c["speed_1"], speed_2 - c["speed_2"])
         if c["hit"] != 0:
             c["impulse"] += 0.5 * h * abs(c["mesh_force"])
         if c["hit"] != 0 and (state == 0 or state * c["state"] == -1):
@@ -109,6 +140,10 @@ def _count(t, row, c):
     else:
         c["begun"] = 1
         c["lost_at"] = t
+    if state == 1 or state == -1:
+        c["changes"] += 1 if state * c["flank"] == -1 else 0
+        c["flank"] = state
+    c["force_most"] = max(c["force_most"], abs(force))
     c["t"] = t
     c["state"] = state
     c["deflection"] = x
@@ -140,6 +175,24 @@ def _add_accelerations(c, first, second):
 
 
 @kernel
+def _add_loads(c, impulse, change_1, change_2):
+    """Add the impulses of the loads over one step, from that of the mesh force and the changes of speed."""
+    a_1 = c["r_b1"] * change_1
+    a_2 = c["r_b2"] * change_2
+    of_mesh = impulse + c["mass"] * (a_1 + a_2)
+    c["forward"] += max(of_mesh, 0.0)
+    c["reverse"] -= min(of_mesh, 0.0)
+    if c["mass_1"] < math.inf:
+        on_1 = impulse + c["mass_1"] * a_1
+        c["forward_1"] += max(on_1, 0.0)
+        c["reverse_1"] -= min(on_1, 0.0)
+    if c["mass_2"] < math.inf:
+        on_2 = impulse + c["mass_2"] * a_2
+        c["forward_2"] += max(on_2, 0.0)
+        c["reverse_2"] -= min(on_2, 0.0)
+
+
+@kernel
 def _begin_cycle(c, state, t):
     """Count the contacts of either flank that begin, after a separation or from the other flank."""
     before = c["state"]
@@ -166,6 +219,7 @@ def _begin_contact(c, state, closing, t):
     c["closing"] += closing
     c["closing_squares"] += closing * closing
     c["closing_most"] = max(c["closing_most"], closing)
+    c["energy"] += 0.5 * c["mass"] * (closing * c["normal"]) ** 2
 
 
 @kernel
@@ -181,9 +235,8 @@ def _end_contact(c, t):
 
 
 def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str, Any]]:
-    """Numbers of `analysis.rattle.Rattle` by mesh; NaN without steps."""
+    """Numbers of `analysis.rattle.Rattle` and of the loads by mesh; NaN without steps."""
     found: dict[str, dict[str, Any]] = {}
-    driven = {int(record["i"]) for record in system.rows(DRIVE)}
     for name, record, c in zip(mesh_names(system), mesh_records(system), counts, strict=True):
         total = float(c["total"])
         if not total > 0.0:
@@ -207,32 +260,51 @@ def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str,
             "longest_loss": float(c["longest_loss"]),
             "shortest_contact": float(c["shortest_contact"]) if np.isfinite(c["shortest_contact"]) else 0.0,
             "resolution": float(c["resolution"]),
-            "rattle_index": _index(system, record, c, float(c["momentum"]) / total, driven),
+            **_of_loads(system, record, c, total),
         }
     return found
 
 
-def _index(system: System, record: np.void, c: np.void, force: float, driven: set[int]) -> float:
-    """Rattle index, see `analysis.rattle.rattle_index`.
+def _of_loads(system: System, record: np.void, c: np.void, total: float) -> dict[str, float]:
+    """Numbers that require the inertia of the gears; NaN for gears on a carrier.
 
-    NaN without a mean force [N], without a gear that is free to rotate, and for gears on a carrier.
+    Its line of centres rotates, so that the speeds of the gears are not those relative to it.
     """
     for end in "ij":
         row = against_the_base(system, record, end)
         if len(row) > 1 or not row.keys() <= turning(system, int(record[end])).keys():
-            return float("nan")  # the line of centres turns, also where one of the gears is fixed
-    sides = []
-    bodies = system.program["body"]
-    for end, radius, gear in (("i", "r_b1", 1), ("j", "r_b2", 2)):
-        body, r_b = int(record[end]), float(record[radius])
-        free = bodies[body]["joint"] != 0 and body not in driven and c[f"speed_{gear}_at"] >= 0
-        polar = float(bodies[body]["i_p"])
-        sides.append((polar / r_b**2 if free and polar > 0.0 else np.inf, r_b, gear))
-    (mass, r_b, _), (_, other_r_b, other) = sorted(sides)
-    if not np.isfinite(mass) or not abs(force) > 0.0:
+            return dict.fromkeys(CONTACT_NUMBERS[-5:], float("nan"))
+    either = float(c["forward"] + c["reverse"])
+    turns = abs(float(c["turned"])) / (2.0 * math.pi)
+    turns = turns if turns >= FEWEST_TURNS else float("nan")
+    free = c["mass"] > 0.0 and either > 0.0
+    return {
+        "rattle_index": _index(c, float(c["momentum"]) / total),
+        "load_reversal": _reversal(c["forward"], c["reverse"]) if free else float("nan"),
+        "peak_force_ratio": float(c["force_most"]) * total / either if free else float("nan"),
+        "flank_changes_per_revolution": int(c["changes"]) / turns,
+        "impact_energy_per_revolution": float(c["energy"]) / turns,
+    }
+
+
+def _reversal(forward: float, reverse: float) -> float:
+    """Impulse of a load in its rarer direction over that in the other one, 0 to 1."""
+    larger = max(forward, reverse)
+    return float(min(forward, reverse) / larger) if larger > 0.0 else 0.0
+
+
+def _index(c: np.void, force: float) -> float:
+    """Rattle index, see `analysis.rattle.rattle_index`.
+
+    NaN without a mean force [N], without a gear that is free to rotate, and if the load on the idle gear
+    changes its direction: it is not a drag torque.
+    """
+    mass, idle, other = min((float(c["mass_1"]), 1, 2), (float(c["mass_2"]), 2, 1))
+    forward, reverse = (float(c[f"{way}_{idle}"]) for way in ("forward", "reverse"))
+    if not np.isfinite(mass) or not abs(force) > 0.0 or _reversal(forward, reverse) > STEADY:
         return float("nan")
-    needed = [-mass * other_r_b * float(c[f"{end}_{other}"]) / force for end in ("least", "most")]
-    return max(0.0, *needed)
+    r_b = float(c[f"r_b{other}"])
+    return max(0.0, *(-mass * r_b * float(c[f"{end}_{other}"]) / force for end in ("least", "most")))
 
 
 def _frequency(c: np.void) -> float:

@@ -27,7 +27,8 @@ The sources are
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
   unfavourable one, as are the phases of several meshes in sidebands and run-out, whose energies X add up;
 * torque M on a body of the moment of inertia J: its acceleration is J |phi''| = M T_r/((T + V) zeta) with the
-  kinetic energy T_r of its rotation;
+  kinetic energy T_r of its rotation. Several torques of one order act with their sizes and phases at the
+  speed of the crossing (`load_orders.alignment`);
 * ripple of a driven body: that of the elements between it and the machine, as for a transmission error.
 
 Without gyroscopic effects T = V, and the amplification is p/(2 zeta), the response sqrt(p)/(2 zeta).
@@ -55,6 +56,7 @@ from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.load_orders import alignment
 from pitchpoint.solvers.modes.energies import (
     WAYS,
     Energies,
@@ -89,7 +91,8 @@ RANKING = (
     f"the excitation, for a damping ratio of at least {100.0 * DAMPED:.2f} %; amplification: the response "
     "where the order acts, such as tooth deflection over transmission error; mesh orders act with the "
     "transmission errors and shuttling forces of all their meshes under the load of the scenario, in phase; "
-    "an unbalance acts on the forward whirl of a mode only, and sidebands have their most unfavourable phases"
+    "torques of one order act with their sizes and phases; an unbalance acts on the forward whirl of a mode "
+    "only, and sidebands have their most unfavourable phases"
 )
 """How crossings are ranked, for outputs."""
 
@@ -190,8 +193,8 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     words = whirl_words(energies)
     moved = sensitivities(found.motions, energies, np.array(slopes))
     listed = [
-        _critical(found, order, mode, speed, value, (energies, k, words[k], by_teeth[k], moved[k]))
-        for k, (order, mode, speed, value, _, _) in enumerate(solved)
+        _critical(found, each[:5], (energies, k, words[k], by_teeth[k], moved[k]))
+        for k, each in enumerate(solved)
     ]
     return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
 
@@ -267,17 +270,21 @@ def _solve(
 
 def _critical(
     found: Campbell,
-    order: Order,
-    mode: int,
-    speed: float,
-    value: complex,
+    crossing: tuple[Order, int, float, complex, Complex],
     about: tuple[Energies, int, str, ByTeeth | None, Sensitivity],
 ) -> CriticalSpeed:
-    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl, teeth, changes."""
+    """Crossing with what drives it.
+
+    `crossing`: order, mode, speed, eigenvalue and shape; `about`: energies, index of the mode in them, whirl,
+    teeth, changes.
+    """
+    order, mode, speed, value, shape = crossing
     energies, k, whirl, teeth, moved = about
     ratio = float(ratio_of(np.array([value]))[0])
     ratio = ratio if abs(ratio) > UNDAMPED else 0.0
     source, share = driven_by(found.motions, energies, k, order)
+    if len(order.torques) > 1:
+        share *= alignment(order.torques, shape, speed)
     strain = float(energies.strain_ratio[k])  # V/T
     size = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)  # X/(T + V)
     if source in (ERROR, RUN_OUT):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.load_orders import LoadOrder, load_orders
+from pitchpoint.solvers.load_orders import LoadOrder, load_orders, rigid_sum
 from pitchpoint.solvers.modes.energies import Motions
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
@@ -34,6 +34,8 @@ EQUAL = 1e-9
 """Relative distance of orders that are one line."""
 LOADS = "loads"
 """Word for the harmonics of torques and drives."""
+CANCELLED = 1e-3
+"""Vector sum over the sum of the amplitudes up to which torques on one body cancel: tables are rounded."""
 FEW = 2
 """Maximum number of names in the name of an order."""
 
@@ -55,6 +57,8 @@ class Order:
     parts, meshes
         Parts that rotate with the shaft, and meshes with a gear on them; the meshes of a mesh order; the
         parts on which a torque or drive acts.
+    torques
+        Harmonics of the torques of this order.
     """
 
     name: str
@@ -63,6 +67,7 @@ class Order:
     harmonic: int = 1
     parts: tuple[int, ...] = ()
     meshes: tuple[str, ...] = ()
+    torques: tuple[LoadOrder, ...] = ()
 
 
 def excitation_orders(
@@ -118,20 +123,31 @@ def excitation_orders(
 
 
 def _of_loads(system: System, motions: Motions, rates: Array) -> list[Order]:
-    """Harmonics of torques and ripples of drives."""
+    """Harmonics of torques and ripples of drives; torques on bodies of one speed are one order.
+
+    Torques on one body whose vector sum is zero, such as those of equal cylinders on a rigid crankshaft, do
+    not excite and are omitted.
+    """
     groups = motions.groups
-    alike: dict[tuple[tuple[int, ...], float, bool], list[LoadOrder]] = {}
+    alike: dict[tuple[tuple[int, ...], float, float], list[LoadOrder]] = {}
     for one in load_orders(system, motions.state, rates):
         parts = tuple(dict.fromkeys(groups.moves[groups.part[b]] for b in one.bodies))
-        alike.setdefault((parts, round(one.order, 9), one.ripple), []).append(one)
+        key = parts if one.ripple else ()
+        alike.setdefault((key, round(one.order, 9), round(one.speed, 9)), []).append(one)
     found = []
-    for (parts, order, ripple), own in alike.items():
+    for (_, order, _), own in alike.items():
+        ripple = own[0].ripple
+        if len({one.bodies for one in own}) == 1 < len(own) and not ripple and rigid_sum(own) < CANCELLED:
+            continue
+        parts = tuple(dict.fromkeys(groups.moves[groups.part[b]] for one in own for b in one.bodies))
         names = ", ".join(one.name for one in own)
         if len(own) > FEW:
             names = f"{own[0].name} and {len(own) - 1} more"
         source = "ripple of the drive" if ripple else f"torque {names}"
         name = f"{order:.6g}× {groups.parts[parts[0]]} ({source})"
-        found.append(Order(name, own[0].order * own[0].speed, RIPPLE if ripple else LOAD, 1, parts))
+        found.append(
+            Order(name, own[0].order * own[0].speed, RIPPLE if ripple else LOAD, 1, parts, (), tuple(own))
+        )
     return found
 
 

@@ -10,6 +10,7 @@ one angle would make the rotation grow or oscillate. A body at rest stays at one
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,6 +24,7 @@ from pitchpoint.solvers.load_waves import common_rate
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 POINTS = 64
 """Points per period of the fastest argument."""
@@ -30,6 +32,8 @@ LEAST, MOST_POINTS = 4096, 1 << 16
 """Least and largest number of points in the period of a load."""
 ROUND_OFF = 1e-9
 """Amplitude over the largest value of a torque up to which a harmonic is rounding."""
+FAST = 100.0
+"""High speed at which vector sums are compared with those at 1 rad/s [rad/s]."""
 WEAK = 0.05
 """Amplitude over that of the strongest harmonic of a load up to which one is omitted: a table with kinks has
 hundreds."""
@@ -53,9 +57,11 @@ class LoadOrder:
     speed
         Speed of this rotation with the reference body at 1 rad/s.
     amplitude
-        Amplitude [N m]; of a ripple [rad].
+        Amplitude at this speed [N m]; of a ripple [rad].
     ripple
         Whether it is the ripple of a drive.
+    load, harmonic
+        The torque and the number of its harmonic, for its phase.
     """
 
     name: str
@@ -64,6 +70,53 @@ class LoadOrder:
     speed: float
     amplitude: float
     ripple: bool = False
+    load: PulsatingLoad | None = None
+    harmonic: int = 0
+
+    def phasor(self, speed: float) -> complex:
+        """Complex amplitude M of a torque Re(M e^(i Omega t)) at a speed of the reference body [rad/s].
+
+        The angles at t = 0 are those of the state.
+        """
+        if self.load is None:
+            return complex(self.amplitude)
+        over, base = angles_of(self.load)
+        values = self.load.at_angles(over, self.load.speed * speed)
+        angle = self.harmonic * base * (over - self.load.angle)
+        found = 2.0 * complex(np.mean(values * np.exp(-1j * angle)))
+        return found if self.load.speed * speed > 0.0 else found.conjugate()
+
+
+def rigid_sum(orders: Sequence[LoadOrder]) -> float:
+    """Largest vector sum of torques on one body over their sum of amplitudes, at low and at high speed."""
+    shares = []
+    for speed in (1.0, FAST):
+        found = [order.phasor(speed) for order in orders]
+        shares.append(abs(sum(found)) / max(sum(map(abs, found)), 1e-300))
+    return max(shares)
+
+
+def alignment(orders: Sequence[LoadOrder], shape: Complex, speed: float) -> float:
+    """Share of a mode that torques of one order excite with their phases to each other, 0 to 1.
+
+    With the torques M and the rotations phi of their bodies it is |sum phi* M|^2/(sum |M| sum |M| |phi|^2),
+    1 for a single torque. On a rigid shaft that is the square of the vector sum over the sum of the
+    amplitudes: 0 for equal cylinders at equal firing intervals, except at multiples of the firing order.
+
+    Parameters
+    ----------
+    orders
+        Torques of one order.
+    shape
+        Mode shape, shape (nd,).
+    speed
+        Speed of the reference body [rad/s].
+    """
+    known = [order for order in orders if order.load is not None]
+    torques = np.array([order.phasor(speed) for order in known])
+    turned = np.array([order.load.row @ shape for order in known if order.load is not None])
+    largest = float(np.abs(torques).sum() * (np.abs(torques) @ np.abs(turned) ** 2)) if known else 0.0
+    return float(abs(np.vdot(turned, torques)) ** 2 / largest) if largest > 0.0 else 1.0
 
 
 def _by_angle(system: System, state: State, rates: Array) -> list[PulsatingLoad]:
@@ -153,7 +206,7 @@ def load_orders(system: System, state: State, rates: Array) -> tuple[LoadOrder, 
         ends = tuple(b for b in (int(load.record["i"]), int(load.record["j"])) if b)
         name = system.names[LOAD][load.number]
         found += [
-            LoadOrder(name, ends, k * base, abs(load.speed), float(size[k]))
+            LoadOrder(name, ends, k * base, abs(load.speed), float(size[k]), load=load, harmonic=k)
             for k in np.flatnonzero(size > least).tolist()
         ]
     return (*found, *_ripples(system, rates))

@@ -15,6 +15,7 @@ from pitchpoint.elements import registry
 from pitchpoint.elements.kind import CONSTRAINT
 from pitchpoint.model.checks.forces import states_of
 from pitchpoint.model.frames import axes_of
+from pitchpoint.model.load_cases import in_own_load_case
 from pitchpoint.model.remarks.collect import warn_of_remarks
 from pitchpoint.model.sections import Section, find, groups_of
 from pitchpoint.model.signals import SECTIONS as SIGNALS
@@ -43,7 +44,8 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
     model
         A valid model with at least one body.
     scenario
-        Scenario (or its name) whose prescribed motions become constraints; None: no prescribed motions.
+        Scenario (or its name) whose prescribed motions become constraints and whose load case applies; None:
+        no prescribed motions.
 
     Returns
     -------
@@ -67,6 +69,8 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
+    if chosen is not None:
+        model, chosen = in_own_load_case(model, chosen)
     numbered = bodies(model) | beam_stations(model)
     tree = [*(numbered[k] for k in sorted(numbered)), *housing_seats(model)]
     states: dict[str, int] = {}

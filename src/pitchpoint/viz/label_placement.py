@@ -13,19 +13,22 @@ from pitchpoint.viz.svg import text
 
 LINE = 16.0
 """Distance of lines [pixels]."""
-LETTER = {"pp-halo": 8.4, "pp-small": 7.0, "pp-name": 7.6, "pp-sub": 6.1}
+LETTER = {"pp-halo": 8.4, "pp-small": 7.0, "pp-name": 8.0, "pp-sub": 6.7}
 """Mean width of a letter by style [pixels]."""
 STEPS, SHORT, STEP = 400, 40, 2.0
 """Maximum number of the trial shifts up and down, of those to avoid lines, and their length [pixels]."""
 FAR = 1e6
 """Distance beyond all drawings [pixels]."""
-MARGIN = 2.0
-"""Minimum distance of labels [pixels]."""
+MARGIN, SIDE = 2.0, 7.0
+"""Minimum distance of labels above and next to each other [pixels]."""
+POINTS, SHORTEST = 12, 14.0
+"""Number of points along a leader line in the search for crossings; length of the shortest one [pixels]."""
 
 WIDE_STEP, TALL_STEP = 12.0, 9.0
 """Steps of a search sideways, up and down [pixels]."""
-LABEL_COST, DISTANCE_COST = 6.0, 6.0
-"""Cost of covering a label, relative to a block, and of a distance [pixels]."""
+LABEL_COST, DISTANCE_COST, CROSSING_COST = 6.0, 6.0, 150.0
+"""Cost of covering a label, relative to a block, of a distance [pixels], and of each point of a leader line
+in a label [pixels^2]."""
 
 Rectangle = tuple[float, float, float, float]
 """Left, top, right, bottom [pixels]."""
@@ -100,8 +103,8 @@ def search(
 ) -> list[Label]:
     """Labels moved in both directions to places nearby where they cover least.
 
-    The cost of a place is the covered area of other labels and of blocks, and the distance from the preferred
-    place; the first labels choose first.
+    The cost of a place is the covered area of other labels and of blocks, the distance from the preferred
+    place, and crossings of leader lines with labels; the first labels choose first.
 
     Parameters
     ----------
@@ -123,7 +126,8 @@ def search(
     reach = steps.max(axis=0)
     taken = list(also)
     found = []
-    for label, _ in labels:
+    drawn: list[NDArray[np.float64]] = []
+    for label, spot in labels:
         left, top, right, bottom = label.box
         near = (
             (avoided[:, 0] < right + reach[0])
@@ -135,23 +139,44 @@ def search(
             [left + steps[:, 0], top + steps[:, 1], right + steps[:, 0], bottom + steps[:, 1]]
         )
         cost = _covered(boxes, avoided[near]) + LABEL_COST * _covered(
-            boxes, np.array(taken).reshape(-1, 4), MARGIN
+            boxes, np.array(taken).reshape(-1, 4), SIDE, MARGIN
         )
         cost += DISTANCE_COST * np.hypot(steps[:, 0], steps[:, 1])
-        dx, dy = steps[int(np.argmin(cost))]
+        lines = _leaders(boxes, spot)
+        long = np.hypot(*(lines[:, 0] - lines[:, -1]).T) > SHORTEST
+        crossed = _inside(lines, np.array(taken).reshape(-1, 4)).sum(axis=(1, 2))
+        cost += CROSSING_COST * np.where(long, crossed, 0)
+        cost += CROSSING_COST * _inside(np.array(drawn).reshape(1, -1, 2), boxes).sum(axis=(0, 1))
+        best = int(np.argmin(cost))
+        drawn += [lines[best]] if long[best] else []
+        dx, dy = steps[best]
         found.append(replace(label, x=label.x + float(dx), y=label.y + float(dy)))
         taken.append(found[-1].box)
     return found
 
 
+def _leaders(boxes: NDArray[np.float64], spot: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points along the leader line from each box to a point, shape (boxes, points, 2) [pixels]."""
+    near = np.clip(spot, boxes[:, :2], boxes[:, 2:])
+    along = np.linspace(0.0, 1.0, POINTS)[None, :, None]
+    return np.asarray(near[:, None, :] + along * (spot - near)[:, None, :])
+
+
+def _inside(points: NDArray[np.float64], boxes: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether points are in boxes, shape (lines, points, boxes)."""
+    at = points[:, :, None, :]
+    return np.asarray(((at > boxes[:, :2]) & (at < boxes[:, 2:])).all(axis=-1))
+
+
 def _covered(
-    boxes: NDArray[np.float64], others: NDArray[np.float64], margin: float = 0.0
+    boxes: NDArray[np.float64], others: NDArray[np.float64], side: float = 0.0, margin: float = 0.0
 ) -> NDArray[np.float64]:
     """Area of each box that others cover [pixels^2]."""
     if not len(others):
         return np.zeros(len(boxes))
-    low = np.maximum(boxes[:, None, :2], others[None, :, :2] - margin)
-    high = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + margin)
+    room = np.array([side, margin])
+    low = np.maximum(boxes[:, None, :2], others[None, :, :2] - room)
+    high = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + room)
     return np.asarray(np.prod(np.maximum(high - low, 0.0), axis=2).sum(axis=1))
 
 

@@ -358,10 +358,12 @@ def stored_statistics(attrs: Mapping[str, Any]) -> dict[str, float] | None:
 
 
 IMPACTS = (
-    *("contact_loss_share", "back_contact_share", "longest_loss", "front_impacts", "back_impacts"),
+    *("contact_loss_share", "back_contact_share", "front_impacts", "back_impacts"),
     *("closing_speed_max", "impulse_max", "rattle_index"),
 )
 """Contact numbers of a mesh that are shown."""
+LOADS = ("load_reversal", "impact_energy_per_revolution")
+"""Further ones, which files of earlier versions do not have."""
 
 
 def stored_contact(attrs: Mapping[str, Any]) -> dict[str, float] | None:
@@ -375,5 +377,5 @@ def stored_contact(attrs: Mapping[str, Any]) -> dict[str, float] | None:
     """
     if not all(isinstance(attrs.get(name), int | float | np.number) for name in IMPACTS):
         return None
-    found = {name: float(attrs[name]) for name in IMPACTS}
+    found = {name: float(attrs.get(name, np.nan)) for name in (*IMPACTS, *LOADS)}
     return found if np.isfinite(found["contact_loss_share"]) else None

@@ -19,8 +19,9 @@ class Piece:
     Attributes
     ----------
     kind
-        shaft, spindle (without data of its own), gear, teeth, pitch (line), inner, outer, element, linear,
-        seat, held (of a fixed ring), plate, pin, flange, mass.
+        shaft, spindle (without data of its own), drum (connection of a ring gear), gear, teeth, pitch (line),
+        inner, outer, element, linear, seat, pedestal (of a shaft without gears), held (of a fixed ring),
+        plate, lining (of a clutch or brake), ground (of a brake), pin, flange, mass.
     line
         Corners as position along the axis and radius, shape (n, 2); closed except for pitch lines.
     name

@@ -21,13 +21,32 @@ Array = NDArray[np.float64]
 
 FIELD, TALLEST, PER_AXIS = 620.0, 900.0, (240.0, 170.0)
 """Largest width and height of the machine; height without axes, and with each of them [pixels]."""
+FLAT, LONG = 1.6, 1.5
+"""Ratio of width and height from which a machine is wider than the field, and how much at most."""
+NARROW, NAMES = 360.0, 110.0
+"""Width of a machine up to which there is more room for names at its right, and most of it [pixels]."""
+BOLD = 1.06
+"""Width of the names of axes relative to the mean width of letters."""
 MARGIN = 34.0
 """Space around the machine [pixels]."""
 COLUMN, STEP = 34.0, 17.0
 """Distance of dimension lines, and of lines of axis labels [pixels]."""
 ORDER = (
-    *("seat", "held", "pin", "plate", "spindle", "shaft", "mass", "flange", "gear", "teeth"),
-    *("inner", "outer", "linear", "element", "pitch"),
+    *(
+        "seat",
+        "pedestal",
+        "held",
+        "pin",
+        "plate",
+        "spindle",
+        "drum",
+        "shaft",
+        "mass",
+        "flange",
+        "gear",
+        "teeth",
+    ),
+    *("lining", "ground", "inner", "outer", "linear", "element", "pitch"),
 )
 """Kinds of parts from the back to the front."""
 WHOLE = ("shaft", "spindle", "mass", "flange", "pin")
@@ -36,6 +55,8 @@ STYLE = (
     "<style>"
     ".pp-shaft{fill:var(--pp-paper);stroke:var(--pp-edge);stroke-width:1.3}"
     ".pp-spindle{fill:var(--pp-paper);stroke:var(--pp-soft);stroke-width:1;stroke-dasharray:6 3}"
+    ".pp-drum{fill:var(--pp-soft);fill-opacity:.3;stroke:var(--pp-soft);stroke-width:.8}"
+    ".pp-lining{fill:var(--pp-ink);stroke:none}"
     ".pp-cut{fill:var(--pp-gear);stroke:var(--pp-edge);stroke-width:1.3;stroke-linejoin:round}"
     ".pp-hatched{stroke:none}"
     ".pp-hatch{stroke:var(--pp-edge);stroke-width:.7}"
@@ -43,6 +64,7 @@ STYLE = (
     ".pp-ring{fill:var(--pp-paper);stroke:var(--pp-edge);stroke-width:1}"
     ".pp-element{fill:var(--pp-mate);stroke:var(--pp-edge);stroke-width:1}"
     f".pp-house{{fill:{theme.OCHRE};fill-opacity:.2;stroke:{theme.OCHRE};stroke-width:1}}"
+    f".pp-ground{{fill:var(--pp-paper);stroke:{theme.OCHRE};stroke-width:1}}"
     f".pp-pitchline{{stroke:{theme.RED};stroke-width:1;stroke-dasharray:9 3 2 3;fill:none}}"
     ".pp-axis{stroke:var(--pp-soft);stroke-width:1;stroke-dasharray:14 3 3 3;fill:none}"
     ".pp-dim{stroke:var(--pp-soft);stroke-width:.9;fill:var(--pp-soft)}"
@@ -58,7 +80,9 @@ HATCHES = {
     "inner": ("h2", 45, 3.5),
     "outer": ("h3", -45, 3.5),
     "seat": ("h4", -45, 6.0),
+    "pedestal": ("h4", -45, 6.0),
     "held": ("h4", -45, 6.0),
+    "ground": ("h4", -45, 6.0),
     "plate": ("h5", -45, 7.0),
 }
 """Hatched kinds: name, direction [deg] and distance [pixels] of the lines."""
@@ -67,11 +91,15 @@ CSS = {
     **dict.fromkeys(("inner", "outer", "linear"), "pp-ring"),
     "shaft": "pp-shaft",
     "spindle": "pp-spindle",
+    "drum": "pp-drum",
+    "lining": "pp-lining",
     "pin": "pp-shaft",
     "teeth": "pp-teeth",
     "element": "pp-element",
     "seat": "pp-house",
+    "pedestal": "pp-house",
     "held": "pp-house",
+    "ground": "pp-ground",
     "mass": "pp-solid",
     "flange": "pp-solid",
 }
@@ -111,10 +139,11 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     low, high = corners.min(axis=0), corners.max(axis=0)
     wide, tall = np.maximum(high - low, 1e-6)
     tallest = min(TALLEST, PER_AXIS[0] + PER_AXIS[1] * len(section.axes))
-    scale = min(FIELD / wide, tallest / tall)
+    field = FIELD * min(max(wide / (FLAT * tall), 1.0), LONG)
+    scale = min(field / wide, tallest / tall)
     level = [axis for axis in section.axes if abs(float(axis.way[1])) < 1e-9]
     names = [axis_lines(axis) for axis in level]
-    column = max([0.0, *(len(words) * LETTER[css] for lines in names for words, css in lines)])
+    column = BOLD * max([0.0, *(len(words) * LETTER[css] for lines in names for words, css in lines)])
     head = 30.0
     view = _View(low, high, scale, column + 2.0 * AXIS_END + 12.0, head + MARGIN)
     width = view.left + wide * scale + MARGIN
@@ -134,14 +163,14 @@ def section_parts(section: Section) -> tuple[float, float, list[str]]:
     parts += [_centre_line(view, axis, width) for axis in section.axes]
     parts += [_apart(view, link) for link in section.apart]
     parts += _axis_names(view, level, names, height)
-    labels, leaders = section_labels(
-        view, section, (view.left - AXIS_END, head, view.left + wide * scale + AXIS_END)
-    )
-    beside = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
-    dims, width = _dimensions(view, section.distances, max(width, beside))
+    more = min(max(0.5 * (NARROW - wide * scale), 0.0), NAMES)
+    right = view.left + wide * scale + AXIS_END + more
+    labels, leaders = section_labels(view, section, (view.left - AXIS_END, head, right))
+    edge = max((label.box[2] for label in labels), default=0.0) + 6.0 + MARGIN - AXIS_END
+    lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
+    dims, width, lowest = _dimensions(view, section.distances, max(width, edge) - MARGIN + AXIS_END, lowest)
     parts += dims
     parts += [*leaders, *(label.svg() for label in labels)]
-    lowest = max([height - MARGIN, *(label.box[3] for label in labels)])
     highest = min([head, *(label.box[1] for label in labels)])
     for k, words in enumerate(section.notes):
         parts.append(svg.text(10.0, lowest + 26.0 + LINE * k, words, "pp-small", "start"))
@@ -212,39 +241,56 @@ def _apart(view: _View, link: SectionLink) -> str:
 
 
 # --- dimensions and names -----------------------------------------------------------------------------------
-def _dimensions(view: _View, links: Sequence[SectionLink], width: float) -> tuple[list[str], float]:
-    """Vertical dimension lines at the right, and the width with them."""
+def _dimensions(
+    view: _View, links: Sequence[SectionLink], right: float, below: float
+) -> tuple[list[str], float, float]:
+    """Dimension lines at the right and below, and the right and lower edge with them."""
     parts: list[str] = []
-    columns: list[list[tuple[float, float]]] = []
-    right = width - MARGIN + AXIS_END
-    spans = [(sorted(float(view(p)[1]) for p in (link.start, link.end)), link.words) for link in links]
-    for (top, bottom), words in sorted(spans, key=lambda each: each[0][1] - each[0][0]):
-        long = max(bottom - top, len(words) * LETTER["pp-small"] + 8.0)
-        middle = 0.5 * (top + bottom)
-        own = (middle - 0.5 * long, middle + 0.5 * long)
-        column = next(
-            (k for k, taken in enumerate(columns) if all(own[1] < a or own[0] > b for a, b in taken)),
-            len(columns),
-        )
-        if column == len(columns):
-            columns.append([])
-        columns[column].append(own)
-        x = right + COLUMN * (column + 0.5)
-        for y in (top, bottom):
-            parts.append(svg.line(np.array([right - AXIS_END, y]), np.array([x + 5.0, y]), "pp-thin"))
-        parts += [
-            svg.line(np.array([x, top]), np.array([x, bottom]), "pp-dim"),
-            _arrow(np.array([x, top]), 1.0),
-            _arrow(np.array([x, bottom]), -1.0),
-            '<text class="pp-small" text-anchor="middle" '
-            f'transform="translate({x - 4.0:.1f} {middle:.1f}) rotate(-90)">{words}</text>',
-        ]
-    return parts, right + COLUMN * len(columns) + 12.0
+    edges = [right, below]
+    for across in (1, 0):  # vertical distances at the right, horizontal ones below
+        own = [k for k in links if int(np.argmax(np.abs(view(k.end) - view(k.start)))) == across]
+        spans = [(sorted(float(view(p)[across]) for p in (k.start, k.end)), k.words) for k in own]
+        columns: list[list[tuple[float, float]]] = []
+        first = edges[1 - across]
+        for (low, high), words in sorted(spans, key=lambda each: each[0][1] - each[0][0]):
+            long = max(high - low, len(words) * LETTER["pp-small"] + 8.0)
+            middle = 0.5 * (low + high)
+            taken = (middle - 0.5 * long, middle + 0.5 * long)
+            column = next(
+                (k for k, found in enumerate(columns) if all(taken[1] < a or taken[0] > b for a, b in found)),
+                len(columns),
+            )
+            if column == len(columns):
+                columns.append([])
+            columns[column].append(taken)
+            parts += _dimension(first, first + COLUMN * (column + 0.5), (low, high), words, across == 1)
+        edges[1 - across] += COLUMN * len(columns) + 12.0 if columns or across else 0.0
+    return parts, edges[0], edges[1]
 
 
-def _arrow(tip: Array, way: float) -> str:
-    """Head of a vertical dimension line."""
-    return svg.polygon(tip + np.array([(0.0, 0.0), (2.6, way * 8.0), (-2.6, way * 8.0)]), "pp-dim")
+def _dimension(start: float, level: float, ends: tuple[float, float], words: str, upright: bool) -> list[str]:
+    """One dimension line from a level at which its auxiliary lines start."""
+
+    def at(along: float, across: float) -> Array:
+        """Point along and across the dimension."""
+        return np.array([across, along] if upright else [along, across])
+
+    middle = 0.5 * (ends[0] + ends[1])
+    x, y = at(middle, level - 4.0)
+    turned = " rotate(-90)" if upright else ""
+    return [
+        *(svg.line(at(end, start - AXIS_END), at(end, level + 5.0), "pp-thin") for end in ends),
+        svg.line(at(ends[0], level), at(ends[1], level), "pp-dim"),
+        *(_arrow(at(end, level), way, upright) for end, way in zip(ends, (1.0, -1.0), strict=True)),
+        f'<text class="pp-small" text-anchor="middle" transform="translate({x:.1f} {y:.1f}){turned}">'
+        f"{words}</text>",
+    ]
+
+
+def _arrow(tip: Array, way: float, upright: bool) -> str:
+    """Head of a dimension line."""
+    corners = np.array([(0.0, 0.0), (2.6, way * 8.0), (-2.6, way * 8.0)])
+    return svg.polygon(tip + (corners if upright else corners[:, ::-1]), "pp-dim")
 
 
 def _axis_names(

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.words import shortened
 from pitchpoint.viz import svg
 from pitchpoint.viz.label_placement import FAR, LINE, Label, Rectangle, common_area, search
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis
@@ -18,15 +20,33 @@ View = Callable[[Array], Array]
 
 AXIS_END = 16.0
 """Length of centre lines beyond the parts [pixels]."""
-LEADER = 20.0
-"""Distance of a label from its part from which it has a leader line [pixels]."""
+LEADER, ASIDE = 20.0, 6.0
+"""Distance of a label from its part from which it has a leader line, and of its middle from the edge of a
+narrow part [pixels]."""
 BLOCKS = (
-    *("gear", "teeth", "outer", "linear", "plate", "mass", "flange", "seat", "held"),
+    *(
+        "gear",
+        "teeth",
+        "outer",
+        "linear",
+        "plate",
+        "mass",
+        "flange",
+        "seat",
+        "pedestal",
+        "held",
+        "lining",
+        "ground",
+    ),
     *("shaft", "spindle"),
 )
 """Kinds of parts that labels avoid."""
+TOUCH = 0.06
+"""Relative difference of radii, and distance in widths, up to which gears are halves of one."""
 RANGE, LONG = " … ", 24
 """Separator of the first and last name of a range, and the length [letters] from which it ends a line."""
+LONGEST, WIDEST = 22, 38
+"""Letters of a name up to which it is complete, and of a line with names of an axis."""
 NAMES, OTHERS = "pp-name", "pp-sub"
 """Styles of the names of gears and carriers, and of all others."""
 
@@ -72,7 +92,7 @@ def section_labels(
     wanted = [*(_of_axis(view, axis) for axis in inclined), *wanted]
     for link in section.apart:
         x, y = view(0.5 * (link.start + link.end))
-        label = Label(float(x), float(y), "middle", ((link.words, OTHERS),))
+        label = Label(float(x), float(y), "middle", ((shortened(link.words, LONGEST), OTHERS),))
         wanted.append(_Wanted(label, np.array([x, y]), label.box))
     outside = [(-FAR, -FAR, room[0], FAR), (room[2], -FAR, FAR, FAR)]  # names of axes, dimensions
     labels = search([(_inside(each.label, room), each.spot) for each in wanted], blocks, outside)
@@ -80,7 +100,9 @@ def section_labels(
     for label, each in zip(labels, wanted, strict=True):
         left, top, right, bottom = label.box
         away = max(each.part[0] - right, left - each.part[2], each.part[1] - bottom, top - each.part[3])
-        if away > LEADER:
+        aside = abs(0.5 * (left + right - each.part[0] - each.part[2])) - 0.5 * (each.part[2] - each.part[0])
+        narrow = each.part[2] - each.part[0] < 0.5 * (right - left)
+        if away > LEADER or (narrow and aside > ASIDE):
             near = np.array([min(max(each.spot[0], left), right), min(max(each.spot[1], top), bottom)])
             leaders.append(
                 svg.line(near, each.spot, "pp-leader") + svg.circle(each.spot, 2.0, "pp-leader-dot")
@@ -92,7 +114,12 @@ def axis_lines(axis: SectionAxis) -> list[tuple[str, str]]:
     """Name and numbers of an axis, by style."""
     if not axis.name:
         return []
-    return [(axis.name, "pp-halo"), *((words, "pp-small") for words in axis.words)]
+    names = shortened(axis.name, LONGEST)
+    lines = textwrap.wrap(names, WIDEST, break_long_words=False, break_on_hyphens=False)
+    return [
+        *((line, "pp-halo") for line in lines),
+        *((shortened(words, LONGEST), "pp-small") for words in axis.words),
+    ]
 
 
 def reach(axis: SectionAxis) -> tuple[float, float]:
@@ -114,7 +141,8 @@ def _of_axis(view: View, axis: SectionAxis) -> _Wanted:
 def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectangle]) -> _Wanted:
     """Label of a part above or below it, where fewer other parts are."""
     named = piece.kind in ("teeth", "plate")
-    words = f"{piece.name} ({piece.words})" if piece.words and piece.kind == "teeth" else piece.name
+    name = shortened(piece.name, LONGEST)
+    words = f"{name} ({piece.words})" if piece.words and piece.kind == "teeth" else name
     start, dots, rest = words.partition(RANGE if len(words) > LONG else "\n")
     lines = tuple((text, NAMES if named else OTHERS) for text in (start + dots, rest) if text)
     tried = []
@@ -124,10 +152,29 @@ def _wanted(view: View, axis: SectionAxis, piece: Piece, blocks: Sequence[Rectan
         level = abs(float(axis.way[1])) < 0.5
         upper = box[1] <= float(view(axis.origin)[1]) if level else sign > 0.0
         y = box[1] - 9.0 - LINE * (len(lines) - 1) if upper else box[3] + 17.0
+        side = _neighbour(axis, piece)
         label = Label(middle, y, "middle", lines)
+        if side and level:  # both halves of a scissor gear: names to both sides
+            label = Label(box[0] if side < 0.0 else box[2], y, "start" if side < 0.0 else "end", lines)
         tried.append(_Wanted(label, np.array([middle, 0.5 * (box[1] + box[3])]), box))
     covered = [sum(common_area(each.label.box, block) for block in blocks) for each in tried]
     return tried[int(covered[1] < covered[0])]
+
+
+def _neighbour(axis: SectionAxis, piece: Piece) -> float:
+    """Side in the drawing (1 right, -1 left) on which a gear of the same size touches a gear, such as the
+    other half of a scissor gear; 0 without."""
+    if piece.kind != "teeth":
+        return 0.0
+    (low, _), (high, top) = piece.line.min(axis=0), piece.line.max(axis=0)
+    for other in axis.pieces:
+        if other.kind == "teeth" and other is not piece and other.name:
+            (start, _), (end, outer) = other.line.min(axis=0), other.line.max(axis=0)
+            near = TOUCH * (high - low + end - start)
+            touches = min(abs(start - high), abs(end - low)) < near
+            if touches and abs(outer - top) < TOUCH * top:
+                return float(np.sign((start - low) * axis.way[0]))
+    return 0.0
 
 
 def _inside(label: Label, room: tuple[float, float, float]) -> Label:

@@ -12,12 +12,15 @@ from numpy.typing import NDArray
 
 from pitchpoint.viz import svg, theme
 from pitchpoint.viz.label_placement import Label, Rectangle, search
+from pitchpoint.viz.wheel_labels import column_labels, wheel_labels
 
 Array = NDArray[np.float64]
 
 FIELD, TALLEST = 460.0, 620.0
 """Largest width and height of the circles [pixels]."""
 MARGIN, HEAD = 46.0, 34.0
+FOOT = 34.0
+"""Radius around a foot or mount with its name [pixels]."""
 ARROW, SPAN = 0.78, 1.1
 """Radius of an arrow of rotation relative to the pitch circle, and its angle [rad]."""
 STYLE = (
@@ -50,6 +53,11 @@ class Wheel:
         Names of the gears with teeth.
     speed
         Speed, counter-clockwise positive; None if not known [rad/s].
+    group
+        Names of all gears of a group such as planets, for the first of them where there is no room for single
+        names; empty for single gears.
+    first
+        Whether it is the first of its group.
     """
 
     centre: Array
@@ -58,6 +66,8 @@ class Wheel:
     root: float
     name: str
     speed: float | None = None
+    group: str = ""
+    first: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,15 +123,9 @@ def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, flo
         wanted.append(
             (Label(float(middle[0]), float(middle[1]) - 4.0, "middle", ((words, "pp-sub"),)), middle)
         )
-    for wheel in view.wheels:
-        parts += _axis(wheel, at)
-        spot = at(
-            wheel.centre
-            + np.array([0.0, min(wheel.tip, wheel.root)]) * (0.45 if wheel.tip > wheel.root else 0.99)
-        )
-        wanted.insert(
-            0, (Label(float(spot[0]), float(spot[1]) + 4.0, "middle", ((wheel.name, "pp-name"),)), spot)
-        )
+    parts += [line for wheel in view.wheels for line in _axis(wheel, at)]
+    inside, outside = wheel_labels(view.wheels, at, scale)
+    wanted = [*((label, np.array([label.x, label.y])) for label in inside), *wanted]
     for place, names in view.supports:
         parts.append(_support(at(place)))
         x, y = at(place)
@@ -130,12 +134,17 @@ def transverse_parts(view: Transverse, field: float = FIELD) -> tuple[float, flo
         (float(p[0]) - 7.0, float(p[1]) - 7.0, float(p[0]) + 7.0, float(p[1]) + 7.0) for p in map(at, centres)
     ]
     labels = search(wanted, blocks)
-    for label in labels:
-        parts.append(label.svg().replace("pp-name", "pp-tname").replace("pp-sub", "pp-tsub"))
+    circles = [(*map(float, at(w.centre)), scale * max(w.tip, w.root)) for w in view.wheels]
+    circles += [(*map(float, at(place)), FOOT) for place in feet]
+    columns, leaders = column_labels(outside, circles)
+    for label in (*labels, *columns):
+        leaders.append(label.svg().replace("pp-name", "pp-tname").replace("pp-sub", "pp-tsub"))
+    labels += columns
     left = max([0.0, *(8.0 - label.box[0] for label in labels)])
     right = max([2.0 * MARGIN + wide * scale, 330.0, *(label.box[2] + 8.0 for label in labels)])
-    moved = f'<g transform="translate({left:.1f} 0)">{"".join(parts)}</g>'
-    return right + left, HEAD + 2.0 * MARGIN + tall * scale, [*head, moved]
+    bottom = max([HEAD + 2.0 * MARGIN + tall * scale, *(label.box[3] + 12.0 for label in labels)])
+    moved = f'<g transform="translate({left:.1f} 0)">{"".join([*parts, *leaders])}</g>'
+    return right + left, bottom, [*head, moved]
 
 
 def _wheel(wheel: Wheel, at: object, scale: float) -> list[str]:

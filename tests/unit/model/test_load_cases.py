@@ -10,9 +10,12 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
+from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.law import Balance, Constant
 from pitchpoint.model.load_cases import oil_of
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.system.compile import compile_model
 
 TEXT = """\
 gears:
@@ -72,9 +75,83 @@ def test_another_case_begins_from_the_values_of_the_file():
     )
 
 
+OWN = TEXT.replace("{a: 900 rpm}, dur", "{a: 900 rpm}, load_case: full, dur").replace(
+    "roll: {", "roll: {load_case: part, "
+)
+"""The file with a load case of its own for two of its scenarios."""
+
+
+def test_a_scenario_has_its_own_load_case():
+    """Its speeds are in the model, its loads and temperature in the compiled system; the case of
+    --load-case takes precedence. Without load case, the scenario has the values of the file."""
+    model = loads_model(OWN)
+    assert model.scenarios["run"].speed == {"a": 1500.0 * RPM}
+    assert model.scenarios["driven"].drive["a"].speed == Constant(900.0 * RPM)
+    assert model.loads["motor"].torque == Constant(50.0)
+    torques = {
+        name: compile_model(model, name).model.loads["motor"].torque.value
+        for name in ("run", "driven", "roll")
+    }
+    assert torques == {"run": 80.0, "driven": 50.0, "roll": pytest.approx(-3000.0 / (600.0 * RPM))}
+    assert oil_of(compile_model(model, "run").model).temperature == 353.15
+    part = model.replace("load_case", "part")
+    assert part.scenarios["run"].speed == {"b": 300.0 * RPM}
+    assert compile_model(part, "run").model.loads["motor"].torque.value == torques["roll"]
+    assert "load_case: full" in model.to_yaml() and "a: 900 rpm" in model.to_yaml()
+    assert loads_model(model.to_yaml()) == model
+    other = compile_model(model, Scenario(load_case="full", duration=1.0))
+    assert other.scenario.speed == {"a": 1500.0 * RPM}
+    assert other.model.loads["motor"].torque.value == 80.0
+
+
+def test_check_and_run_use_the_load_case_of_each_scenario(tmp_path, capsys):
+    """The motor gives 80 N m at 1500 rpm, 50 N m at 900 rpm and 3 kW at 600 rpm in the other direction."""
+    file = tmp_path / "pair.yaml"
+    file.write_text(OWN, encoding="utf-8")
+    assert run_command(["check", str(file), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    powers = {name: flow["external"][0]["power"] for name, flow in found["power_flow"].items()}
+    assert powers["run"] == pytest.approx(80.0 * 1500.0 * RPM)
+    assert powers["driven"] == pytest.approx(50.0 * 900.0 * RPM)
+    assert powers["roll"] == pytest.approx(3000.0)
+    assert found["load_cases"]["full"]["scenarios"] == ["run"]
+    assert run_command(["check", str(file)]) == 0
+    assert "full (in run)" in capsys.readouterr().out
+    file.write_text(f"load_case: full\n{OWN}", encoding="utf-8")
+    assert run_command(["check", str(file)]) == 0
+    words = capsys.readouterr()
+    assert "scenarios.roll.load_case (line 21): has no effect: full, load_case of the file," in words.err
+    assert "full (in effect)" in words.out
+    file.write_text(OWN, encoding="utf-8")
+    out = str(tmp_path / "roll.h5")
+    assert run_command(["run", str(file), "-s", "roll", "-o", out, "--json"]) == 0
+    force = json.loads(capsys.readouterr().out)["channels"]["mesh_force[m]"]["mean"]
+    assert force == pytest.approx(-3000.0 / (600.0 * RPM) / (0.02 * math.cos(math.radians(20.0))), rel=1e-6)
+
+
+def test_rexs_files_have_the_loads_of_scenarios_with_a_load_case():
+    """A scenario at the speeds of its load case is that case, one at others is written with its loads."""
+    text = OWN.replace("  part:", "  hot: {temperature: 90 degC, loads: {motor: {torque: 20 N m}}}\n  part:")
+    text += "  mine: {speed: {a: 1000 rpm}, load_case: hot, duration: 2 ms}\n"
+    (spectrum,) = export_rexs(loads_model(text)).rexs.load_spectra
+    values = [
+        {id: one.value for found in case.components.values() for id, one in found.items()}
+        for case in spectrum.cases
+    ]
+    assert [found["torque_around_u_axis"] for found in values] == pytest.approx([20.0, 80.0, 20.0, -47.7465])
+    assert values[0]["rotational_speed"] == pytest.approx(1000.0 * RPM)
+    assert "operating_time_fraction" not in values[0]
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
+        (
+            "run: {speed",
+            "run: {load_case: ful, speed",
+            "scenarios.run.load_case (line 18): names the load case 'ful', which does not exist; did you mean"
+            " full? there are full, part",
+        ),
         (
             "loads: {motor: {torque",
             "loads: {moter: {torque",

@@ -124,6 +124,49 @@ def test_loads_alike_are_one_line():
     assert [o.name for o in orders] == ["2× motor (torque m2, m)"]
 
 
+def cylinders(bodies: list[str], offsets: list[float]) -> str:
+    """Four-stroke cylinders with the orders 0.5 to 3 of equal sizes, by body and firing angle [deg]."""
+    waves = " + ".join(f"5 N m*cos({k / 2:g}*(angle - SHIFT))" for k in range(1, 7))
+    rows = [
+        f'  c{n}: {{body: {body}, torque: "2 N m + {waves.replace("SHIFT", repr(math.radians(offset)))}"}}\n'
+        for n, (body, offset) in enumerate(zip(bodies, offsets, strict=True))
+    ]
+    return TWO.replace("  m: {body: motor, torque: TORQUE}\n", "".join(rows))
+
+
+SIX = [0.0, 480.0, 240.0, 600.0, 120.0, 360.0]
+"""Firing angles of a six-cylinder engine with the firing order 1-5-3-6-2-4 [deg]."""
+
+
+def test_equal_cylinders_on_one_body_excite_by_the_firing_order():
+    """The vector sum of six cylinders at 120 deg is zero except for the orders 3, 6 ...; a weaker cylinder
+    leaves a part of all orders."""
+    for weak, wanted in ((False, [3.0]), (True, [0.5, 1.0, 1.5, 2.0, 2.5, 3.0])):
+        text = cylinders(["motor"] * 6, SIX)
+        text = text.replace("5 N m", "4.5 N m", 6) if weak else text
+        system = compile_model(loads_model(text), "steady")
+        found = follow_modes(system, [0.0, 100.0], "motor", "steady")
+        orders = excitation_orders(system, found.motions, found.rates, "loads")
+        assert [order.value for order in orders] == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_cylinders_on_two_bodies_excite_torsion_by_their_phases(sense: float):
+    """One cylinder on each end of an elastic shaft, fired 360 deg apart: the orders 0.5, 1.5, 2.5 oppose each
+    other and twist the shaft, 1, 2, 3 push the same way. With the rotations 1 and -J_1/J_2 = -0.4 the share
+    of the mode is (1 +- 0.4)^2/(2 (1 + 0.4^2))."""
+    text = cylinders(["motor", "fan"], [30.0, 390.0])
+    system = compile_model(loads_model(text), "steady")
+    speeds = sense * np.linspace(0.0, 12000.0 * RPM, 41)
+    rows = ranked_speeds(pp.solve_campbell(system, speeds, "motor", "steady", orders="loads"))
+    shares = {float(row.order.partition("×")[0]): row.participation for row in rows}
+    assert sorted(shares) == [0.5, 1.0, 1.5, 2.0, 2.5, 3.0]
+    for order, share in shares.items():
+        twists = 1.4 if order % 1.0 else 0.6
+        assert share == pytest.approx(twists**2 / (2.0 * 1.16), rel=1e-6)
+    assert all(float(row.order.partition("×")[0]) % 1.0 == 0.5 for row in rows[:3])
+
+
 def test_ripple_of_a_drive():
     """The driven motor moves as given, so the coupling drives the fan: its whole strain energy."""
     text = TWO.replace("TORQUE", "20 N m").replace("  f: {body: fan, torque: balance}\n", "")

@@ -3,8 +3,8 @@
 
 The tangent of `mesh.sums` holds the line of action constant. Motion of the bodies also rotates the force
 directions (terms of the order force over centre distance) and, at speed, the directions of the damper rates
-(damping times speed): without them dampers would appear to destabilise a gear. Mesh phase and contact lines
-are constant (docs/decisions/0006-frozen-phase-tangents.md).
+(damping times speed): without them dampers would appear to destabilise a gear. Mesh phase, contact lines and
+shared width are constant (docs/decisions/0006-frozen-phase-tangents.md).
 
 The directions are closed-form functions of the frames; a fourth-order difference quotient gives their
 derivative with a relative error of 1e-11.

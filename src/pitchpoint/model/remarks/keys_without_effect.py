@@ -313,6 +313,12 @@ def _scenarios(model: Model) -> Iterator[Message]:
     """Keys of a time response in sweeps and quasi-static rolls, and keys that the chosen method ignores."""
     for name, scenario in model.scenarios.items():
         kind = scenario.kind
+        if model.line(("load_case",)) and scenario.load_case not in (None, model.load_case):
+            yield remark(
+                f"scenarios.{name}.load_case",
+                f"has no effect: {model.load_case}, load_case of the file, applies to all scenarios",
+                "remove load_case of the file",
+            )
         keys = [k for k in TIME_KEYS if getattr(scenario, k) != defaults_of(type(scenario))[k]]
         if kind == "sweep" and scenario.speed:
             keys.append("speed")

@@ -76,8 +76,8 @@ def drawn_bodies(model: Model) -> list[str]:
         seat = model.mechanism.seats.get(base_of(model, model.mechanism, name))
         if body.gears and seat is not None and "spin" in seat.coordinates:
             linked.add(seat.body)  # carriers
-        if (fixed := fixed_carrier(model, name)) is not None:
-            linked.add(fixed)
+        linked |= {carrier for carrier in [carrier_of(model, name)] if carrier is not None}
+    linked |= {name for name in model.bodies if seat_shaft(model, name) is not None}
     return [
         name
         for name, body in model.bodies.items()
@@ -85,12 +85,22 @@ def drawn_bodies(model: Model) -> list[str]:
     ]
 
 
-def fixed_carrier(model: Model, body: str) -> str | None:
-    """Fixed body on whose joint a body with gears rotates, such as the carrier of planets at rest."""
+def carrier_of(model: Model, body: str) -> str | None:
+    """Body on whose joint a body with gears rotates, such as the carrier of planets, moving or fixed."""
     seat = model.mechanism.seats.get(body)
     if seat is None or seat.joint is None or seat.parent not in model.bodies or not model.bodies[body].gears:
         return None
-    return seat.parent if model.bodies[seat.parent].moves == "fixed" else None
+    if model.bodies[seat.parent].moves == "fixed" or "spin" in seat.coordinates:
+        return seat.parent
+    return None
+
+
+def seat_shaft(model: Model, body: str) -> str | None:
+    """Shaft to which a body without gears is fixed by a joint, such as a rotor or the disc of a brake."""
+    seat = model.mechanism.seats.get(body)
+    if seat is None or seat.joint is None or seat.coordinates or model.bodies[body].gears:
+        return None
+    return seat.parent if seat.parent in model.shafts else None
 
 
 def lines_of(model: Model, bodies: Sequence[str]) -> list[Line]:
@@ -138,7 +148,7 @@ def connections(model: Model, lines: Sequence[Line]) -> list[Joined]:
     of = {body: k for k, line in enumerate(lines) for body in line.bodies}
     found = []
     for body, k in of.items():
-        base = fixed_carrier(model, body) or base_of(model, model.mechanism, body)
+        base = carrier_of(model, body) or base_of(model, model.mechanism, body)
         if base != GROUND and base in of and of[base] != k and lines[of[base]].way is lines[k].way:
             found.append(Joined("carrier", body, (of[base], k)))
     for name, mesh in model.every_mesh.items():
@@ -173,6 +183,8 @@ def alike(model: Model, lines: Sequence[Line], joined: Sequence[Joined]) -> dict
         mates = sorted(
             _mate(model, each, line.bodies) for each in near if each.kind == "mesh" and centre in each.lines
         )
+        if len(set(mates)) < 2 and not any(each.kind == "carrier" for each in near):
+            continue  # both halves of a scissor gear mesh with one gear
         teeth = sorted(
             (model.gears[g].number_of_teeth, g_z)
             for b in line.bodies

@@ -12,20 +12,22 @@ import numpy as np
 from pitchpoint.core.units import format_quantity
 from pitchpoint.core.words import listed, ranges
 from pitchpoint.report.section.axes import Joined, Line, alike, connections, drawn_bodies, lines_of
+from pitchpoint.report.section.carriers import pin_pieces
 from pitchpoint.report.section.housing import walls_of
 from pitchpoint.report.section.layout import Box, Frame, unfold
-from pitchpoint.report.section.pieces import pieces_of, pin_pieces, pitch_diameter
+from pitchpoint.report.section.pieces import pieces_of, pitch_diameter
 from pitchpoint.report.section.places import flow_order, positions_of
 from pitchpoint.viz.section_content import Piece, Section, SectionAxis, SectionLink
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-SOLID = ("gear", "teeth", "shaft", "spindle", "mass", "outer", "linear", "plate", "flange")
+SOLID = ("gear", "teeth", "shaft", "spindle", "drum", "mass", "outer", "linear", "plate", "flange")
 SPEED, TORQUE, POWER = "angular_speed", "torque", "power"
 """Dimensions of the numbers of a shaft."""
 SCHEMATIC = {
     "spindle": "shafts of bodies without sections",
+    "drum": "connections of ring gears",
     "plate": "carriers",
     "linear": "bearings by stiffness",
     "mass": "bodies without gears",
@@ -59,11 +61,12 @@ def section_of(model: Model, flow: Mapping[str, Any] | None = None) -> Section |
     hidden = {k for members in groups.values() for k in members[COPIES:]}
     named = _names(model, lines, groups)
     size = _size(model, lines)
+    carried = {each.lines[1]: lines[each.lines[0]] for each in joined if each.kind == "carrier"}
     drawn = {}
     for k, line in enumerate(lines):
         if k not in hidden:
             found = pieces_of(model, line, at, size, named)
-            drawn[k] = [*pin_pieces(model, at, line), *found]
+            drawn[k] = [*pin_pieces(model, at, line, carried.get(k)), *found]
     of = {body: k for k, line in enumerate(lines) for body in line.bodies}
     turn = list(dict.fromkeys(of[body] for body in order))
     frames = unfold(lines, joined, {k: _hull(p) for k, p in drawn.items()}, turn, _apexes(model))
@@ -145,7 +148,8 @@ def _hull(pieces: list[Piece]) -> list[Box]:
     """Rectangles around the solid parts of an axis."""
     found = []
     for piece in pieces:
-        if piece.kind in SOLID:
+        ring_teeth = piece.kind == "teeth" and piece.line[0, 1] > piece.line[-1, 1]  # pinions are among them
+        if piece.kind in SOLID and not ring_teeth:
             (z0, r0), (z1, r1) = piece.line.min(axis=0), piece.line.max(axis=0)
             found.append((float(z0), float(z1), float(r0), float(r1)))
     return found

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.report.section.bearings import box_line
+from pitchpoint.report.section.boxes import box_line
 from pitchpoint.report.section.layout import gaps
 from pitchpoint.viz.section_content import SectionAxis
 

@@ -12,10 +12,15 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.words import ranges
 from pitchpoint.model.frames import split
+from pitchpoint.model.rings import rings_of
 from pitchpoint.report.scene.bearing_sizes import size_of
 from pitchpoint.report.scene.supports import shaft_radius, spindle_radius
 from pitchpoint.report.section.axes import Line
-from pitchpoint.report.section.bearings import bearing_pieces, box_line, extent, span_line
+from pitchpoint.report.section.bearings import bearing_pieces
+from pitchpoint.report.section.boxes import box_line, extent
+from pitchpoint.report.section.carriers import Carrier, carrier_ends, carrier_of_axis, is_planet, ring_radius
+from pitchpoint.report.section.clutches import clutch_pieces
+from pitchpoint.report.section.drums import Part, drum_pieces, free_gaps, has_ring
 from pitchpoint.report.section.joined_bodies import connected
 from pitchpoint.report.section.places import Positions
 from pitchpoint.viz.section_content import Piece
@@ -25,12 +30,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RIM_MODULES = 2.5
-"""Thickness of a ring behind its roots without `bore_diameter`, in modules."""
 OVERHANG = 0.45
 """Length of a schematic spindle beyond its gears, relative to their width."""
-PLATE = 0.22
-"""Thickness of a carrier plate, relative to the width of the planets."""
 
 
 def pieces_of(
@@ -53,23 +54,68 @@ def pieces_of(
     """
     gears = [piece for body in line.bodies for piece in gear_pieces(model, line, at, body, named)]
     bearings = bearing_pieces(model, line, at, size)
-    carriers = {body: found for body in line.bodies if (found := _carrier(model, line, at, body))}
-    closed = {c: leads_on(model, line, at, c, extent(p)[1]) for c, p in carriers.items()}
+    carriers: dict[str, Carrier] = {}
+    for body in line.bodies:
+        seats = _seats(model, _on(model, body, bearings))
+        carrier = carrier_of_axis(model, line, at, body, seats)
+        carriers |= {} if carrier is None else {body: carrier}
     ends: dict[str, tuple[float, float]] = {}
     for body in line.bodies:
         own = [p for p in gears if p.name in _labels(model, body, named)] + _on(model, body, bearings)
-        reach = extent(carriers[body]) if body in carriers else _ends(model, line, at, body, own, closed)
+        reach = (
+            carrier_ends(carriers[body]) if body in carriers else _ends(model, line, at, body, own, carriers)
+        )
         if reach is not None:
             ends[body] = reach
-    joints, masses, ends = connected(model, line, at, ends, size)
+    joints, masses, ends = connected(model, line, at, ends, size, carriers)
     shafts = [
         piece
         for body in line.bodies
         for piece in _shaft(model, line, at, body, ends.get(body), _on(model, body, bearings))
-        if body not in carriers
+        if body not in carriers or body in model.shafts
     ]
-    plates = [piece for found in carriers.values() for piece in found]
-    return [*plates, *shafts, *gears, *bearings, *joints, *masses]
+    free = free_gaps(model, line, at, carriers)
+    drums = drum_pieces(
+        model, line, at, carriers, free, ends, _ring_seats(model, line, at, carriers, bearings), size
+    )
+    drums += clutch_pieces(model, line, at, carriers, free, ends, size)
+    plates = [piece for carrier in carriers.values() for piece in carrier.pieces]
+    return [*plates, *shafts, *drums, *gears, *bearings, *joints, *masses]
+
+
+def _ring_seats(
+    model: Model, line: Line, at: Positions, carriers: Mapping[str, Carrier], bearings: Sequence[Piece]
+) -> dict[str, list[Part]]:
+    """Tube inside the inner rings and hub around the outer rings of the rolling bearings on bodies without
+    sections: rings, and carriers beyond their plates."""
+    found: dict[str, list[Part]] = {}
+    drawn = {piece.name: piece for piece in bearings if piece.name in model.rolling_bearings}
+    for inside in (True, False):
+        spans: dict[str, list[tuple[float, float, float]]] = {}
+        for name, piece in drawn.items():
+            body = rings_of(model, model.rolling_bearings[name])[not inside].body
+            if body not in line.bodies or body in model.shafts or (inside and body in carriers):
+                continue
+            low, high = extent([piece])
+            radius = _bore(model, name) if inside else float(piece.line[:, 1].max())
+            spans.setdefault(body, []).append((low, high, radius))
+        for body, ends in spans.items():
+            radii = [radius for _, _, radius in ends]
+            limits = (0.85 * min(radii), min(radii)) if inside else (max(radii), 1.12 * max(radii))
+            found.setdefault(body, []).append(
+                Part(min(low for low, _, _ in ends), max(high for _, high, _ in ends), *limits)
+            )
+    return found
+
+
+def _seats(model: Model, bearings: Sequence[Piece]) -> dict[str, tuple[float, float, float]]:
+    """Ends along the axis, and radius of the seat of bearings [m]."""
+    found = {}
+    for piece in bearings:
+        low, high = extent([piece])
+        radius = _bore(model, piece.name) if piece.name in model.rolling_bearings else piece.line[:, 1].min()
+        found[piece.name] = (low, high, float(radius))
+    return found
 
 
 def _labels(model: Model, body: str, named: dict[str, list[str]]) -> set[str]:
@@ -103,7 +149,7 @@ def gear_pieces(
         label, words = ranges(named.get(name, [name])), str(gear.number_of_teeth)
         root, tip = 0.5 * abs(shape.d_f), 0.5 * abs(shape.d_a)
         if shape.is_internal:
-            outer = max(0.5 * gear.bore_diameter, root + RIM_MODULES * gear.normal_module)
+            outer = ring_radius(gear)
             found.append(Piece(kind="gear", line=box_line(z - half, z + half, root, outer)))
             if model.bodies[body].moves == "fixed":
                 held = box_line(z - 0.8 * half, z + 0.8 * half, outer, outer + 0.5 * (outer - root))
@@ -183,18 +229,21 @@ def _bevel(model: Model, line: Line, at: Positions, body: str, name: str, apex: 
 
 # --- shafts and other bodies --------------------------------------------------------------------------------
 def _ends(
-    model: Model, line: Line, at: Positions, body: str, own: Sequence[Piece], closed: Mapping[str, bool]
+    model: Model, line: Line, at: Positions, body: str, own: Sequence[Piece], carriers: Mapping[str, Carrier]
 ) -> tuple[float, float] | None:
     """Ends of a shaft by its sections, or of a schematic spindle through its gears and bearings."""
     if body in model.shafts:
         start = at.starts[body]
         end = start + line.bodies[body] * model.shafts[body].length
         return min(start, end), max(start, end)
-    if not own or _is_planet(model, body):
+    if not own or is_planet(model, body):
         return None
+    if has_ring(model, body):
+        return extent([p for p in own if p.kind == "teeth"])
     low, high = extent(list(own))
     width = OVERHANG * (high - low) if len(own) == 1 else 0.2 * (high - low)
-    before, after = (any(c is side for c in closed.values()) for side in (True, False))
+    before = any(c.closed < 0.0 and c.room.plate(-1.0)[0] < low < c.room.high for c in carriers.values())
+    after = any(c.closed > 0.0 and c.room.low < high < c.room.plate(1.0)[1] for c in carriers.values())
     return low - width * (not before), high + width * (not after)
 
 
@@ -216,7 +265,7 @@ def _shaft(
             z = end
         return found
     radius = spindle_radius(model, body)
-    if ends is None or radius is None or model.bodies[body].moves == "fixed":
+    if ends is None or radius is None or model.bodies[body].moves == "fixed" or has_ring(model, body):
         return []
     wide = {g: 0.5 * model.gears[g].face_width for g in model.bodies[body].gears}
     low = min([at.gears[g] - half for g, half in wide.items()], default=ends[1])
@@ -236,78 +285,3 @@ def _shaft(
 def _bore(model: Model, bearing: str) -> float:
     """Radius of the seat of a rolling bearing [m]."""
     return 0.5 * size_of(model.rolling_bearings[bearing], None).bore
-
-
-def _is_planet(model: Model, body: str) -> bool:
-    seat = model.mechanism.seats.get(body)
-    return seat is not None and seat.joint is not None and bool(_planets(model, seat.parent))
-
-
-def _planets(model: Model, body: str) -> list[str]:
-    """Bodies with gears on joints of a body."""
-    return [
-        name
-        for name, seat in model.mechanism.seats.items()
-        if seat.parent == body and seat.joint is not None and model.bodies[name].gears
-    ]
-
-
-def _carrier(model: Model, line: Line, at: Positions, body: str) -> list[Piece]:
-    """Plates on both sides of the planets, and a stub shaft."""
-    planets = [name for name in _planets(model, body) if name not in line.bodies]
-    if not planets:
-        return []
-    kind = "held" if model.bodies[body].moves == "fixed" else "plate"
-    low, high, pin = planet_room(model, at, planets)
-    far = max(pin_distance(model, line, name) for name in planets)
-    thick = PLATE * (high - low)
-    gap = 0.3 * thick
-    others = [spindle_radius(model, b) or 0.0 for b in line.bodies if b != body and model.bodies[b].gears]
-    hole = 1.25 * max([*others, 0.25 * far * bool(others)], default=0.0)
-    outer = far + 1.7 * pin
-    way = -1.0 if leads_on(model, line, at, body, high) else 1.0
-    start, end = (high, low) if way > 0.0 else (low, high)  # sides of the closed and of the open plate
-    found = [
-        Piece(kind=kind, line=span_line(end - way * gap, -way * thick, min(hole, 0.7 * far), outer)),
-        Piece(kind=kind, line=span_line(start + way * gap, way * thick, 0.0, outer), name=body),
-    ]
-    if kind == "plate":  # rotates: a stub shaft
-        stub = span_line(start + way * (gap + thick), way * 1.4 * thick, 0.0, 0.2 * far)
-        found.append(Piece(kind=kind, line=stub))
-    return found
-
-
-def leads_on(model: Model, line: Line, at: Positions, carrier: str, high: float) -> bool:
-    """Whether the shaft of a gear on the axis of a carrier leads beyond the upper end of the planets."""
-    others = [b for b in line.bodies if b != carrier]
-    return any(at.gears[g] > high for b in others for g in model.bodies[b].gears)
-
-
-def planet_room(model: Model, at: Positions, planets: Sequence[str]) -> tuple[float, float, float]:
-    """Ends of the planets along the axis, and the radius of their pins [m]."""
-    ends = [
-        at.gears[g] + side * 0.5 * model.gears[g].face_width
-        for p in planets
-        for g in model.bodies[p].gears
-        for side in (-1, 1)
-    ]
-    pin = min(spindle_radius(model, p) or 0.0 for p in planets)
-    return min(ends), max(ends), pin
-
-
-def pin_distance(model: Model, line: Line, planet: str) -> float:
-    """Distance of a planet from an axis [m]."""
-    origin = np.array(model.bodies[planet].origin or (0.0, 0.0, 0.0))
-    return float(np.linalg.norm(origin - line.way * (line.way @ origin) - line.point))
-
-
-def pin_pieces(model: Model, at: Positions, line: Line) -> list[Piece]:
-    """Pin of a planet, through both plates of its carrier."""
-    for body in line.bodies:
-        if _is_planet(model, body):
-            carrier = model.mechanism.seats[body].parent
-            planets = _planets(model, carrier)
-            low, high, pin = planet_room(model, at, planets)
-            thick = PLATE * (high - low)
-            return [Piece(kind="pin", line=box_line(low - 1.5 * thick, high + 1.5 * thick, 0.0, pin))]
-    return []

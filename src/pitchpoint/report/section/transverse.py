@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -62,17 +63,26 @@ def transverse_of(model: Model, flow: Mapping[str, Any] | None = None) -> Transv
                 )
                 looks.setdefault(key, []).append((gear, body))
                 places[gear] = centre
-    wheels = [
-        Wheel(
-            centre=np.array(key[:2]),
-            pitch=key[2],
-            tip=key[3],
-            root=key[4],
-            name=f"{ranges([g for g, _ in members])} ({key[5]})",
-            speed=_speed(flow, members[0][1]),
+    groups: dict[Any, list[Any]] = {}
+    for key, members in looks.items():  # planets: equal gears whose names differ by a number
+        pattern = tuple(re.sub(r"\d+", "#", gear) for gear, _ in members)
+        groups.setdefault((key[2:], pattern), []).append(key)
+    wheels = []
+    for key, members in looks.items():
+        group = next(keys for keys in groups.values() if key in keys)
+        gears = [gear for each in group for gear, _ in looks[each]]
+        wheels.append(
+            Wheel(
+                centre=np.array(key[:2]),
+                pitch=key[2],
+                tip=key[3],
+                root=key[4],
+                name=f"{ranges([g for g, _ in members])} ({key[5]})",
+                speed=_speed(flow, members[0][1]),
+                group=f"{ranges(gears)} ({key[5]})" if len(group) > 2 else "",
+                first=key is group[0],
+            )
         )
-        for key, members in looks.items()
-    ]
     distances = []
     seen: dict[frozenset[Any], str] = {}
     for mesh in model.meshes.values():

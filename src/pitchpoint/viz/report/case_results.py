@@ -93,10 +93,17 @@ CONTACT = {
     "impact_rate": "impacts per time",
     "closing_speed_max": "maximum closing speed",
     "rattle_index": "rattle index",
+    "load_reversal": "load reversal",
+    "impact_energy_per_revolution": "energy of the impacts per revolution",
     "contact_frequency": "frequency of the contacts",
 }
 """Numbers of the contact of a mesh in words."""
-UNITS = {"impact_rate": "1/s", "closing_speed_max": "m/s", "contact_frequency": "Hz"}
+UNITS = {
+    "impact_rate": "1/s",
+    "closing_speed_max": "m/s",
+    "contact_frequency": "Hz",
+    "impact_energy_per_revolution": "J",
+}
 """Their units, of those with one."""
 
 

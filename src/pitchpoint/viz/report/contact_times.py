@@ -13,8 +13,8 @@ from pitchpoint.viz.quantities import Array, Channel, amount, number
 from pitchpoint.viz.tables import plain_table
 
 HEAD = (
-    *("flank in work", "contact loss", "back contact", "longest loss"),
-    *("impacts", "largest impact", "closing speed", "impulse", "rattle index"),
+    *("flank in work", "contact loss", "back contact"),
+    *("impacts", "largest impact", "closing speed", "impulse", "energy", "rattle index", "reversal"),
 )
 """Columns of the table after the mesh."""
 ALWAYS = 3
@@ -61,22 +61,29 @@ def contact_table(
         for mesh, row in rows.items()
     ]
     words = "" if len(kept) > ALWAYS else "<p>No mesh loses contact.</p>"
+    if HEAD.index("energy") in kept:
+        words = (
+            "<p>Energy: of the impacts, per revolution of gear 1. Reversal: load of the back flank over that "
+            "of the front flank with the flanks held together, the smaller over the larger one.</p>"
+        )
     return plain_table(("mesh", *(HEAD[k] for k in kept)), body) + words if body else ""
 
 
 def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...]:
     """Cells of a mesh from the numbers of all steps, and its largest force after an impact."""
     impacts = int(counted["front_impacts"] + counted["back_impacts"])
-    index = counted["rattle_index"]
+    index, reversal = counted["rattle_index"], counted["load_reversal"]
+    energy = counted["impact_energy_per_revolution"]
     return (
         f"{100.0 * counted['contact_loss_share']:.3g} %",
         f"{100.0 * counted['back_contact_share']:.3g} %",
-        amount(counted["longest_loss"], "s") if counted["longest_loss"] > 0.0 else "–",
         str(impacts),
         largest,
         f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
         f"{counted['impulse_max']:.4g} N s" if counted["impulse_max"] > 0.0 else "–",
+        f"{1e3 * energy:.3g} mJ" if energy > 0.0 else "–",
         number(index, 3) if np.isfinite(index) and index > NO_RATTLE else "–",
+        number(reversal, 3) if impacts and np.isfinite(reversal) else "–",
     )
 
 
@@ -85,10 +92,9 @@ def _sampled_cells(c: ContactStatistics, peaks: list[float]) -> tuple[str, ...]:
     return (
         f"{100.0 * c.loss_share:.3g} %",
         f"{100.0 * c.back_contact_share:.3g} %",
-        amount(c.longest_loss, "s") if c.separations else "–",
         str(len(c.impacts)),
         amount(max(peaks), "N") if peaks else "–",
-        *("–" for _ in range(3)),
+        *("–" for _ in range(len(HEAD) - 5)),
     )
 
 

@@ -84,7 +84,9 @@ def load_spectra(draft: Draft, loads: Values, results: Mapping[str, Values]) -> 
     others: list[Values] = []
     scenarios = {n: s for n, s in model.scenarios.items() if s.speed or n in results}
     for name, scenario in scenarios.items():
-        values = _with_speeds(draft, loads, f"scenarios.{name}.speed", scenario.speed)
+        case = own.get(scenario.load_case or "", {}) if model.load_case is None else {}
+        acting = {id: case.get(id, values) for id, values in loads.items()}
+        values = _with_speeds(draft, acting, f"scenarios.{name}.speed", scenario.speed)
         if name not in results and _plain(values) in [_plain(one) for one in (*own.values(), *moving)]:
             continue
         for id, more in results.get(name, {}).items():
