@@ -34,8 +34,9 @@ def rows() -> list[Row]:
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.io.yaml_plan import load_study
+    from pitchpoint.model.reading.plan import model_path
     from pitchpoint.sweep.study.check import check_study
-    from pitchpoint.sweep.study.run import Record, compute_cases, evaluated, model_path, planned
+    from pitchpoint.sweep.study.run import Record, compute_cases, evaluated, planned
     from pitchpoint.sweep.study.summary import study_dataset
 
     with tempfile.TemporaryDirectory() as name:

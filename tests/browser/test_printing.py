@@ -16,11 +16,9 @@ import pytest
 
 from pitchpoint.viz.report.page import Section, asset, page
 from pitchpoint.viz.tables import plain_table
+from tests.support.browser import CHROMIUM, needs_browser
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-pytestmark = pytest.mark.skipif(
-    CHROMIUM is None, reason="no Chromium on this machine; install chromium to run it"
-)
+pytestmark = needs_browser
 FLAGS = (
     *"--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-extensions".split(),
     *"--disable-background-networking --disable-component-update --disable-sync".split(),

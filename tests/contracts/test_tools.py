@@ -18,7 +18,6 @@ from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.viz.analysis_pictures import PICTURES
 
 NO_TOOL = {
-    "amplification.load_factors": "of a mesh force over whole mesh periods; stands in tables of sweeps",
     "bearing_frequencies.bearing_frequencies": "from dimensions, not from a signal",
     "cepstrum.rahmonics": "takes the result of another tool",
     "combs.comb_lines": "a step of find_period, whose result holds it",

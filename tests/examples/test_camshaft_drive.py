@@ -4,9 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib.util
 import math
-import sys
 from pathlib import Path
 
 import numba
@@ -14,11 +12,11 @@ import numpy as np
 import pytest
 
 from pitchpoint import plot
-from pitchpoint.analysis.amplification import amplification_factor
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_study
+from pitchpoint.model.reading.plan import model_path
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
@@ -27,8 +25,9 @@ from pitchpoint.sweep.speed import run_sweep
 from pitchpoint.sweep.study.check import check_study
 from pitchpoint.sweep.study.design import cases_of
 from pitchpoint.sweep.study.remarks import remarks
-from pitchpoint.sweep.study.run import evaluated, model_path, values_of
+from pitchpoint.sweep.study.run import evaluated, values_of
 from pitchpoint.system.compile import compile_model
+from tests.support.scripts import script
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
 BASE_RADIUS, INERTIA, STATIC_FORCE = 0.2555964, 3.06, 500.0 / 0.2555964
@@ -45,16 +44,6 @@ def signals(file, scenario, **changes):
     done = run_time(system, sink=memory)
     t, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     return done, t, lambda name: rows[:, system.layout.channel(name)]
-
-
-def script(name):
-    spec = importlib.util.spec_from_file_location(f"camshaft_{name}", FOLDER / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
 
 
 # ------------------------------------------------------------------------------------------ released loads
@@ -110,7 +99,7 @@ def test_frequency_over_torque_as_in_figure_4_6():
 
 @pytest.mark.study
 def test_contact_loss_over_backlash_and_torque(monkeypatch):
-    own = script("study")
+    own = script(FOLDER / "study.py")
     monkeypatch.setattr(own, "BACKLASHES", (0.05e-3, 0.43e-3))
     monkeypatch.setattr(own, "TORQUES", (5.0, 60.0, 1500.0))
     for stiffness in own.STIFFNESSES.values():
@@ -229,7 +218,7 @@ def test_run_up_agrees_with_the_oscillator_by_hand(run_up, backlash):
 @pytest.mark.study
 def test_other_readings_of_the_run_up():
     """More damping takes the back contact away; the duty of the contact ratio leaves little of it."""
-    own = script("readings")
+    own = script(FOLDER / "readings.py")
     model = load_model(FOLDER / "run-up.yaml")
     by_name = {reading.name: reading for reading in own.READINGS}
     pages = own.run_up(model, by_name["run-up.yaml"])
@@ -265,7 +254,7 @@ def test_amplification_follows_the_linear_oscillator():
     ratio = np.array([p["mesh_frequency"] for p in done.points]) / 41.4
     static = 5.0 / BASE_RADIUS / 3.16937e6 / math.sqrt(2.0)
     ours = np.array([p["deflection"]["rms"] for p in done.points]) / static
-    assert ours == pytest.approx(amplification_factor(ratio, 0.1), rel=1e-3)
+    assert ours == pytest.approx(1.0 / np.hypot(1.0 - ratio**2, 2.0 * 0.1 * ratio), rel=1e-3)
 
 
 @outside_polynomial

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
+from tests.support.scripts import script
 
 FOLDER = Path(__file__).parents[2] / "examples" / "camshaft-drive"
 BASE_RADIUS = 0.2494884  # of the cam gear [m]
@@ -21,15 +21,12 @@ CYLINDERS = 6
 
 
 @pytest.fixture(scope="module")
-def script():
+def torques():
     """The script of the example."""
-    spec = importlib.util.spec_from_file_location("camshaft_torques", FOLDER / "torques.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script(FOLDER / "torques.py")
 
 
-def test_tables_are_those_of_the_script_and_their_means_the_work(script):
+def test_tables_are_those_of_the_script_and_their_means_the_work(torques):
     """Springs do no work in a revolution; the pump does p A times the stroke in the delivery."""
     train, rigid = (load_model(FOLDER / name) for name in ("shafts.yaml", "cylinders.yaml"))
     for model, load, name in (
@@ -37,20 +34,20 @@ def test_tables_are_those_of_the_script_and_their_means_the_work(script):
         (train, "valves_1", "valves.csv"),
         (rigid, "cylinders", "cylinders.csv"),
     ):
-        law, (angle, torque) = model.loads[load].torque, script.TABLES[name]
+        law, (angle, torque) = model.loads[load].torque, torques.TABLES[name]
         assert np.degrees(law.abscissa) == pytest.approx(angle)
         assert law.values == pytest.approx(torque, abs=6e-3)  # printed with two decimals
     shift = train.loads["pump_5"].torque.abscissa[0]
     assert math.degrees(shift) == pytest.approx(60.0)  # fires after cylinder 1
-    angle, torque = script.TABLES["valves.csv"]
+    angle, torque = torques.TABLES["valves.csv"]
     assert np.trapezoid(torque, angle) / 360.0 == pytest.approx(0.0, abs=1e-9)
-    low, high = script.DELIVERY
+    low, high = torques.DELIVERY
     # the pressure rises and falls within 2 deg: the stroke between the middles of both
-    ends = script.lift(script.PUMP, np.array([low, high]) + 0.5 * script.RISE * np.array([1.0, -1.0]))[0]
-    work = script.PRESSURE * math.pi / 4.0 * script.PLUNGER**2 * np.diff(ends)[0]
-    angle, torque = script.TABLES["pump.csv"]
+    ends = torques.lift(torques.PUMP, np.array([low, high]) + 0.5 * torques.RISE * np.array([1.0, -1.0]))[0]
+    work = torques.PRESSURE * math.pi / 4.0 * torques.PLUNGER**2 * np.diff(ends)[0]
+    angle, torque = torques.TABLES["pump.csv"]
     assert np.trapezoid(torque, np.radians(angle)) == pytest.approx(-work, rel=5e-3)
-    assert np.trapezoid(*reversed(script.TABLES["cylinders.csv"])) / 60.0 == pytest.approx(
+    assert np.trapezoid(*reversed(torques.TABLES["cylinders.csv"])) / 60.0 == pytest.approx(
         CYLINDERS * np.trapezoid(torque, angle) / 360.0, rel=1e-9
     )
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 
 import numpy as np
@@ -13,17 +12,9 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
+from tests.support.scripts import script
 
 FOLDER = Path(__file__).parents[2] / "examples" / "flexible-slider-crank"
-
-
-def script():
-    spec = importlib.util.spec_from_file_location("flexible_slider_crank", FOLDER / "flexible.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def piston_of(file):
@@ -35,7 +26,7 @@ def piston_of(file):
 
 
 def test_bend_and_travel():
-    rod = script()
+    rod = script(FOLDER / "flexible.py")
     t, angle, deflection, travel = rod.bend(turns=2.0)
     slow, whole = rod.theory(t)
     assert np.max(np.abs(angle - rod.SPEED * t)) < 1e-4  # the crank of 1e4 kg m^2 keeps its speed

@@ -8,8 +8,6 @@ at 437 kN m, which follow from the torques without losses: F_n = T/(r_b cos beta
 from __future__ import annotations
 
 import math
-import sys
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import numpy as np
@@ -18,17 +16,11 @@ import pytest
 from pitchpoint import compile_model, load_model, solve_time
 from pitchpoint.analysis.harmonics import harmonic_table
 from pitchpoint.solvers.time import run_time
+from tests.support.scripts import script
 
 HERE = Path(__file__).parents[2] / "examples" / "shovel-gearbox"
 SHOVEL_437 = {"stage_1": 51.60e3, "stage_2": 261.2e3, "stage_3": 861.2e3}
 MESH_FREQUENCIES = {"stage_1": 135.667, "stage_2": 20.099, "stage_3": 3.251}
-
-
-def script(name):
-    spec = spec_from_file_location(f"shovel_{name}", HERE / f"{name}.py")
-    module = sys.modules[spec.name] = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +41,7 @@ def rated(model, duration, settle, **more):
 def test_mean_forces_follow_from_the_torques(paper, law):
     """SHOVEL-437 asks for 1 %; without friction nothing is lost, and what is left is the window, no whole
     number of mesh periods of stage 3 (1 % ripple over 3.25 periods)."""
-    model = script("levels").with_law(paper, law)
+    model = script(HERE / "levels.py").with_law(paper, law)
     still = {f"meshes.{m}.friction": None for m in model.meshes}
     done = run_time(compile_model(rated(model, 1.6, 0.6, **still), "rated"))
     for stage, force in SHOVEL_437.items():
@@ -61,7 +53,7 @@ def test_mean_forces_follow_from_the_torques(paper, law):
 def test_side_by_side_table_closes_along_the_shafts():
     """Axial forces of the four shafts of a side are inner forces of its meshes: their sum is zero, to the
     0.05 kN that one decimal leaves in each."""
-    lines = script("levels").table(1.2)
+    lines = script(HERE / "levels.py").table(1.2)
     rows = [line.split()[-6::2] for line in lines if "axial" in line]
     axial = np.array(rows, float)
     assert axial.shape == (4, 3)
@@ -128,7 +120,7 @@ def test_healthy_and_faulty_models_differ_in_numbers_only(paper):
 
 def test_bearings_of_the_model_have_the_stiffness_of_the_formula():
     """`bearings.py` prints three digits; the loads it starts from are those of the model to 2 %."""
-    model, formula = load_model(HERE / "model.yaml"), script("bearings")
+    model, formula = load_model(HERE / "model.yaml"), script(HERE / "bearings.py")
     for shaft, numbers in formula.BEARINGS.items():
         radial, axial = formula.stiffness(*numbers)
         given = model.bearings[f"{shaft}_a"].stiffness
@@ -141,7 +133,7 @@ def test_elastic_shafts_carry_the_same_mean_forces():
     they are rounded, and a window of 0.6 s is no whole number of periods of stage 3)."""
     model = load_model(HERE / "model.yaml")
     done = run_time(compile_model(rated(model, 0.9, 0.3), "rated")).channels
-    for shaft, (load, *_) in script("bearings").BEARINGS.items():
+    for shaft, (load, *_) in script(HERE / "bearings.py").BEARINGS.items():
         radial = [
             math.hypot(*(done[f"bearing_force[{shaft}_{end}.f{axis}]"]["mean"] for axis in "xy"))
             for end in "ab"

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from pathlib import Path
 
@@ -16,19 +15,13 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.report.masses import masses
 from tests.support import stl
+from tests.support.occ import needs_occ
+from tests.support.scripts import script
 
 ROOT = Path(__file__).parents[2]
+SCRIPT = ROOT / "examples" / "shovel-gearbox" / "solids.py"
 PAGE = (ROOT / "docs" / "solids.md").read_text(encoding="utf-8")
 MODEL = re.search(r"```yaml\n(.*?)```", PAGE, re.DOTALL)[1]
-
-
-def script():
-    """Module of the example."""
-    file = ROOT / "examples" / "shovel-gearbox" / "solids.py"
-    spec = importlib.util.spec_from_file_location("shovel_solids", file)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_the_file_of_the_page_is_read_and_compared(tmp_path: Path) -> None:
@@ -59,7 +52,7 @@ def test_the_file_of_the_page_is_read_and_compared(tmp_path: Path) -> None:
 
 def test_the_shovel_gearbox_takes_its_masses_from_solids(tmp_path: Path, monkeypatch) -> None:
     """The pinion with the broken tooth and its shaft as STL: the model moves with what the solids weigh."""
-    example = script()
+    example = script(SCRIPT)
     monkeypatch.setattr(example, "GEARS", ("Z5",))
     monkeypatch.setattr(example, "SHAFTS", ("third",))
     model = load_model(ROOT / "examples" / "shovel-gearbox" / "model.yaml")
@@ -76,10 +69,10 @@ def test_the_shovel_gearbox_takes_its_masses_from_solids(tmp_path: Path, monkeyp
     assert gear_inertia(drawn.gears["Z5"])[0] == pytest.approx(mass * (1.0 + in_mass), rel=1e-12)
 
 
-@pytest.mark.skipif(importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed")
+@needs_occ
 @pytest.mark.slow
 def test_step_files_of_the_shovel_agree_to_eight_digits(tmp_path: Path) -> None:
-    example = script()
+    example = script(SCRIPT)
     model = load_model(ROOT / "examples" / "shovel-gearbox" / "model.yaml")
     rows = example.compared(example.write(model, tmp_path))
     assert [row[0] for row in rows] == [*example.GEARS, *example.SHAFTS]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from pitchpoint.core.formula.formula import Formula
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
+from tests.support.scripts import script
 
 FOLDER = Path(__file__).parents[2] / "examples" / "timing-train"
 
@@ -21,10 +21,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "timing-train"
 @pytest.fixture(scope="module")
 def engine():
     """The script of the example."""
-    spec = importlib.util.spec_from_file_location("torques", FOLDER / "torques.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script(FOLDER / "torques.py")
 
 
 def test_tables_are_those_of_the_script(engine):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears beside the axis of their body or askew on it: tangents, balance, energy, whole turns, no fault."""
+"""Eccentric and wobbling gears: tangents, balance, energy, whole turns, no fault."""
 
 from __future__ import annotations
 
@@ -86,6 +86,26 @@ def mesh_powers(system, state):
     return (*told(state), (far - near) / (2.0 * h))
 
 
+def assert_balance(F, fr):
+    """Action is reaction: wrenches on bodies 1 and 2 about a common point."""
+    moment = sum(F[k, 3:] + np.cross(fr["r"][k], F[k, :3]) for k in (1, 2))
+    assert np.abs(F[1, :3] + F[2, :3]).max() < 1e-11 * np.abs(F).max()
+    assert np.abs(moment).max() < 1e-11 * np.abs(F).max()
+
+
+def energy_slopes(system, state, channels):
+    """Derivatives of the sum of some channels by all coordinates."""
+    slopes = []
+    for c in range(state.q.size):
+        found = []
+        for side in (-1.0, 1.0):
+            moved = state.copy()
+            moved.q[c] += side * 1e-8
+            found.append(evaluate.observe(system, moved)[channels].sum())
+        slopes.append((found[1] - found[0]) / 2e-8)
+    return np.array(slopes)
+
+
 @pytest.mark.parametrize("kind", ["external", "internal"])
 @pytest.mark.parametrize("law", [CONSTANT, PAIR])
 @pytest.mark.parametrize("flank", [1, -1])
@@ -99,9 +119,7 @@ def test_balance_and_power_of_displaced_gears(kind, law, flank):
     assert energy > 0.0
     F = mesh_wrenches(system, state)
     fr = system.workspace.fr
-    moment = sum(F[k, 3:] + np.cross(fr["r"][k], F[k, :3]) for k in (1, 2))
-    assert np.abs(F[1, :3] + F[2, :3]).max() < 1e-11 * np.abs(F).max()
-    assert np.abs(moment).max() < 1e-11 * np.abs(F).max()
+    assert_balance(F, fr)
     power = sum(F[k] @ fr["tw"][k] for k in (1, 2))
     scale = abs(parametric) + abs(stored) + friction + damping
     assert -power + parametric == pytest.approx(stored + friction + damping, abs=1e-6 * scale)
@@ -141,12 +159,5 @@ def test_forces_of_displaced_gears_have_a_potential(kind, motion):
     state = pressed(system, np.random.default_rng(2), 0.0, 1, 1e-4)
     state.v[:] = 0.0
     force = evaluate.residual(system, state)
-    energy = system.layout.channel("elastic_energy[m]")
-    for c in range(force.size):
-        found = []
-        for side in (-1.0, 1.0):
-            moved = state.copy()
-            moved.q[c] += side * 1e-8
-            found.append(evaluate.observe(system, moved)[energy])
-        slope = (found[1] - found[0]) / 2e-8
-        assert force[c] == pytest.approx(slope, abs=1e-5 * np.abs(force).max())
+    slopes = energy_slopes(system, state, [system.layout.channel("elastic_energy[m]")])
+    assert force == pytest.approx(slopes, abs=1e-5 * np.abs(force).max())

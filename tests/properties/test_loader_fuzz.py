@@ -21,6 +21,7 @@ from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import CONTROLLED_PAIR, ISO_EXAMPLE, TORSIONAL_PAIR
+from tests.support.mutation import at, places
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHIPPED = {
@@ -82,21 +83,6 @@ def load_or_refuse(data: Any) -> None:
 
 def yaml_data(text: str) -> Any:
     return YAML(typ="safe", pure=True).load(text)
-
-
-def places(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
-    """Paths of all values of nested data."""
-    out = [path] if path else []
-    items = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    for step, value in items:
-        out += places(value, (*path, step))
-    return out
-
-
-def at(data: Any, path: tuple[Any, ...]) -> Any:
-    for step in path:
-        data = data[step]
-    return data
 
 
 def put(data: Any, path: tuple[Any, ...], value: Any) -> None:

@@ -17,7 +17,7 @@ from pitchpoint.io.rexs.importing import import_rexs
 from pitchpoint.io.rexs.reading import read_rexs
 from pitchpoint.io.yaml_model import loads_model
 from tests.support.rexs_files import GEARBOX, as_json, bevel_unit, rexs, unit
-from tests.support.rexs_samples import samples
+from tests.support.rexs_samples import needs_samples, sample
 
 JSON = as_json(GEARBOX)
 
@@ -117,13 +117,11 @@ def test_gear_units_with_odd_values_and_relations(folder: Path, text: str) -> No
     imported(text.encode(), folder)
 
 
+@needs_samples
 @given(st.data())
 def test_damaged_samples_are_read_or_refused(folder: Path, data: st.DataObject) -> None:
-    found = samples()
-    if found is None:
-        pytest.skip("the REXS samples are not next to the repository")
     names = ["FVA_worm_stage_1-4.rexs", "example_json.rexs.zip", "example_xml.rexs.zip"]
-    whole = (found / data.draw(st.sampled_from(names))).read_bytes()
+    whole = sample(data.draw(st.sampled_from(names))).read_bytes()
 
     @st.composite
     def damage(draw: st.DrawFn) -> bytes:

@@ -87,18 +87,11 @@ def dataset(
 def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPlan, Model]:
     """Plan, checked against its model, and the model."""
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.core.errors import Message, ModelError
     from pitchpoint.model.reading.dataset_plan import check_plan
+    from pitchpoint.model.reading.plan import model_path
     from pitchpoint.system.compile import compile_model
 
-    path = Path(str(plan.file)).parent / plan.model
-    if not path.is_file():
-        line = plan.lines.get(("model",))
-        problem = Message(
-            "model", "file not found", str(path), None, "give the path relative to the plan", line
-        )
-        raise ModelError([problem], plan.file)
-    model = read_model(str(path), allow_code, quiet)
+    model = read_model(str(model_path(plan)), allow_code, quiet)
     over_time = [name for name, s in model.scenarios.items() if s.kind == "time"]
     chosen = plan.scenario if plan.scenario in over_time else over_time[0] if over_time else None
     system = compile_model(model, chosen) if model.bodies else None

@@ -48,9 +48,10 @@ def study(
     from pitchpoint.cli.study_output import forecast_words, show_factors
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.io.yaml_plan import load_study
+    from pitchpoint.model.reading.plan import model_path
     from pitchpoint.sweep.study.check import check_study
     from pitchpoint.sweep.study.remarks import remarks
-    from pitchpoint.sweep.study.run import model_path, planned, remaining
+    from pitchpoint.sweep.study.run import planned, remaining
 
     plan = load_study(file, allow_code)
     checked = check_study(plan, read_model(str(model_path(plan)), allow_code, quiet))
@@ -180,6 +181,8 @@ def write_products(
     study: Study, folder: StudyFolder, cases: Cases, known: Mapping[str, Record], found: Any
 ) -> None:
     """Write the result file and the page with pictures."""
+    from dataclasses import replace
+
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.core.status import OK
     from pitchpoint.io.container import FAILED, FINISHED, Header
@@ -208,8 +211,9 @@ def write_products(
         status=FAILED if bad else FINISHED,
         code=bad[0] if bad else OK,
         sentence=f"{len(bad)} of {data.sizes['case']} cases failed" if bad else "",
-        notes=found.notes,
+        notes=tuple(data.attrs["notes"]),
     )
+    found = replace(found, notes=tuple(data.attrs["notes"]))
     text = study_page(found, title or str(study.plan.file), options_of(study), package_version())
     write_file(folder.path / PAGE, text)
 

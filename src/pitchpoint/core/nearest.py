@@ -31,12 +31,17 @@ def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
     ['profile_shift']
     >>> nearest("modul", ["tip_diameter", "normal_module"])
     ['normal_module']
+    >>> nearest(20, ["VG 20", "VG 220"])
+    ['VG 20']
     """
     from difflib import get_close_matches
 
     known, written = {_plain(each): each for each in names}, _plain(name)
     close = get_close_matches(written, list(known), count, _SIMILAR)
-    if not close and len(written) >= _PART:
+    if not close and written.isdecimal():  # 220 of ISO VG 220, not 20 of it
+        close = [k for k in known if k.endswith(written) and not k.removesuffix(written)[-1:].isdecimal()]
+        close = close[:count]
+    elif not close and len(written) >= _PART:
         close = [each for each in known if written in each][:count]
     return [known[found] for found in close]
 

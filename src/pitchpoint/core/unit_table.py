@@ -169,7 +169,10 @@ ZEROS = dict.fromkeys(("C", "degC", "°C"), 273.15)
 """Zero of the scales of temperature with one of their own [K]."""
 _ZERO_POINT = "a temperature is given as a difference in K"
 REFUSED: dict[str, str] = {
-    **dict.fromkeys((*ZEROS, "F", "degF", "°F"), _ZERO_POINT),
+    **dict.fromkeys(ZEROS, _ZERO_POINT),
+    **dict.fromkeys(
+        ("F", "degF", "°F"), "write a temperature in degC or K, a difference of temperatures in K"
+    ),
     **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
     **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
 }

@@ -17,7 +17,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import FRAME, FREE, HOLDS, RIM, WITH_RIM, Kind
-from pitchpoint.elements.mesh.rim_room import GROUP, MAX_MODES, WAY, hidden
+from pitchpoint.elements.mesh.rim_workspace import GROUP, MAX_MODES, WAY, hidden
 from pitchpoint.elements.wrench import origin, push
 from pitchpoint.multibody.channels import F8, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, plus, times, triple, unit

@@ -71,11 +71,6 @@ class Material:
         """G = E / (2 (1 + ν)) [Pa]."""
         return 0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
 
-    @property
-    def plane_strain_modulus(self) -> float:
-        """E / (1 − ν²) [Pa], the modulus of Hertzian contact."""
-        return self.youngs_modulus / (1.0 - self.poisson_ratio**2)
-
 
 _STEEL = "E, ν: ISO 6336-2; ρ: 7830 kg/m³ as in KISSsoft's gear reports"
 _GREY = "E, ν: ISO 6336-2; ρ: EN 1561, typical"

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.nearest import hint
 from pitchpoint.io.container import ResultError
 from pitchpoint.io.opening import member, members, open_file, opened, understood
-from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP, STATISTICS
+from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP
 
 if TYPE_CHECKING:
     import h5py
@@ -86,17 +86,6 @@ def read_units(path: str | os.PathLike[str]) -> dict[str, str]:
         arrays = {name: item for name, item in members(file).items() if hasattr(item, "shape")}
         found = {name: item.attrs.get("units", "") for name, item in arrays.items()}
     return {name: u.decode("utf-8") if isinstance(u, bytes) else str(u) for name, u in found.items()}
-
-
-def read_blocks(path: str | os.PathLike[str], name: str) -> dict[str, np.ndarray]:
-    """Read `time`, `min`, `max`, `mean` and `rms` of each block of a channel, shape (n_blocks,)."""
-    with opened(path) as file:
-        group = members(member(file, BLOCK_GROUP)) if BLOCK_GROUP in file else {}
-        if name not in group or name == "time":
-            raise ResultError(f"{os.fspath(path)}: no block statistics of {name!r}; {_suggest(name, file)}")
-        n = group["time"].shape[0]
-        table = group[name][:n]
-        return {"time": group["time"][:n], **{key: table[:, k] for k, key in enumerate(STATISTICS)}}
 
 
 def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Dataset:

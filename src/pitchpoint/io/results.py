@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED, RUNNING, Header, ResultError
-from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
+from pitchpoint.io.reading import list_channels, open_result, read_channel, read_header
 from pitchpoint.io.sweep_store import SweepWriter, read_sweep
 from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
 from pitchpoint.io.writing import Channel, ResultWriter, RunningStatistics
@@ -29,7 +29,6 @@ __all__ = [
     "TableWriter",
     "list_channels",
     "open_result",
-    "read_blocks",
     "read_channel",
     "read_header",
     "read_sweep",

@@ -10,7 +10,7 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.checks.validate import check
 from pitchpoint.model.component import without_arrays
-from pitchpoint.model.keys import BAD, keys_of
+from pitchpoint.model.keys import BAD, keys_of, remedy_for_key
 from pitchpoint.model.model import Model
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parts import Parts
@@ -45,21 +45,21 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     for name in [name for name in data if name not in keys]:
         sections.find(str(name))  # register sections of other packages
     reader.unknown(data, keys, ())
+    names = _names(data, (*GROUPS, *(n for n in keys if sections.is_other(n))))
     values = {}
     for name, key in keys.items():
         if data.get(name) is not None:
             value = reader.keyed(key, without_arrays(data[name]), (name,))
             if value is not BAD:
                 values[name] = value
-            if name == MATERIALS and isinstance(data[name], Mapping):
-                note_materials(reader, values.get(name, {}), data[name])
+        if name == MATERIALS and name in names:
+            note_materials(reader, values.get(name, {}), names[name])
     moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")
     if not any(values.get(g) or (g,) in reader.tainted for g in moving):
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
     parts = Parts.of(values)
-    parts.names = {
-        g: {str(n) for n in data[g]} for g in (*GROUPS, *parts.others) if isinstance(data.get(g), Mapping)
-    }
+    parts.names = names
+    parts.planet_names = _planet_names(data.get("planetary_stages"))
     check(parts, reader)
     if reader.problems:
         ordered = sorted(
@@ -68,3 +68,23 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
         raise ModelError(ordered, file)
     origin = Origin(reader.sources, tuple(reader.bare), files)
     return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code, origin=origin)
+
+
+def _names(data: Mapping[Any, Any], groups: tuple[str, ...]) -> dict[str, set[str]]:
+    """Names of the components of each section, readable or not, also of a section with a misspelt key or
+    written as a list."""
+    found: dict[str, set[str]] = {}
+    for key, part in data.items():
+        group = key if key in groups else remedy_for_key(key, keys_of(Model))[0]
+        if group in groups and (key in groups or group not in data):
+            entries = part if isinstance(part, list) else [part]
+            names = {str(name) for entry in entries if isinstance(entry, Mapping) for name in entry}
+            if names or isinstance(part, Mapping):
+                found[group] = names
+    return found
+
+
+def _planet_names(stages: Any) -> dict[str, str]:
+    """`planet_name` as written in every planetary stage that gives it."""
+    found = stages.items() if isinstance(stages, Mapping) else ()
+    return {str(n): str(s["planet_name"]) for n, s in found if isinstance(s, Mapping) and "planet_name" in s}

@@ -100,20 +100,20 @@ def _add(parts: Parts, group: str, name: str, part: Any, report: Reader, at: Pla
 def _add_rigid(parts: Parts, held: RigidHousing, report: Reader) -> None:
     """Body of a rigid housing with its mounts."""
     if held.mass is None:
-        if held.mounts:
+        if held.mounts and (NAME, "mass") not in report.tainted:
             report.problem(
                 (NAME, "mounts"),
                 "have no effect on a housing that is ground",
                 remedy="give mass, or remove them",
             )
         return
-    if held.inertia_tensor is None:
+    if held.inertia_tensor is None and (NAME, "inertia_tensor") not in report.tainted:
         report.problem(
             (NAME, "inertia_tensor"),
             "is missing: a housing on mounts tilts",
             remedy="give [Ixx, Iyy, Izz, Ixy, Iyz, Izx] about the centre of mass",
         )
-    if not held.mounts:
+    if not held.mounts and (NAME, "mounts") not in report.tainted:
         report.problem(
             (NAME, "mounts"),
             "is missing: nothing holds the housing",

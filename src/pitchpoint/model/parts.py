@@ -45,6 +45,8 @@ class Parts:
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
     misshapen: set[str] = field(default_factory=set)  # gears with impossible geometry
+    planet_names: dict[str, str] = field(default_factory=dict)
+    """`planet_name` of every stage of the file, readable or not."""
     placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
     """For bodies without a given position: kind and name of the link that locates it, and the neighbouring
     body."""

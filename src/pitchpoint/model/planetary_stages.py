@@ -13,7 +13,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
-from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.joint import Joint
@@ -29,14 +28,18 @@ from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.scissor_gears import places_of_free_half
 from pitchpoint.model.show import dotted
+from pitchpoint.model.stage_members import SECTION, fit_together
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.parts import Parts
 
-SECTION = "planetary_stages"
 GROUPS = ("gears", "bodies", "joints", "bearings", "meshes")
 """Sections of the components of a stage."""
+MATES = ("sun", "ring", "inner_planets", "steps", "planet_name")
+"""Keys that give the names of the meshes."""
+MOST = 50
+"""Maximum number of planets of a stage."""
 
 
 # --- representation -----------------------------------------------------------------------------------------
@@ -46,158 +49,27 @@ def add_planetary_stages(parts: Parts, report: Reader) -> None:
     Later problems of these components are reported for the stages.
     """
     for name in parts.known(SECTION) - set(parts.planetary_stages):
-        # the number of planets of an unreadable stage is unknown
-        names = {f"planet_{k}" for k in range(1, 51)}
-        gears = parts.known("gears")
-        meshes = {f"{one}-{two}" for g in gears for n in names for one, two in ((g, n), (n, g))}
-        others = {"joints": {f"{n}-pin" for n in names}, "bearings": {f"{n}-bearing" for n in names}}
-        for group, added in {"gears": names, "bodies": names, "meshes": meshes, **others}.items():
-            parts.names[group] = parts.known(group) | added
-            report.tainted.add((group,))
+        planets = names_of(parts.planet_names.get(name, "planet"), MOST)  # their number is unknown
+        _assume(parts, planets, report)
         report.tainted.add((SECTION, name))
     for name, stage in parts.planetary_stages.items():
-        if not (_usable(parts, name, stage, report) and _add(parts, name, stage, report)):
+        if not (fit_together(parts, name, stage, report) and _add(parts, name, stage, report)):
+            if not stage.names or any((SECTION, name, key) in report.tainted for key in MATES):
+                count = len(stage.names) or MOST
+                _assume(parts, (*names_of(stage.planet_name, count), *names_of("planet", count)), report)
             for group, word, _, _ in members(name, stage):  # known, though without data
                 parts.names[group] = parts.known(group) | {word}
                 report.tainted.add((group,))
 
 
-def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> bool:
-    """Check names and types of the members of a stage."""
-    at: Place = (SECTION, name)
-    before = len(report.problems)
-    for wheel in stage.wheels:
-        if wheel.step and not wheel.mates:
-            report.problem(
-                (*at, *wheel.key),
-                "has no mate",
-                remedy="give sun, ring or inner_planets that it meshes with",
-            )
-    if not any(side != "planet" for wheel in stage.wheels for side in wheel.mates):
-        report.problem(at, "has neither sun nor ring", remedy="name the gear that the planets mesh with")
-    _mates(parts, at, stage, report)
-    if not parts.has("bodies", stage.carrier):
-        known = parts.known("bodies") | parts.known("shafts") | parts.known("elastic_bodies")
-        if stage.carrier not in known:
-            guess = did_you_mean(stage.carrier, known)
-            report.problem(
-                (*at, "carrier"),
-                f"names the body {stage.carrier[:40]!r}, which does not exist",
-                remedy=guess + f"there are {', '.join(sorted(known)) or 'none'}",
-            )
-    for wheel in stage.wheels:
-        if wheel.gear.type != "external":
-            path = (*wheel.key, "gear") if wheel.step else ("planet",)
-            report.problem((*at, *path, "type"), "is internal", limit="external", remedy="remove type")
-    if stage.motion == "torsion" and stage.bearing is not None:
-        report.problem(
-            (*at, "bearing"),
-            "has no effect: planets with motion: torsion cannot move on their pins",
-            remedy="give motion: planar or motion: free, or remove bearing",
-        )
-    for key in ("pin_errors", "single_planets"):
-        for planet in getattr(stage, key):
-            if planet not in stage.names:
-                report.problem(
-                    (*at, key, planet),
-                    "is not a planet of the stage",
-                    remedy=did_you_mean(planet, stage.names) + f"its planets are {', '.join(stage.names)}",
-                )
-    for name_of_step, step_part in stage.steps.items():
-        if step_part.orientation is not None and step_part.gear.initial_angle is not None:
-            report.problem(
-                (*at, "steps", name_of_step, "orientation"),
-                "is given twice: the gear has an initial_angle",
-                remedy="remove one of them",
-            )
-    for planet, own in stage.single_planets.items():
-        for step in own.steps.keys() - stage.steps.keys():
-            report.problem(
-                (*at, "single_planets", planet, "steps", step),
-                "is not a step of the planets",
-                remedy=did_you_mean(step, stage.steps) + f"there are {', '.join(stage.steps) or 'none'}",
-            )
-    return len(report.problems) == before and at not in report.tainted
-
-
-def _mates(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
-    """Check names and types of sun, ring and inner planets of every gear of the planets."""
-    taken: dict[str, Place] = {}
-    inner = 0
-    for wheel in stage.wheels:
-        for side, mate in wheel.mates.items():
-            key: Place = (*at, *wheel.key, "inner_planets" if side == "planet" else side)
-            if mate in taken:
-                report.problem(
-                    key, f"names {mate}, as does {dotted(taken[mate])}", remedy="remove it from one of them"
-                )
-                continue
-            taken[mate] = key
-            if side == "planet":
-                inner += 1
-                _inner(parts, key, stage, mate, inner, report)
-            else:
-                _central(parts, key, mate, "external" if side == "sun" else "internal", report)
-
-
-def _central(parts: Parts, key: Place, gear: str, kind: str, report: Reader) -> None:
-    """Check that a sun or ring exists, with teeth of its type."""
-    if not parts.has("gears", gear):
-        guess = did_you_mean(gear, parts.known("gears"))
-        have = f"there are {', '.join(sorted(parts.known('gears'))) or 'none'}"
-        report.problem(key, f"names the gear {gear[:40]!r}, which does not exist", remedy=guess + have)
-    elif gear in parts.gears and parts.gears[gear].type != kind:
-        report.problem(
-            key,
-            f"names the {parts.gears[gear].type} gear {gear}",
-            limit=f"an {kind} gear",
-            remedy=f"name an {kind} gear, or give {gear} type: {kind}",
-        )
-
-
-def _inner(parts: Parts, key: Place, stage: PlanetaryStage, mate: str, count: int, report: Reader) -> None:
-    """Check that inner planets are those of another stage, as many, on the same carrier."""
-    others = {s.planet_name: s for s in parts.planetary_stages.values() if s is not stage}
-    other = others.get(mate)
-    unread = len(parts.planetary_stages) < len(parts.known(SECTION))
-    if (other is None and unread) or (other is not None and not other.names):
-        # of a stage that could not be read, or without a number of planets: reported there
-        parts.names["gears"] = parts.known("gears") | set(names_of(mate, len(stage.names)))
-        return
-    if mate == stage.planet_name:
-        report.problem(
-            key,
-            f"names its own planets, {mate}",
-            remedy="give the stages different planet_name, and name that of the other one",
-        )
-    elif count > 1:
-        report.problem(key, "is the second of the planets", limit="1", remedy="remove one inner_planets")
-    elif other is None:
-        report.problem(
-            key,
-            f"names the planets {mate[:40]!r}, which do not exist",
-            remedy=did_you_mean(mate, others)
-            + f"planet_name of other stages: {', '.join(others) or 'there is no other stage'}",
-        )
-    elif stage.names and len(other.names) != len(stage.names):
-        report.problem(
-            key,
-            f"names {len(other.names)} planets for {len(stage.names)} planets",
-            remedy="give both stages the same number of planets",
-        )
-    elif other.carrier != stage.carrier:
-        report.problem(
-            key,
-            f"names planets on {other.carrier}",
-            limit=f"planets on the same carrier, {stage.carrier}",
-            remedy="give both stages the same carrier",
-        )
-    elif stage.planet_name in inner_chain(parts, stage):
-        report.problem(
-            key,
-            "is a loop: each stage has the planets of the other as inner_planets",
-            remedy="remove inner_planets from one of them",
-        )
+def _assume(parts: Parts, planets: tuple[str, ...], report: Reader) -> None:
+    """Make the components of planets known that cannot be added, with any gear as their mate."""
+    pairs = [(one, two) for one in parts.known("gears") for two in planets]
+    meshes = [f"{one}-{two}" for each in pairs for one, two in (each, each[::-1])]
+    others = {"joints": [f"{n}-pin" for n in planets], "bearings": [f"{n}-bearing" for n in planets]}
+    for group, added in {"gears": planets, "bodies": planets, "meshes": meshes, **others}.items():
+        parts.names[group] = parts.known(group) | set(added)
+        report.tainted.add((group,))
 
 
 def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> bool:
@@ -269,20 +141,6 @@ def single_step(stage: PlanetaryStage, planet: str, step: str) -> SingleStep:
     return own.steps.get(step, SingleStep()) if step else own
 
 
-def inner_chain(parts: Any, stage: PlanetaryStage) -> list[str]:
-    """Names of the inner planets of a stage, of theirs, and so on."""
-    by_planets = {s.planet_name: s for s in parts.planetary_stages.values()}
-    found: list[str] = []
-    here: PlanetaryStage | None = stage
-    while here is not None:
-        mate = next((w.mates["planet"] for w in here.wheels if "planet" in w.mates), None)
-        if mate is None or mate in found:
-            break
-        found.append(mate)
-        here = by_planets.get(mate)
-    return found
-
-
 def lines_of_planets(
     stages: Mapping[str, PlanetaryStage], lines: Mapping[Place, int]
 ) -> Iterator[tuple[Place, int]]:
@@ -295,7 +153,7 @@ def lines_of_planets(
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Messages on components of planets and free halves at the keys that describe them, equal ones once.
+    """Messages on planets, free halves and mounts at the keys that describe them, equal ones once.
 
     Parameters
     ----------
@@ -311,6 +169,8 @@ def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
     }
     for name, scissor in model.scissor_gears.items():
         places |= {dotted(p): dotted(q) for p, q in places_of_free_half(model, name, scissor).items()}
+    for mount in getattr(model.housing, "mounts", {}):
+        places[f"bushings.housing-{mount}"] = f"housing.mounts.{mount}"
     if not places:
         return tuple(messages)
     found = []

@@ -23,6 +23,7 @@ from pitchpoint.model.components.torsion_spring import TorsionSpring
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stand_ins import path_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
@@ -84,12 +85,30 @@ def _usable(parts: Parts, name: str, scissor: ScissorGear, report: Reader) -> bo
             limit=f"at least {1e3 * least:.6g} mm, half of both face widths, to either side",
             remedy="remove position, or move the free half",
         )
+    _beside(parts, name, scissor, report)
     _check_body(parts, name, scissor, body, report)
     for group, word, _ in members(parts, name, scissor):
         if word in parts.known(group):
             text = f"needs the name {word}, which {group}.{word} has already"
             report.problem(at, text, remedy="rename that component or the scissor gear")
     return len(report.problems) == before and at not in report.tainted
+
+
+def _beside(parts: Parts, name: str, scissor: ScissorGear, report: Reader) -> None:
+    """Check that two free halves of one gear are not at the same place."""
+    for other, earlier in parts.scissor_gears.items():
+        if other == name:
+            return
+        apart = 0.5 * (earlier.face_width + scissor.face_width)
+        if earlier.gear == scissor.gear and (
+            abs(distance(parts, earlier) - distance(parts, scissor)) < apart * (1.0 - TOUCHING)
+        ):
+            report.problem(
+                (SECTION, name, "position"),
+                f"is that of {other}, a free half of the same gear",
+                limit=f"{1e3 * apart:.6g} mm apart, half of both face widths",
+                remedy=f"remove {name}, or give it a position on the other side of {scissor.gear}",
+            )
 
 
 def _check_body(parts: Parts, name: str, scissor: ScissorGear, body: str, report: Reader) -> None:
@@ -99,8 +118,8 @@ def _check_body(parts: Parts, name: str, scissor: ScissorGear, body: str, report
     jointed = any(body == end.partition(".")[0] for joint in parts.joints.values() for end in joint.bodies)
     motion = held.motion or "torsion"
     what = ""
-    if held.stage is not None or parts.gears[scissor.gear].stage is not None:
-        what = "is part of a stage"
+    if (owner := held.stage or parts.gears[scissor.gear].stage) is not None:
+        what = f"is part of {path_of(owner)}"
     elif held.elastic is not None:
         what = f"is on the elastic body {body}"
     elif jointed:

@@ -76,9 +76,9 @@ class Section:
         return Key("components", self.meaning, of=self.component)
 
 
-def section(meaning: str, of: Any, *rules: str, needs: tuple[str, ...] = (), later: bool = False) -> Any:
-    """Field for one section; arguments as of `Section`, `later` as of `keys.Key`."""
-    found = Key("components", meaning, of=of, later=later)
+def section(meaning: str, of: Any, *rules: str, needs: tuple[str, ...] = (), **more: Any) -> Any:
+    """Field for one section; arguments as of `Section`, others as of `keys.Key`."""
+    found = Key("components", meaning, of=of, **more)
     return dataclasses.field(default_factory=dict, metadata={"key": found, "rules": rules, "needs": needs})
 
 
@@ -117,7 +117,10 @@ class Contents(Checked):
         "guide:guide_bank",
     )
     planetary_stages: Mapping[str, PlanetaryStage] = section(
-        "planetary stages: planets with their pins and meshes", PlanetaryStage, later=True
+        "planetary stages: planets with their pins and meshes",
+        PlanetaryStage,
+        later=True,
+        also=("planetary_gears", "planetary_sets", "epicyclic_stages"),
     )
     scissor_gears: Mapping[str, ScissorGear] = section(
         "scissor gears: free halves next to fixed gears, turned against them by springs",
@@ -147,7 +150,9 @@ class Contents(Checked):
     )
     bushings: Mapping[str, Bushing] = section("elastic bushings", Bushing, "bushing:bushing_bank")
     beams: Mapping[str, Beam] = section("elastic beams between two points", Beam, "beam:beam_bank")
-    clutches: Mapping[str, Clutch] = section("clutches and brakes", Clutch, "clutch:clutch_bank")
+    clutches: Mapping[str, Clutch] = section(
+        "clutches and brakes", Clutch, "clutch:clutch_bank", also=("brakes", "brake")
+    )
     rolling_bearings: Mapping[str, RollingBearing] = section(
         "rolling bearings with individual rolling elements",
         RollingBearing,
@@ -193,7 +198,10 @@ class Contents(Checked):
         later=True,
     )
     lubricant: Lubricant | None = component(
-        Lubricant, "oil of all meshes, for contact analyses and oil films", later=True
+        Lubricant,
+        "oil of all meshes, for contact analyses and oil films",
+        later=True,
+        also=("oil", "lubrication", "lubricants"),
     )
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
     load_cases: Mapping[str, LoadCase] = section(

@@ -90,7 +90,7 @@ class TorqueBalance:
     undetermined
         Groups of external torques of which balance determines only the sum, or nothing.
     shared
-        Meshes whose shares follow from equal stiffness, by train.
+        Meshes and couplings whose shares follow from equal stiffness, by train.
     """
 
     links: Mapping[Place, TorqueLink]
@@ -271,7 +271,7 @@ def _solve(train: _Train) -> _Found | None:
     shared = tuple(
         str(p.place[1])
         for p, row in zip(train.paths, free, strict=False)
-        if p.lever and np.abs(row).max(initial=0.0) > SAME
+        if np.abs(row).max(initial=0.0) > SAME
     )
     return _Found([float(v) for v in values[:n]], outer, shared=shared)
 
@@ -289,8 +289,9 @@ def _least(A: Array, b: Array, levers: Array) -> tuple[Array, Array]:
     free = V[rank:].T
     if free.shape[1]:
         toothed = np.flatnonzero(levers > 0.0)
-        y = np.linalg.pinv(free[toothed], rcond=SAME) @ x[toothed]
-        x = x - free @ y
+        # rounding errors of a null space without tooth forces count as none
+        held = np.where(np.abs(free[toothed]) > SAME, free[toothed], 0.0)
+        x = x - free @ (np.linalg.pinv(held, rcond=SAME) @ x[toothed])
     x[np.abs(x) < ROUND_OFF * np.abs(x).max(initial=0.0)] = 0.0
     return x, free
 

@@ -7,14 +7,10 @@ import os
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.figure_picture import KINDS, browser_program, marked_png
-from pitchpoint.report.film import FLAGS
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Page
+from pitchpoint.report.browser import browser_program, open_page
+from pitchpoint.report.figure_picture import KINDS, marked_png
 
 FORMATS = {**KINDS, ".pdf": "pdf"}
 """Kinds of files of drawings by their extensions, see `io.target`."""
@@ -80,37 +76,17 @@ def write_drawing(target: Path, drawing: str) -> Path:
 
 def _browsed(drawing: str, kind: str) -> bytes:
     """Picture, or vector drawing on one page, in the size of the drawing."""
-    from playwright.sync_api import Error, sync_playwright
-
     from pitchpoint.io.target import PDF_TITLE
 
-    program = browser_program(kind)
     size = re.search(r'viewBox="0 0 (\d+) (\d+)"', drawing)
     width, height = (int(x) for x in size.groups()) if size else (1000, 1000)
-    root = hasattr(os, "geteuid") and os.geteuid() == 0
-    try:
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(
-                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
-            )
-            page = browser.new_page(
-                viewport={"width": width, "height": height}, device_scale_factor=SCALE, color_scheme="light"
-            )
-            page.set_content(
-                f"<!DOCTYPE html><title>{PDF_TITLE}</title>"
-                f"<style>@page{{margin:0;size:{width}px {height}px}}</style>"
-                f'<body style="margin:0">{drawing}</body>'
-            )
-            made = _taken(page, kind, width, height)
-            browser.close()
-    except Error as error:
-        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
-    return made
-
-
-def _taken(page: Page, kind: str, width: int, height: int) -> bytes:
-    """Contents of the file of a page."""
-    if kind == ".png":
-        return page.screenshot(clip={"x": 0, "y": 0, "width": width, "height": height})
-    page.emulate_media(media="screen", color_scheme="light")
-    return page.pdf(prefer_css_page_size=True, print_background=True, page_ranges="1")
+    with open_page(browser_program(kind), width, height, SCALE) as page:
+        page.set_content(
+            f"<!DOCTYPE html><title>{PDF_TITLE}</title>"
+            f"<style>@page{{margin:0;size:{width}px {height}px}}</style>"
+            f'<body style="margin:0">{drawing}</body>'
+        )
+        if kind == ".png":
+            return page.screenshot(clip={"x": 0, "y": 0, "width": width, "height": height})
+        page.emulate_media(media="screen", color_scheme="light")
+        return page.pdf(prefer_css_page_size=True, print_background=True, page_ranges="1")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -106,16 +106,18 @@ def external_torques(
 def overloaded_clutches(model: Model, scenario: Scenario, balance: TorqueBalance) -> list[str]:
     """Remarks on engaged clutches and brakes that transmit more than their capacity, and therefore slip."""
     found = []
+    machine: Any = model
     for name, clutch in model.clutches.items():
         place = ("clutches", name)
         if place in balance.links:
             torque = abs(balance.links[place].torques[0])
-        elif name in engaged_brakes(cast(Any, model), scenario.engaged).values():
+        elif place in balance.external and name in engaged_brakes(machine, scenario.engaged).values():
             torque = abs(balance.external[place])
         else:
             continue
         capacity, _ = mean_torque(clutch.capacity, scenario, 0.0)
-        limit = math.inf if capacity is None else capacity * clutch.static_ratio
+        static = clutch.static_ratio if clutch.stribeck_speed > 0.0 else 1.0
+        limit = math.inf if capacity is None else capacity * static
         if torque > limit * (1.0 + SAME):
             words = [format_quantity(t, "torque", 5) for t in (torque, limit)]
             found.append(f"{name}: {words[0]} exceed its capacity of {words[1]}, so that it slips")

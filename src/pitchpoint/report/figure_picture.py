@@ -4,10 +4,8 @@
 from __future__ import annotations
 
 import base64
-import importlib.util
 import json
 import os
-import shutil
 import struct
 import zlib
 from collections.abc import Collection, Iterable
@@ -16,7 +14,7 @@ from typing import TYPE_CHECKING
 from urllib.parse import unquote_to_bytes
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.film import BROWSERS, FLAGS
+from pitchpoint.report.browser import browser_program, open_page
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -110,9 +108,6 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
     PitchpointError
         If the browser is missing or fails.
     """
-    from playwright.sync_api import Error, sync_playwright
-
-    program = browser_program(kind)
     height = int(figure.layout.height or 480)
     options = {
         "format": kind.removeprefix("."),
@@ -122,39 +117,8 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
     }
     page_text = f"<!DOCTYPE html><body>{figure.to_html(full_html=False, include_plotlyjs=True)}</body>"
     script = f"Plotly.toImage(document.querySelector('.js-plotly-plot'), {json.dumps(options)})"
-    root = hasattr(os, "geteuid") and os.geteuid() == 0
-    try:
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(
-                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
-            )
-            page = browser.new_page(viewport={"width": WIDTH, "height": height})
-            page.set_content(page_text)
-            address = str(page.evaluate(script))
-            browser.close()
-    except Error as error:
-        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
+    with open_page(browser_program(kind), WIDTH, height) as page:
+        page.set_content(page_text)
+        address = str(page.evaluate(script))
     head, _, body = address.partition(",")
     return base64.b64decode(body) if head.endswith("base64") else unquote_to_bytes(body)
-
-
-def browser_program(kind: str) -> str:
-    """Program of the browser.
-
-    Parameters
-    ----------
-    kind
-        Extension of the picture that requires it.
-
-    Raises
-    ------
-    PitchpointError
-        If the browser or its driver is missing.
-    """
-    program = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if program is None or importlib.util.find_spec("playwright") is None:
-        raise PitchpointError(
-            f"a {kind.removeprefix('.')} file requires Chromium and Playwright (pip install "
-            "'pitchpoint[film]'); write an html page instead, whose menu saves pictures"
-        )
-    return program

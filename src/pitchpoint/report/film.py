@@ -21,17 +21,16 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.target import check_place, make_folder, replacing
+from pitchpoint.report.browser import installed_browser, open_page
 
 if TYPE_CHECKING:
     from playwright.sync_api import CDPSession, Page
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
 """Duration of a video [s]; the time axis of the record is scaled to it."""
 SIZE = (1280, 800)
 PATIENCE = 120.0
 """Timeout for the browser [s]."""
-FLAGS = "--disable-background-networking --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
 READY = "document.querySelector('.ppv')?.dataset.ready ?? ''"
 
 
@@ -133,7 +132,7 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
     check_place(path)
     if path.exists():
         raise PitchpointError(f"{path} exists, and a video does not replace files; choose another name")
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    browser = installed_browser()
     ffmpeg = shutil.which("ffmpeg")
     missing = [name for name, found in (("chromium", browser), ("ffmpeg", ffmpeg)) if found is None]
     if browser is None or ffmpeg is None:
@@ -230,22 +229,12 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Pr
 @contextmanager
 def _shown(program: str, address: str) -> Iterator[Page]:
     """Open page with a scene, after its first drawing."""
-    from playwright.sync_api import Error, sync_playwright
-
-    root = hasattr(os, "geteuid") and os.geteuid() == 0
-    try:
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(
-                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
-            )
-            page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})
-            page.set_default_timeout(1e3 * PATIENCE)
-            page.goto(address)
-            if page.wait_for_function(READY).json_value() != "scene":
-                raise PitchpointError("the browser cannot show this scene")
-            yield page
-    except Error as error:
-        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
+    with open_page(program, *SIZE) as page:
+        page.set_default_timeout(1e3 * PATIENCE)
+        page.goto(address)
+        if page.wait_for_function(READY).json_value() != "scene":
+            raise PitchpointError("the browser cannot show this scene")
+        yield page
 
 
 def _picture(page: Page, camera: CDPSession, time: float, kind: str) -> bytes:

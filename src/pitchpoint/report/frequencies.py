@@ -268,12 +268,17 @@ def _planet_sets(
     sets: dict[tuple[str, str], dict[str, Any]] = {}
     for name, row in ((n, r) for n, r in meshes.items() if n in model.meshes):
         bodies = [str(model.body_of(gear)) for gear in row["gears"]]
-        rides = [base_of(model, model.mechanism, body) == row["carrier"] for body in bodies]
-        if row["carrier"] is None or rides[0] == rides[1]:
+        own = model.planetary_stages.get(model.meshes[name].stage or "")
+        carrier = row["carrier"] or (None if own is None else own.carrier)  # or a fixed one
+        if own is None:
+            rides = [base_of(model, model.mechanism, body) == carrier for body in bodies]
+        else:
+            rides = [model.bodies[body].stage in model.planetary_stages for body in bodies]
+        if carrier is None or rides[0] == rides[1]:
             continue
         planet, central = bodies[rides.index(True)], row["gears"][rides.index(False)]
         stage = model.bodies[planet].stage or ""
-        entry = sets.setdefault((row["carrier"], stage), {"planets": [], "central": {}})
+        entry = sets.setdefault((carrier, stage), {"planets": [], "central": {}})
         if planet not in entry["planets"]:
             entry["planets"].append(planet)
         entry["central"].setdefault(central, []).append((name, planet))

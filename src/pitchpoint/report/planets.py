@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.checks.planet_room import planet_gaps
+from pitchpoint.model.checks.planet_clearance import planet_gaps
 from pitchpoint.model.components.planetary_stage import MeshGroup, PinError
 from pitchpoint.model.planet_places import nominal_distance
 from pitchpoint.system.planet_loads import as_data, loads_in, planet_loads

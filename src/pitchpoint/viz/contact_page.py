@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""HTML page of one contact analysis."""
+"""HTML page of contact analyses."""
 
 from __future__ import annotations
 
@@ -12,29 +12,12 @@ import numpy as np
 from pitchpoint.analysis.flank_contact.active_flank import active_flanks, contact_path
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
 from pitchpoint.viz.active_flank_drawing import active_flank_svg
-from pitchpoint.viz.contact_table import options_of
 from pitchpoint.viz.quantities import amount, number
 from pitchpoint.viz.report.contact import contact_result, contact_section, overview_section
 from pitchpoint.viz.report.page import Section, page
 
 if TYPE_CHECKING:
     import xarray as xr
-
-
-def contact_page(data: xr.Dataset, note: str = "", gears: Mapping[str, Any] | None = None) -> str:
-    """Page with the results and plots of `solve_contact`.
-
-    Parameters
-    ----------
-    data
-        Dataset of a contact analysis.
-    note
-        Sentence on an incomplete analysis.
-    gears
-        `CylindricalGear` of gear 1 and gear 2 by name, for drawings of their flanks in contact.
-    """
-    mesh = str(options_of(data)["mesh"])
-    return contacts_page({mesh: data}, note, gears={mesh: gears or {}})
 
 
 def contacts_page(

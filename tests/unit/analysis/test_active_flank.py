@@ -10,7 +10,7 @@ from pitchpoint.analysis.flank_contact.active_flank import active_flanks, contac
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.viz.active_flank_drawing import active_flank_svg
-from pitchpoint.viz.contact_page import contact_page
+from pitchpoint.viz.contact_page import contacts_page
 from tests.support.contact_files import fzg
 
 RING = """
@@ -72,6 +72,7 @@ def test_the_drawing_fills_the_tooth_between_the_ends(tmp_path, make):
         assert text.count('class="pp-active1"') == 2
         for words in ("contact, root side", "contact, tip side", "d_Nf, undeformed", "root form d_Ff"):
             assert words in text
-    page = contact_page(data, gears={name: model.gears[name].geometry for name in ("g1", "g2")})
+    gears = {name: model.gears[name].geometry for name in ("g1", "g2")}
+    page = contacts_page({"m": data}, gears={"m": gears})
     assert "Flanks in contact" in page
     assert "base pitches before A" in page

@@ -25,7 +25,7 @@ from pitchpoint.model.model import Model
 from pitchpoint.solvers.contact_analysis.lubrication import Operation, with_operation
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.viz.active_flank_drawing import active_flank_svg
-from pitchpoint.viz.contact_page import contact_page
+from pitchpoint.viz.contact_page import contacts_page
 from pitchpoint.viz.quantities import number
 
 MODEL = """
@@ -206,4 +206,6 @@ def test_patterns_do_not_fold_at_the_base_circle(case: str) -> None:
     assert field.place[0] < -0.5e-3
     known = np.isfinite(field.values[:, 2])
     assert known[2:-2].all()
-    assert "Flanks in contact" in contact_page(data, gears={"g1": pair.gear1, "g2": pair.gear2})
+    assert "Flanks in contact" in contacts_page(
+        {"m": data}, gears={"m": {"g1": pair.gear1, "g2": pair.gear2}}
+    )

@@ -17,7 +17,7 @@ from pitchpoint.io.reading import open_result
 from pitchpoint.io.target import OutputError, check_target
 from pitchpoint.report.figure_picture import check_picture, marked_png
 from pitchpoint.report.write import write_report
-from tests.support.browser import CHROMIUM
+from tests.support.browser import needs_browser
 from tests.support.cli_files import json_of
 
 MODEL = Path(__file__).parents[3] / "examples" / "geared-rotor" / "model.yaml"
@@ -115,13 +115,11 @@ def test_what_is_refused(more: list[str], word: str, capsys: pytest.CaptureFixtu
     assert word in told.err + told.out
 
 
-@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium")
+@needs_browser
 def test_pictures(tmp_path: Path) -> None:
     """In a process of its own: Playwright runs once per process."""
+    subprocess.run([sys.executable, "-c", PICTURE, str(tmp_path)], check=True, timeout=120)
     for kind in ("svg", "png"):
-        subprocess.run(
-            [sys.executable, "-c", PICTURE, str(tmp_path / f"plot.{kind}")], check=True, timeout=120
-        )
         target = check_target(check_picture(tmp_path / f"plot.{kind}"), kind)  # its own file may be replaced
         head = target.read_bytes()[:4]
         assert head == (b"<svg" if kind == "svg" else b"\x89PNG")
@@ -137,7 +135,8 @@ from pitchpoint.report.figure_picture import write_picture
 from pitchpoint.viz import theme
 figure = theme.figure("x", "y")
 figure.add_scatter(x=[0, 1], y=[0, 1])
-write_picture(Path(sys.argv[1]), figure)
+for kind in ("svg", "png"):
+    write_picture(Path(sys.argv[1]) / f"plot.{kind}", figure)
 """
 
 

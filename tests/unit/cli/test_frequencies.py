@@ -14,6 +14,7 @@ from pitchpoint.analysis.planet_frequencies import planetary_frequencies
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import ISO_EX1, json_of, written
 from tests.support.planet_gearboxes import ravigneaux
+from tests.support.planet_stages import stage_file
 
 RPM = math.pi / 30.0
 
@@ -153,6 +154,26 @@ def test_planet_sets_with_each_member_held(
     for gear in ("sun", "ring"):
         assert list(carrier["central"][gear]["phases"].values()) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
         assert carrier["central"][gear]["excites"] == ["rotational"] * 3
+
+
+def test_planets_on_a_fixed_carrier_are_a_set(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """No planet passes, but the phases of the meshes are those of a rotating carrier: z k/N of the sun.
+
+    51/17/85 teeth and four planets: 51 k/4 mesh cycles.
+    """
+    text = stage_file("planets: 4", mesh="backlash: {normal: 80 um}").replace(", tip_diameter: 292.5 mm", "")
+    for old, new in ((39, 17), (21, 51), (99, 85)):
+        text = text.replace(f"number_of_teeth: {old},", f"number_of_teeth: {new},")
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2", 1)
+    text = text.replace("inertia: 0.1 kg m^2, mass: 10 kg", "motion: fixed")
+    text = text.replace("body: carrier", "body: ring")
+    found = json_of(["frequencies", written(tmp_path, text), "-s", "steady"], capsys)
+    carrier = found["planet_sets"]["carrier"]
+    assert carrier["planets"] == [f"planet_{k}" for k in (1, 2, 3, 4)]
+    assert carrier["planet_pass"] == carrier["frequency"] == 0.0
+    phases = carrier["central"]["sun"]["phases"].values()
+    assert [phase % 1.0 for phase in phases] == pytest.approx([0.0, 0.75, 0.5, 0.25], abs=1e-8)
+    assert carrier["central"]["sun"]["excites"] == ["translational", "planet", "translational"]
 
 
 def test_bearings_of_a_shaft_and_of_a_planet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 
 import pytest
@@ -12,6 +11,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.geometry.shaft_solid import shaft_mass_properties
 from pitchpoint.geometry.solid_file import read_solids
 from tests.support.cli_files import TORSION, json_of, written
+from tests.support.occ import needs_occ
 
 SHAFT = """
 title: a shaft with a wheel
@@ -118,7 +118,7 @@ def test_without_occ_step_is_refused_with_the_name_of_the_extra(tmp_path: Path, 
     assert not target.exists()
 
 
-@pytest.mark.skipif(importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed")
+@needs_occ
 def test_step_files_come_from_the_command_line(tmp_path: Path, capsys) -> None:
     file = written(tmp_path, SHAFT)
     for what, name in (("--gear", "wheel"), ("--shaft", "axle")):

@@ -22,7 +22,8 @@ def test_library_has_the_kinds_that_gears_are_made_of() -> None:
 
 def test_steel_is_the_one_of_the_standard() -> None:
     # Z_E = sqrt(E / (2 pi (1 - nu^2))) = 189.8 sqrt(N/mm^2) for steel on steel (ISO 6336-2)
-    z_e = math.sqrt(material("steel").plane_strain_modulus / (2.0 * math.pi)) * 1e-3
+    steel = material("steel")
+    z_e = math.sqrt(steel.youngs_modulus / (2.0 * math.pi * (1.0 - steel.poisson_ratio**2))) * 1e-3
     assert z_e == pytest.approx(189.812, abs=1e-3)
 
 

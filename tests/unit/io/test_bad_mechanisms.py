@@ -175,7 +175,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a tensor of no mass": (
         [("[2e-4, 1.1e-3, 1.2e-3,", "[2e-4, 1.1e-3, 2e-3,")],
         "bodies.crank.inertia_tensor",
-        "is not physically possible",
+        "are not physically possible",
     ),
     "a tensor of five": (
         [("1.2e-3, 0, 0, 0]", "1.2e-3, 0, 0]")],

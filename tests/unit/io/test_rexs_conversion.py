@@ -123,7 +123,10 @@ def test_the_centre_distance_wins_over_a_placeholder(tmp_path):
         found.model.pairs["cylindrical_stage_13"].gear2.x == plain.model.pairs["cylindrical_stage_13"].gear2.x
     )
     (default,) = rows(plain, "default", "addendum_modification_coefficient")
-    assert default.reason == "from the centre distance 69.3 mm of cylindrical_stage 13 (cylindrical_stage 13)"
+    assert default.reason == (
+        "from the centre distance 69.3 mm of cylindrical_stage 13 (cylindrical_stage 13), "
+        "cylindrical_gear_7 / cylindrical_gear_8"
+    )
 
 
 def test_without_any_profile_shift_gear_1_has_none(tmp_path):

@@ -87,6 +87,21 @@ def test_stepped_planets_at_unequal_angles(tmp_path):
     assert ratio == pytest.approx(1.0 + 39 * 78 / (21 * 18))
 
 
+def test_planets_keep_their_linear_and_rolling_bearings(tmp_path):
+    """A linear bearing at the middle of each planet, and a needle bearing 15 mm from it."""
+    pins = "".join(
+        f"  pin_{k}: {{ends: [carrier, planet_{k}], position: [0, 0, 15 mm], designation: NA4906}}\n"
+        for k in (1, 2, 3)
+    )
+    text = STEPPED.replace("ANGLES", "[0 deg, 120 deg, 240 deg]").replace("    PINS\n", "")
+    found = foreign(loads_model(text.replace("loads:\n", f"rolling_bearings:\n{pins}loads:\n")), tmp_path)
+    (stage,) = found.model.planetary_stages.values()
+    matrix = stage.bearing.stiffness.matrix6()
+    assert [matrix[i][i] for i in (0, 2, 3)] == pytest.approx([4e8, 1e8, 1e5])
+    places = [b.position[2] for b in found.model.rolling_bearings.values()]
+    assert places == pytest.approx([0.015] * 3)
+
+
 def test_steps_that_do_not_fit_are_oriented_at_their_assembly(tmp_path):
     """Planets at 0, 100.1 and 230 deg fit only with their own orientation of the steps."""
     text = STEPPED.replace("position: 30 mm, ring: ring,", "position: 30 mm, ring: ring, fitted: true,")

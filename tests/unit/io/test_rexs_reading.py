@@ -17,7 +17,7 @@ from pitchpoint.io.rexs import tables
 from pitchpoint.io.rexs.reading import read_rexs, version_of
 from pitchpoint.io.rexs.units import UNITS, unit_of
 from tests.support.rexs_files import GEARBOX, as_json
-from tests.support.rexs_samples import samples
+from tests.support.rexs_samples import needs_samples, samples
 
 
 def read(tmp_path, text, name="unit.rexs"):
@@ -33,12 +33,10 @@ def one(tmp_path, attributes, kind="cylindrical_gear", version="1.4"):
 
 
 # --- the tables against the official files ------------------------------------------------------------------
+@needs_samples
 def test_tables_are_those_of_the_schemas_and_change_logs():
     """Every id of a schema is found with its number and unit; every renamed one has the new id of the log."""
-    folder = samples()
-    if folder is None:
-        pytest.skip("the REXS schemas (shared/data/rexs) are not next to the repository")
-    spec = folder.parent / "spec"
+    spec = samples().parent / "spec"
     for version in tables.VERSIONS:
         with gzip.open(spec / f"rexs_schema_{version}.xml.gz") as file:
             root = ElementTree.parse(file).getroot()

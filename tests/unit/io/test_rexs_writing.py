@@ -7,6 +7,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -19,7 +20,7 @@ from pitchpoint.io.rexs.reading import read_rexs
 from pitchpoint.io.rexs.writing.text import rexs_bytes
 from pitchpoint.io.yaml_model import loads_model
 from tests.support.rexs_files import GEARBOX
-from tests.support.rexs_samples import sample, samples
+from tests.support.rexs_samples import needs_samples, sample, samples
 
 INDUSTRIAL, PLANETARY = (
     "FVA-Industriegetriebe_2stufig_1-4.rexs",
@@ -219,13 +220,10 @@ def test_rigid_bodies_keep_their_mass_and_motion(given, motion, tmp_path):
         assert getattr(one, key) == pytest.approx(getattr(two, key)), key
 
 
+@needs_samples
 def test_json_files_agree_with_the_published_schema():
     """The schema is that of the versions before 2.0.0, with two numbers in the version."""
-    jsonschema = pytest.importorskip("jsonschema")
-    folder = samples()
-    if folder is None:
-        pytest.skip("the REXS schema is not next to the repository")
-    schema = json.loads((folder.parent / "spec" / "rexs-file.json").read_text(encoding="utf-8"))
+    schema = json.loads((samples().parent / "spec" / "rexs-file.json").read_text(encoding="utf-8"))
     rexs = export_rexs(loads_model(MACHINE), "1.7").rexs
     jsonschema.validate(json.loads(rexs_bytes(rexs, "json")), schema)
 

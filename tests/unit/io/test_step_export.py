@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 
 import pytest
@@ -18,10 +17,9 @@ from pitchpoint.geometry.solid_mass import round_inertia
 from pitchpoint.io.gear_export import export_gear, export_shaft
 from pitchpoint.io.step_export import gear_step
 from pitchpoint.io.target import OutputError
+from tests.support.occ import needs_occ
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed"
-)
+pytestmark = needs_occ
 
 SPUR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
 GEARS = {

@@ -71,7 +71,7 @@ def test_components_of_python_name_materials_of_their_model():
         ("  light:", "  steel:", "materials.steel (line 4): is a material of the library"),
         ("70 GPa", "70 GP", "'GP' is not the unit of a stress or modulus"),
         ("0.33", "0.5", "materials.light.poisson_ratio (line 4): 0.5 is out of range"),
-        ("density: 2700 kg/m^3", "rho: 2700", "materials.light.density (line 4): is missing"),
+        ("density: 2700 kg/m^3", "rho: 2700", "rho (line 4): is an unknown key; did you mean density?"),
     ],
 )
 def test_wrong_materials_are_refused(old, new, words):

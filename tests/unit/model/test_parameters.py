@@ -80,7 +80,9 @@ def test_a_plain_quantity_is_the_same_number_as_a_parameter_and_as_a_value():
         text = MODEL.replace("face_width: width,", f"face_width: {written},")
         alone = loads_model(text).gears["pinion"].face_width
         named = loads_model(
-            MODEL.replace("gap: 40 um", f"gap: {written}").replace("face_width: width,", "face_width: gap,")
+            MODEL.replace("gap/2", "20 um")
+            .replace("gap: 40 um", f"gap: {written}")
+            .replace("face_width: width,", "face_width: gap,")
         )
         named = named.gears["pinion"].face_width
         assert alone == named

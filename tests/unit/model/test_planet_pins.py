@@ -60,6 +60,17 @@ WRONG = {
 }
 
 
+def test_values_are_replaced_in_a_model_of_a_relative_path(tmp_path, monkeypatch):
+    """The file of the elastic carrier is in the folder of the model, not in the working folder."""
+    (tmp_path / "rig").mkdir()
+    written(tmp_path / "rig")
+    monkeypatch.chdir(tmp_path)
+    model = load_model("rig/model.yaml")
+    changed = model.replace("loads.motor.torque", "500 N m").replace("elastic_bodies.carrier.modes", 26)
+    assert changed.elastic_bodies["carrier"].file == model.elastic_bodies["carrier"].file
+    assert len(find_modes(compile_model(changed)).frequency) > 26
+
+
 @pytest.mark.parametrize("case", WRONG)
 def test_wrong_pins_are_told(tmp_path, case):
     changes, words = WRONG[case]

@@ -19,6 +19,7 @@ from pitchpoint.report.masses import masses
 from pitchpoint.solvers.modal import solve_modal
 from pitchpoint.system.compile import compile_model
 from tests.support import stl
+from tests.support.occ import needs_occ
 
 A, B, C = 0.3, 0.2, 0.1
 """Sides of the box [m]."""
@@ -333,7 +334,7 @@ def test_without_occ_a_model_with_step_says_which_extra(folder: Path, monkeypatc
         model_of(folder, MODEL.replace("gear.stl, unit: 1 mm", "gear.step"))
 
 
-@pytest.mark.skipif(importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed")
+@needs_occ
 def test_a_gear_from_its_own_step_file_has_its_own_mass(folder: Path) -> None:
     from pitchpoint.io.gear_export import export_gear
 

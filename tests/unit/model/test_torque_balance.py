@@ -275,6 +275,25 @@ def test_equal_parallel_paths_share_equally() -> None:
     assert "as if equally stiff" in flow["notes"][-1]
 
 
+def test_parallel_couplings_share_equally_and_their_shares_are_noted() -> None:
+    """Shaft and hub joined by a fit and a key, as two joints of a file of another maker."""
+    text = f"""
+gears: {{a: {gear(20)}, b: {gear(40)}}}
+bodies: {{hub: {{gears: [a]}}, shaft: {{inertia: 0.1 kg m^2}}, two: {{gears: [b]}}}}
+meshes: {{ab: {{gears: [a, b]}}}}
+couplings:
+  fit: {{bodies: [shaft, hub], stiffness: {{torsion: 1e7 N m/rad}}}}
+  key: {{bodies: [shaft, hub], stiffness: {{torsion: 1e7 N m/rad}}}}
+loads: {{motor: {{body: shaft, torque: 90 N m}}, machine: {{body: two, torque: balance}}}}
+scenarios: {{run: {{speed: {{shaft: 600 rpm}}, duration: 1 s}}}}
+"""
+    flow = flow_of(loads_model(text))
+    for coupling in ("fit", "key"):
+        assert abs(flow["links"][coupling]["torques"][0]) == pytest.approx(45.0, rel=EXACT)
+    assert torques(flow)["machine"] == pytest.approx(180.0, rel=EXACT)
+    assert any("fit" in note and "key" in note and "as if equally stiff" in note for note in flow["notes"])
+
+
 def test_several_outputs_and_an_unloaded_branch() -> None:
     text = f"""
 gears: {{a: {gear(20)}, b: {gear(40)}, c: {gear(30)}, d: {gear(25)}}}

@@ -18,11 +18,9 @@ from pitchpoint.report.scene.cad_files import MAX_TRIANGLES, fewer_triangles
 from pitchpoint.report.scene.rest import rest_scene
 from pitchpoint.report.scene.shapes import turned_profile
 from pitchpoint.viz.scene.file import scene_texts
+from tests.support.occ import needs_occ
 from tests.support.scene_reader import Seen
 
-needs_occ = pytest.mark.skipif(
-    importlib.util.find_spec("OCP") is None, reason="OCC (the extra cad) is not installed"
-)
 MODEL = """
 bodies: {{part: {{motion: free, position: [1 m, 0, 0], solid: {{{solid}}}}}}}
 bushings:

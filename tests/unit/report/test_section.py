@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import xml.etree.ElementTree as ET
 from itertools import combinations
 from pathlib import Path
@@ -17,13 +16,13 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.target import SVG_MARK
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.model import Model
-from pitchpoint.report.film import BROWSERS
 from pitchpoint.report.pictures import plot
 from pitchpoint.report.section.build import gearbox_drawing, section_of
 from pitchpoint.report.section.transverse import transverse_of
 from pitchpoint.report.static_power import static_powers
 from pitchpoint.viz.label_placement import LETTER
 from pitchpoint.viz.section_content import Section, SectionAxis
+from tests.support.browser import needs_browser
 from tests.support.planet_gearboxes import simpson
 
 HOUSE = Path(__file__).parents[3]
@@ -279,11 +278,9 @@ bearings: {seat: {body: one, stiffness: {radial: 1e8}}}
     assert "m_1 and m_2" in str(gearbox_drawing(loads_model(PAIR + housing)))
 
 
+@needs_browser
 def test_drawings_as_pdf(tmp_path: Path) -> None:
     """One page in the size of the drawing, at 96 pixels per inch; a PDF of another program is kept."""
-    pytest.importorskip("playwright", reason="Playwright is not installed")
-    if not any(map(shutil.which, BROWSERS)):
-        pytest.skip("no browser")
     file, target = tmp_path / "model.yaml", tmp_path / "box.pdf"
     file.write_text(PAIR)
     for _ in range(2):  # replaces its own

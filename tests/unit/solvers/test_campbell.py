@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import pitchpoint as pp
-from pitchpoint.analysis.campbell import campbell_crossings
 from pitchpoint.core.errors import SolverError
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.system.system import assemble
 from tests.support.beams import nodes, shaft, supports
 from tests.support.machines import compiled, pair
+from tests.support.synchronous import synchronous_speeds
 
 M, I_P, I_T = 3.0, 0.02, 0.012
 K_1, K_2, A, B = 2e7, 5e7, 0.05, 0.12
@@ -102,10 +102,11 @@ def test_whirl_and_critical_speeds_of_a_rotor_on_a_beam():
     lateral = [
         c for c in range(found.frequency.shape[1]) if 0 < found.frequency[0, c] * 2 * math.pi < 1.01 * root[0]
     ]
-    crossings = campbell_crossings(speeds, found.frequency[:, lateral], [1.0])
     critical = [math.sqrt(k / mass)] * 2 + [math.sqrt(k_t / (i_t + s * i_p)) for s in (1.0, -1.0)]
     # straight lines between speeds 25 rad/s apart
-    assert sorted(c.speed for c in crossings) == pytest.approx(sorted(critical), rel=2e-4)
+    assert synchronous_speeds(speeds, found.frequency[:, lateral]) == pytest.approx(
+        sorted(critical), rel=2e-4
+    )
 
 
 CANTILEVER = """\

@@ -17,7 +17,7 @@ from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.law_fit import fit_analytic_law
 from pitchpoint.solvers.contact_analysis.levels import compare_levels
-from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts, solve_contacts_on_shafts
+from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.contact_files import fzg
@@ -124,9 +124,8 @@ def test_numbers_of_positions_that_are_refused(positions: object, tmp_path: Path
     for analyse in (solve_contact, compare_levels):
         with pytest.raises(SolverError, match=r"positions: .* is out of range \(limit 4 to 100000\); give a"):
             analyse(model, torque=5.0, positions=positions)
-    for on_shafts in (solve_contact_on_shafts, solve_contacts_on_shafts):
-        with pytest.raises(SolverError, match="positions: "):
-            on_shafts(model, positions=positions)
+    with pytest.raises(SolverError, match="positions: "):
+        solve_contacts_on_shafts(model, positions=positions)
 
 
 @pytest.mark.parametrize("flank", [0, 2, "front", "back", True, 1.0, None])

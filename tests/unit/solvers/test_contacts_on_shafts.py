@@ -9,7 +9,7 @@ from pitchpoint.core.errors import SolverError, split_notes
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts, solve_contacts_on_shafts
+from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
 from pitchpoint.solvers.contact_analysis.torque_balance import torque_of_train
 from tests.support.contact_trains import double_helical, planets, two_stages
 from tests.support.planet_stages import stage_file
@@ -28,7 +28,7 @@ def test_every_mesh_is_that_of_its_own_analysis(gearbox):
     model, found = gearbox
     assert list(found.meshes) == ["fast", "slow"]
     for name, data in found.meshes.items():
-        alone = solve_contact_on_shafts(model, name, positions=N)
+        alone = solve_contacts_on_shafts(model, [name], positions=N).meshes[name]
         for key, values in alone.variables.items():
             assert np.array_equal(values, data[key], equal_nan=values.dtype.kind == "f"), key
 

@@ -39,18 +39,21 @@ loads:
   input: {body: driver, torque: 200 N m}
   output: {body: driven, torque: balance}
 scenarios:
-  steady: {speed: {driver: SPEED rpm}, duration: LAST s, settle_time: 0.8 s, sample_rate: RATE Hz}
+  steady: {speed: {driver: SPEED rpm}, duration: LAST s, settle_time: 0.35 s, sample_rate: RATE Hz}
 """
 OUTPUTS = ["bearing_force[left.fy]", "bearing_force[mount.fy]", "acceleration[housing.uy]"]
 
 
 def by_time(speed: int, harmonics: int, box: str = BOX, outputs: list[str] = OUTPUTS[:2]):
-    """Peak amplitudes of the mesh orders of bearing forces in a settled run, shape (harmonics, outputs)."""
+    """Peak amplitudes of the mesh orders of bearing forces in a settled run, shape (harmonics, outputs).
+
+    The slowest vibration, of the housing on its mount at 140 Hz with 4 % damping, decays to 1e-6 in 0.35 s.
+    """
     mesh = Fraction(30 * speed, 60)
-    periods = round(0.3 * float(mesh))
+    periods = round(0.1 * float(mesh))
     rate, length = 64 * mesh, periods / mesh
     text = box.replace("SPEED", str(speed)).replace("RATE", str(float(rate)))
-    model = loads_model(text.replace("LAST", str(0.8 + float(length))))
+    model = loads_model(text.replace("LAST", str(0.35 + float(length))))
     found = solve_time(compile_model(model, "steady"))
     angle = 2.0 * np.pi * np.arange(64 * periods) / 64
     rows = np.array([found[name].values[-angle.size :] for name in outputs])

@@ -12,11 +12,13 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_study
+from pitchpoint.model.reading.plan import model_path
 from pitchpoint.sweep.study.check import Study, check_study
 from pitchpoint.sweep.study.design import cases_of, count_of
 from pitchpoint.sweep.study.factors import Number
 from pitchpoint.sweep.study.remarks import remarks
-from pitchpoint.sweep.study.run import key_maker, model_path
+from pitchpoint.sweep.study.run import key_maker
+from pitchpoint.sweep.study.run_study import run_study
 from tests.support.model_files import TORSIONAL_PAIR
 from tests.support.study_files import FREQUENCY, INERTIAS, SERIES, written
 
@@ -314,6 +316,23 @@ def test_backlash_that_does_not_follow_the_centre_distance_is_a_remark(tmp_path:
     assert given[0].startswith("samples (line 4): 12 is not a power of two") and "write 8 or 16" in given[0]
     assert "not its backlash: it is given; remove backlash" in given[1]
     assert len(follows) == 1
+
+
+def test_a_profile_shift_that_follows_a_varied_centre_distance_is_noted(tmp_path: Path) -> None:
+    """x at 150.1 mm: (inv alpha_wt - inv alpha) (z_1 + z_2)/(2 tan alpha), in the stored notes."""
+    shifted = TORSIONAL_PAIR.replace(", profile_shift_coefficient: 0}", "}", 1)
+    text = (
+        "model: model.yaml\nevaluate: equilibrium\nsampling: full_factorial\nsamples: 2\nfactors:\n"
+        "  a: {type: levels, path: meshes.stage.center_distance, values: [150 mm, 150.1 mm]}\n"
+        "results:\n  force: {channel: 'mesh_force[stage]'}\n"
+    )
+    data = run_study(written(tmp_path, text, shifted))
+    (note,) = [note for note in data.attrs["notes"] if "profile shift" in note]
+    assert note.startswith("factors.a (line 6): also changes the profile shift of g1")
+    alpha = np.radians(20.0)
+    working = np.arccos(np.cos(alpha) * 150.0 / 150.1)
+    x = 100.0 * (np.tan(working) - working - np.tan(alpha) + alpha) / (2.0 * np.tan(alpha))
+    assert f"to {x:.4g} from" in note
 
 
 def test_whole_numbers_have_levels(tmp_path: Path) -> None:

@@ -270,7 +270,7 @@ housing:
 @pytest.mark.parametrize(
     ("text", "old", "new", "words"),
     [
-        (RIGID, "  mounts:", "  feet:", "housing.mounts"),
+        (RIGID, "  mounts:", "  feet:", "housing.feet (line 13): is an unknown key; did you mean mounts?"),
         (RIGID, "  mass: 12 kg\n", "", "have no effect on a housing that is ground"),
         (
             RIGID,
@@ -279,7 +279,7 @@ housing:
             "a housing on mounts tilts",
         ),
         (RIGID, "bearings:", "  housing: {inertia: 1}\nbearings:", "needs the name housing"),
-        (RIGID, "0.2, 0.3, 0.25", "0.2, 0.3, 0.9", "is not physically possible"),
+        (RIGID, "0.2, 0.3, 0.25", "0.2, 0.3, 0.9", "are not physically possible"),
         (
             BEAM + BODY,
             "body: case}",

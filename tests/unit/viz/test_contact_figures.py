@@ -14,7 +14,7 @@ from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.analysis.flank_contact.root_stress import root_stress_of_tooth
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
-from pitchpoint.viz.contact_page import contact_page
+from pitchpoint.viz.contact_page import contacts_page
 from pitchpoint.viz.contact_plots import (
     plot_along_path,
     plot_flank_pattern,
@@ -164,7 +164,7 @@ def test_many_torques_share_few_curves() -> None:
 
 
 def test_page(spur: xr.Dataset) -> None:
-    text = contact_page(spur, "failed: no contact state")
+    text = contacts_page({"stage": spur}, "failed: no contact state", gears={"stage": {}})
     assert "<title>FZG type C: tooth contact</title>" in text
     assert 'role="note">failed: no contact state' in text
 

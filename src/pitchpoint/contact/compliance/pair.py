@@ -125,7 +125,7 @@ def pair_slice(
     )
     depths = tuple(contact_depth(part, rho, beta_b) for part, rho in zip(parts, rhos, strict=True))
     radius = flank_radius(rho_1, pair.T1T2, beta_b)
-    approach = line_contact(line_load, radius, (depths[0], depths[1]), bodies).approach
+    approach = line_contact(line_load, radius, (depths[0], depths[1]), bodies)
     teeth = tuple(part.own(rho, rho) for part, rho in zip(parts, rhos, strict=True))
     return PairSlice(
         (teeth[0], teeth[1]),

@@ -28,7 +28,6 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.eccentricity import arms_of, damping_blocks, tangent_blocks
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.elements.mesh.record import RECORD
-from pitchpoint.elements.mesh.rim_room import GROUP, ROOM, ROOM_BYTES, hidden, put3
 from pitchpoint.elements.mesh.rim_tangents import (
     follow_forces,
     follow_rates,
@@ -38,6 +37,7 @@ from pitchpoint.elements.mesh.rim_tangents import (
     to_bodies,
     to_coordinates,
 )
+from pitchpoint.elements.mesh.rim_workspace import GROUP, WORKSPACE, WORKSPACE_BYTES, hidden, put3
 from pitchpoint.elements.wrench import angular_velocity
 from pitchpoint.multibody.channels import CTL, F8, FRAME
 from pitchpoint.multibody.vectors import add, column, cross, dot, plus, times, triple
@@ -179,9 +179,9 @@ def bend_rim(here, at, _):
     b = view(here, 1, RECORD)[0]
     ctl = view(at, 1, CTL)[0]
     where = pooled(b, b["rim"])
-    w = view(where, 1, ROOM)[0]
+    w = view(where, 1, WORKSPACE)[0]
     own = view(b["request"]["fr"], 2, FRAME)
-    terms = view(where + ROOM_BYTES, (w["rows"], 5), F8)
+    terms = view(where + WORKSPACE_BYTES, (w["rows"], 5), F8)
     c, s = _place(b, w, own[0], own[1])
     _shapes(b, w, terms, c, s)
     _into_world(b, w, column(own[1]["R"], 2))
@@ -215,7 +215,7 @@ def release_rim(here, at, _):
     """Bring wrenches and tangents of the teeth to the frames of both gears and to the coordinates."""
     b = view(here, 1, RECORD)[0]
     ctl = view(at, 1, CTL)[0]
-    w = view(pooled(b, b["rim"]), 1, ROOM)[0]
+    w = view(pooled(b, b["rim"]), 1, WORKSPACE)[0]
     own = view(b["request"]["fr"], 2, FRAME)
     fr = view(ctl["fr"], ctl["nb"], FRAME)
     ways = 12 + b["n_rim"]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.mesh.eccentricity import swing_rate
-from pitchpoint.elements.mesh.rim_room import GROUP, put3
+from pitchpoint.elements.mesh.rim_workspace import GROUP, put3
 from pitchpoint.multibody.vectors import add, cross, dot, plus, times, triple, unit
 
 

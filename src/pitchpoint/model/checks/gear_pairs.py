@@ -14,6 +14,10 @@ from pitchpoint.model.checks.tooth_faults import check_faults
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 
+DEFLECTION = 0.1
+"""Interference of the flanks without load, over the normal module, that no pair of teeth takes by its
+deflection: teeth of steel deflect by about 0.01 m_n under their rated load, of plastics by 0.1 m_n."""
+
 if TYPE_CHECKING:
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.geometry.gear_pair import GearPair
@@ -178,6 +182,34 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+        if ("meshes", name, "backlash") not in report.tainted:
+            _check_backlash(name, mesh, pair, report)
+
+
+def _check_backlash(name: str, mesh: Mesh, pair: GearPair, report: Reader) -> None:
+    """Report teeth that interfere by more than they can deflect, and a backlash larger than the pitch."""
+    found = gap(pair, mesh)
+    least, most = -DEFLECTION * pair.gear1.m_n, pair.p_et
+    if least <= found <= most:
+        return
+    low, high, size = (f"{1e3 * value:.4g} mm" for value in (least, most, found))
+    given = mesh.backlash is not None
+    cure = (
+        "correct backlash or its unit"
+        if given
+        else "correct center_distance, or profile shifts and allowances"
+    )
+    report.problem(
+        ("meshes", name, "backlash" if given else "center_distance"),
+        "is the backlash along the base tangent: "
+        + (
+            "the teeth interfere by more than they can deflect" if found < least else "no teeth would be left"
+        ),
+        value=size,
+        limit=f">= {low}, {DEFLECTION:g} m_n" if found < least else f"<= {high}, the base pitch",
+        remedy=f"{cure}; usual is a backlash of 0.02 to 0.1 m_n",
+        taint=False,
+    )
 
 
 def pair_at_distance(parts: Parts, name: str, distance: float, report: Reader) -> None:

@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.contact.lubricant import LIGHTEST, squeeze_rate
+from pitchpoint.contact.lubricant import GRADES, LIGHTEST, squeeze_rate
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import Place
 from pitchpoint.model.load_cases import oil_of
@@ -16,8 +16,11 @@ from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.components.lubricant import Lubricant
 
 KEY = "lubricant"
+TOLERANCE = 0.1
+"""Deviation of the viscosity of an oil from that of its grade (ISO 3448)."""
 KEYS = ("viscosity_at_40_degree_celsius", "viscosity_at_100_degree_celsius")
 
 
@@ -35,6 +38,8 @@ def check_lubricant(parts: Parts, report: Reader) -> None:
             remedy="give both viscosities, or a grade such as ISO VG 320",
         )
         return
+    if oil.grade is not None and KEYS[0] not in missing:
+        _contradiction(oil, (*at, KEYS[0]), report)
     at_40, at_100 = oil.viscosities
     shown = [format_quantity(nu, "kinematic_viscosity") for nu in (at_40, at_100)]
     if not at_100 < at_40:
@@ -49,6 +54,21 @@ def check_lubricant(parts: Parts, report: Reader) -> None:
         report.problem(
             (*at, KEYS[1]), "is too low for the Walther equation", value=shown[1], limit="> 1.4 mm^2/s"
         )
+
+
+def _contradiction(oil: Lubricant, at: Place, report: Reader) -> None:
+    """Report a viscosity at 40 °C that the grade does not have."""
+    own, usual = float(oil.viscosity_at_40_degree_celsius or 0.0), GRADES[str(oil.grade)][0]
+    if abs(own - usual) <= (TOLERANCE + 1e-9) * usual:
+        return
+    low, high = (format_quantity(usual * (1.0 + sign * TOLERANCE), "kinematic_viscosity") for sign in (-1, 1))
+    report.problem(
+        at,
+        f"contradicts the grade {oil.grade}",
+        value=format_quantity(own, "kinematic_viscosity"),
+        limit=f"{low} to {high}",
+        remedy="correct one of them, or remove grade",
+    )
 
 
 def settle_oil_films(parts: Parts, report: Reader) -> None:

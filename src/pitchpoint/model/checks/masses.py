@@ -66,7 +66,7 @@ def _tensor(body: Body, at: Place, report: Reader) -> None:
     if least < -1e-6 * most or least + middle < most * (1.0 - 1e-4):
         report.problem(
             at,
-            "is not physically possible",
+            "are not physically possible",
             value=f"principal moments {least:.6g}, {middle:.6g}, {most:.6g} kg m^2",
             limit="none negative, none above the sum of the other two",
             remedy="check the order Ixx, Iyy, Izz, Ixy, Iyz, Izx, the units and the signs of the products",
@@ -91,6 +91,9 @@ def check_motions(parts: Parts, report: Reader) -> None:
 def _inertia(parts: Parts, name: str, report: Reader) -> None:
     """Check the mass and inertia of one body that its motion requires."""
     body = parts.bodies[name]
+    if body.moves == "joint" and asks_gears(body) and _readable(parts, body, report):
+        for gear in (*body.gears, *body.bevel_gears):
+            _has_inertia(parts, gear, report)
     if body.moves == "joint" or not body.is_round or body.elastic is not None:
         return  # checked with the mechanism; elastic bodies have the mass of their file
     needed = [k for k in INERTIAS[body.moves] if ("bodies", name, k) not in report.tainted]

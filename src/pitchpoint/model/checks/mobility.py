@@ -204,7 +204,7 @@ def check_inertia(parts: Parts, report: Reader) -> None:
     for name, value in diagonal:
         if not value > least:
             _report(parts, name, report)
-    if not all(value > least for _, value in diagonal):
+    if not all(value > least for _, value in diagonal) or _spins_without_inertia(parts):
         return
     shares = {name: abs(rate) * math.sqrt(inertia[name]) for name, rate in yielding(links)}
     involved = [n for n, s in shares.items() if s > 0.1 * max(shares.values())]
@@ -217,6 +217,18 @@ def check_inertia(parts: Parts, report: Reader) -> None:
     )
 
 
+def _spins_without_inertia(parts: Parts) -> bool:
+    """Whether a body without a joint has no polar inertia of its own, which `checks.masses` reports."""
+    bodies = [parts.bodies[name] for name, seat in parts.mechanism.seats.items() if seat.joint is None]
+    return any(
+        body.moves in ("torsion", "planar", "free")
+        and body.is_round
+        and body.elastic is None
+        and not body_inertia(body, parts.gears, parts.bevel_gears).polar > 0.0
+        for body in bodies
+    )
+
+
 def _place(parts: Parts, coordinate: str) -> tuple[str, str]:
     name = coordinate.rsplit(".", 1)[0]
     return ("joints", name) if name in parts.joints else ("bodies", name)
@@ -226,6 +238,12 @@ def _report(parts: Parts, coordinate: str, report: Reader) -> None:
     name, word = coordinate.rsplit(".", 1)
     seat = parts.mechanism.carrier(name) or parts.mechanism.seats[name]
     turn = DISPLACEMENTS.get(word) == "angle" and seat.kind != "screw"
+    body = parts.bodies[seat.body]
+    if body.stage in parts.planetary_stages:
+        key = "planet_inertia" if turn else "planet_mass"
+        what = f"is zero, but the planets {'rotate' if turn else 'move'} on their pins"
+        report.problem(("planetary_stages", body.stage, key), what, limit="> 0", remedy=f"give {key}")
+        return
     remedy = f"give {seat.body} {'inertia_tensor' if turn else 'mass'}"
     others = [n for n in parts.mechanism.cut if seat.body in {split(e)[0] for e in parts.joints[n].bodies}]
     if others and seat.joint is not None:

@@ -12,8 +12,8 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.planetary_stage import PinError
 from pitchpoint.model.frames import body_frame, place_of
 from pitchpoint.model.keys import Place
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stage_members import SECTION
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

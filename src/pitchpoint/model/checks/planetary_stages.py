@@ -12,15 +12,19 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.checks.carried_meshes import LARGEST
 from pitchpoint.model.checks.gear_pairs import pair_of
+from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.keys import Place
-from pitchpoint.model.planet_places import inner_stage
+from pitchpoint.model.planet_places import central_bodies, inner_stage
 from pitchpoint.model.planet_spacing import connected, spacing_teeth, stage_meshes
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stage_members import SECTION
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
@@ -28,6 +32,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Length up to which two distances, or two places on the circle of the pins, agree [m]."""
+RACK = ("normal_module", "normal_pressure_angle", "helix_angle")
+"""Keys in which gears in mesh agree."""
 CLEARANCE = 0.25
 """Bottom clearance of the standard basic rack over the module (ISO 53): a pin that is moved by more presses
 the tips of its planet into the roots of sun or ring."""
@@ -60,6 +66,7 @@ def check_pin_errors(parts: Parts, report: Reader) -> None:
 
 def check_spacing(parts: Parts, report: Reader) -> None:
     """Check the assembly condition of all stages, and the common centre distance of their meshes."""
+    _coaxial(parts, report)
     for chain in connected(parts):
         stages = {name: parts.planetary_stages[name] for name in chain}
         gears = [g.mate for s in stages.values() for g in s.groups if g.side != "planet"]
@@ -73,8 +80,42 @@ def check_spacing(parts: Parts, report: Reader) -> None:
             own = stage.angles is not None or inner_stage(parts, stage) is None
             if teeth and own and not _spacing(parts, (SECTION, name), stage, teeth, report):
                 report.tainted.update(("meshes", mesh) for s in stages.values() for mesh in s.meshes)
-            if stage.center_distance is None:
-                _distances(parts, (SECTION, name), stage, report)
+            if stage.center_distance is None and not _distances(parts, (SECTION, name), stage, report):
+                for mesh in stage.meshes:  # their geometry is that of either distance
+                    report.taint(("meshes", mesh, "gears"))
+
+
+def _coaxial(parts: Parts, report: Reader) -> None:
+    """Check that suns and rings with a position around one carrier are on one axis; later checks put them
+    there."""
+    given: dict[str, dict[str, tuple[Array, str, float]]] = {}
+    for name, stage in parts.planetary_stages.items():
+        for body, _ in central_bodies(parts, stage):
+            if (position := parts.bodies[body].position) is not None:
+                module = stage.planet.normal_module
+                given.setdefault(stage.carrier, {}).setdefault(body, (np.array(position), name, module))
+    for bodies in given.values():
+        axis = body_frame(parts, next(iter(bodies)))[1][:, 2]
+        across = {body: place - (place @ axis) * axis for body, (place, _, _) in bodies.items()}
+        # the axis that most of them have, the first of several
+        first = max(
+            across, key=lambda one: sum(np.allclose(at, across[one], atol=SAME) for at in across.values())
+        )
+        for body, (place, name, module) in bodies.items():
+            off = across[body] - across[first]
+            apart, limit = float(np.linalg.norm(off)), LARGEST * module
+            if apart <= limit:
+                continue
+            report.problem(
+                ("shafts" if body in parts.shafts else "bodies", body, "position"),
+                f"is off the axis of {first}, which is that of {SECTION}.{name}",
+                value=format_quantity(apart, "length", 4),
+                limit=f"{format_quantity(limit, 'length', 3)}, a tenth of a module",
+                remedy=f"put {body} on the axis of {first}",
+                taint=False,
+            )
+            x, y, z = (float(v) for v in place - off)
+            parts.bodies[body] = replace(parts.bodies[body], position=(x, y, z))
 
 
 def possible_angles(angles: tuple[float, ...], teeth: int) -> tuple[float, ...]:
@@ -139,20 +180,23 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, teeth: int, report:
     return False
 
 
-def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> None:
-    """Check that all pairs have the same centre distance if it follows from the profile shifts."""
+def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> bool:
+    """Check that all pairs have the same centre distance if it follows from the profile shifts; False if
+    not."""
     found: list[tuple[float, str]] = []
     for group in stage.groups:
         if group.side == "planet":
             continue
         gear, planet = parts.gears[group.mate], group.wheel.gear
         if gear.profile_shift_coefficient is None or planet.profile_shift_coefficient is None:
-            return
+            return True
+        if any(getattr(gear, key) != getattr(planet, key) for key in RACK):
+            return True  # reported for the pair
         pair = (gear.geometry, planet.geometry) if group.side == "sun" else (planet.geometry, gear.geometry)
         try:
             found.append((abs(pair_of(*pair, None).a_w), group.mate))
         except GeometryError:
-            return  # reported for the pair
+            return True  # reported for the pair
     (first, one), *others = found
     for other, two in others:
         if abs(other - first) > SAME:
@@ -163,6 +207,24 @@ def _distances(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -
                 f"is missing: the planets would be {other * 1e3:.7g} mm from the axis of {two}, {size} "
                 f"{what} than {first * 1e3:.7g} mm from that of {one}, both without backlash",
                 limit="a difference of 1 µm",
-                remedy=f"give center_distance: {min(first, other) * 1e3:.7g} mm, or change a profile shift",
+                remedy=_concentric(parts, stage)
+                or f"give center_distance: {min(first, other) * 1e3:.7g} mm, or change a profile shift",
             )
-            return
+            return False
+    return True
+
+
+def _concentric(parts: Parts, stage: PlanetaryStage) -> str:
+    """Remedy for tooth numbers of a simple set with which gears without profile shift are not concentric."""
+    (wheel, *steps), gears = stage.wheels, [parts.gears[g.mate] for g in stage.groups if g.side != "planet"]
+    shifts = [g.profile_shift_coefficient for g in (*gears, wheel.gear)]
+    if steps or len(gears) < 2 or any(shifts):
+        return ""
+    sun, ring = (gear.number_of_teeth for gear in gears)
+    fits = sun + 2 * wheel.gear.number_of_teeth
+    if ring == fits:
+        return ""
+    return (
+        f"correct a number of teeth: without profile shifts a ring has z_sun + 2 z_planet = {fits} teeth, "
+        f"not {ring}; or give profile shifts and center_distance"
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from numbers import Real
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components.law import AXES, Constant, PythonLaw, TableLaw
@@ -48,8 +49,8 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end", "file", "formula"):
         if key.kind == "quantity" and not isinstance(value, Real):
             report.problem(place, "is not a number", value=shown(value), remedy=f"write {example(key)}")
-        else:
-            report.value(key, value, place)
+        elif not (key.kind == "file" and isinstance(value, str) and Path(value).is_file()):
+            report.value(key, value, place)  # a file that was read is relative to the working directory
     elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
         _of_joints(key, value, place, report)
     elif key.kind in ("quantities", "names", "ends", "words", "matrix", "grid", "speeds", "gears"):

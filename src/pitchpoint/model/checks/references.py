@@ -62,7 +62,11 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader, other:
     names = parts.known(group)
     guess = did_you_mean(name, names | parts.known(other) if other else names)
     body = name.partition(".")[0]
-    if group == "bodies" and body != name and body in names:
+    if group == "bodies" and name == GROUND and at[0] == "couplings":
+        guess = "a coupling connects two bodies; use torsion_springs or bushings against ground; "
+    elif group == "bodies" and (owner := parts.body_of(name)):
+        guess = f"{name} is a gear; name its body, {owner}; "
+    elif group == "bodies" and body != name and body in names:
         guess = f"name {body} without the marker, or a body that is fixed there; "
     if group == "bodies":
         names = {n for n in names if n not in parts.bodies or not parts.bodies[n].of_housing}

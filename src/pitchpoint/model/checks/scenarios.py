@@ -14,6 +14,7 @@ from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.locked_loops import locked_loops, loop_with
 from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.planet_places import axis_bodies
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.speed_ratios import (
     SPEED_TOLERANCE,
@@ -99,8 +100,7 @@ def _engaged(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> Non
             report.problem(
                 at,
                 f"names {name}, whose capacity is zero at the start",
-                value="0 N m",
-                limit="> 0",
+                limit="> 0 N m",
                 remedy=f"give clutches.{name}.capacity its value of the engaged clutch",
             )
 
@@ -170,15 +170,21 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                 f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
                 remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
             )
+    constant = {b: d.speed.value for b, d in scenario.drive.items() if isinstance(d.speed, Constant)}
+    if scenario.engaged:  # without engaged clutches, drives may differ
+        free |= {b: speed for b, speed in constant.items() if b in parts.bodies}
     for body, fitting in start_speeds(parts, free, (), scenario.engaged)[1]:
+        place: Place = (*at, "drive", body, "speed") if body in constant else (*at, "speed", body)
+        if place in report.tainted:
+            continue  # locked
         with_clutches = f" with {listed(scenario.engaged)} engaged" if scenario.engaged else ""
         report.problem(
-            (*at, "speed", body),
+            place,
             f"does not match the gear ratio to the other given speeds{with_clutches}"
             if len(free) > 1 or not with_clutches
             else f"cannot be: the train is locked{with_clutches}",
-            value=speed_as_written(free[body], (*at, "speed", body), report),
-            limit=speed_as_written(fitting, (*at, "speed", body), report),
+            value=speed_as_written(free[body], place, report),
+            limit=speed_as_written(fitting, place, report),
             remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)"
             if not with_clutches
             else "correct it, or the clutches of engaged",
@@ -214,6 +220,9 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             if still:
                 what = f"{where} connects its gear train to {still.pop()}, which is fixed"
                 remedy = "set the speed to zero, or give the fixed body another motion"
+            elif held := _held_members(parts, link, fixed):
+                what = f"{listed(held)} of its planetary stage are fixed"
+                remedy = f"give {' or '.join(held)} another motion, or set the speed to zero"
             else:
                 what = f"{where} locks {one} and {two}: other meshes and couplings give a different ratio"
                 if loop is not None:  # one message for the whole loop
@@ -223,6 +232,14 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
                     what = f"{where} locks {one} and {two}: {own}, but {others}"
                 remedy = "correct a number of teeth, remove one link of the loop, or set the speed to zero"
             report.problem(place, f"cannot rotate {body}: {what}", remedy=remedy)
+
+
+def _held_members(parts: Parts, link: Place, fixed: set[str]) -> list[str]:
+    """Fixed members of the planetary stage of a mesh, if they leave no member free to rotate."""
+    mesh = parts.meshes.get(str(link[1])) if link[0] == "meshes" else None
+    stage = None if mesh is None else parts.planetary_stages.get(str(mesh.stage))
+    held = [] if stage is None else [body for body in axis_bodies(parts, stage) if body in fixed]
+    return held if len(held) > 1 else []
 
 
 def _time(scenario: Scenario, at: Place, report: Reader) -> None:

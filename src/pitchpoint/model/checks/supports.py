@@ -70,7 +70,7 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
     if body == part.body:
         report.problem(
             (*at, "housing"),
-            f"is the body that runs in the bearing, {body}",
+            f"is the body that runs in the bearing {at[1]}, {body}",
             remedy="name another body, or remove housing for ground",
         )
         return

@@ -20,8 +20,8 @@ from pitchpoint.model.checks.lubricant import check_lubricant, settle_oil_films
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
 from pitchpoint.model.checks.phasing import check_phasing
+from pitchpoint.model.checks.planet_clearance import check_planets
 from pitchpoint.model.checks.planet_pins import check_pin_names, check_pins
-from pitchpoint.model.checks.planet_room import check_planets
 from pitchpoint.model.checks.planetary_stages import check_pin_errors, check_spacing
 from pitchpoint.model.checks.references import check_carriers, check_places, check_references
 from pitchpoint.model.checks.scenarios import check_scenarios

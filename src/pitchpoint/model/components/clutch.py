@@ -25,6 +25,7 @@ class Clutch(Component):
         "torque capacity: friction torque at high slip, 0 when open; a quantity, a formula of t, angle, "
         "speed, {table: [[t, T], ...]}, {python: 'file.py:function', parameters: [...]}",
         dimension="torque",
+        also=("torque", "torque_capacity", "friction_torque"),
     )
     static_ratio: float = quantity(
         "dimensionless", "ratio of static to sliding friction torque", 1.0, minimum=1.0, maximum=10.0
@@ -49,6 +50,7 @@ class Clutch(Component):
         minimum=0.0,
         maximum=1.0,
         below=True,
+        sample="0.8",
     )
     damping_time: float = quantity(
         "time", "bristles: ratio of damping to stiffness of the bristles", 1e-3, minimum=0.0

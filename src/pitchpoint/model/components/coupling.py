@@ -24,6 +24,7 @@ class Coupling(Component):
         "those of the other",
         length=(2, 2),
         names="bodies",
+        also=("ends",),
     )
     position: tuple[float, float, float] = quantities(
         "length",

@@ -54,7 +54,7 @@ class RigidHousing(Component):
         length=(6, 6),
         needs="mass",
     )
-    mounts: Mapping[str, Mount] = key("components", "mounts on ground, by name", {}, of=Mount)
+    mounts: Mapping[str, Mount] = key("components", "mounts on ground, by name", {}, of=Mount, also=("feet",))
     parts: tuple[str, ...] = key("names", PARTS, (), names="bodies")
 
 
@@ -84,7 +84,9 @@ class HousingMatrix(Component):
         "time", "factor of the stiffness matrix in the damping matrix", 0.0, minimum=0.0
     )
     axes: Axes | None = component(Axes, "axes of the matrix in the world; default: those of the world")
-    feet: Mapping[str, Foot] = key("components", "feet among the nodes, by name", {}, of=Foot)
+    feet: Mapping[str, Foot] = key(
+        "components", "feet among the nodes, by name", {}, of=Foot, also=("mounts",)
+    )
     parts: tuple[str, ...] = key("names", PARTS, (), names="bodies")
 
 

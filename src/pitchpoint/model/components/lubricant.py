@@ -11,6 +11,8 @@ from pitchpoint.model.keys import choice, positive, quantity, text
 
 COLDEST, HOTTEST = 233.15, 473.15
 """Range of the temperature [K]: -40 to 200 °C."""
+THICKEST = 0.1
+"""Viscosity that no oil exceeds [m²/s]: 100 000 mm²/s, seventy times that of ISO VG 1500 at 40 °C."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,17 +24,28 @@ class Lubricant(Component):
         tuple(oil.GRADES), "viscosity grade to ISO 3448, with a viscosity index of 95", None
     )
     viscosity_at_40_degree_celsius: float | None = positive(
-        "kinematic_viscosity", "kinematic viscosity at 40 °C", None, display="of the grade"
+        "kinematic_viscosity",
+        "kinematic viscosity at 40 °C",
+        None,
+        maximum=THICKEST,
+        display="of the grade",
     )
     viscosity_at_100_degree_celsius: float | None = positive(
-        "kinematic_viscosity", "kinematic viscosity at 100 °C", None, display="of the grade"
+        "kinematic_viscosity",
+        "kinematic viscosity at 100 °C",
+        None,
+        maximum=THICKEST,
+        display="of the grade",
     )
-    density_at_15_degree_celsius: float = positive("density", "density at 15 °C", 890.0)
+    density_at_15_degree_celsius: float = quantity(
+        "density", "density at 15 °C", 890.0, minimum=500.0, maximum=2500.0, sample="890 kg/m^3"
+    )
     base: str = choice(tuple(oil.BASES), "base oil, for the pressure-viscosity coefficient", "mineral")
     pressure_viscosity: float | None = positive(
         "pressure_viscosity",
         "pressure-viscosity coefficient at the temperature",
         None,
+        maximum=1e-6,
         display="of the base oil, to ISO/TR 15144-1",
     )
     temperature: float = quantity(

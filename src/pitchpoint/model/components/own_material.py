@@ -14,7 +14,9 @@ from pitchpoint.model.keys import positive, quantity
 class OwnMaterial(Component):
     """Properties of an isotropic elastic material."""
 
-    youngs_modulus: float = positive("pressure", "modulus E")
+    youngs_modulus: float = positive(
+        "pressure", "modulus E", also=("E", "elastic_modulus", "modulus_of_elasticity")
+    )
     poisson_ratio: float = quantity(
         "dimensionless",
         "ratio of transverse to axial strain",
@@ -22,8 +24,9 @@ class OwnMaterial(Component):
         maximum=0.5,
         below=True,
         sample="0.3",
+        also=("nu", "poisson"),
     )
-    density: float = positive("density", "mass per volume")
+    density: float = positive("density", "mass per volume", also=("rho",))
 
     def named(self, name: str = "custom") -> Material:
         """The material with a name.

@@ -219,6 +219,8 @@ class PlanetaryStage(Component):
         minimum=1,
         maximum=50,
         one_of="places",
+        sample="3",
+        also=("number_of_planets",),
     )
     angles: tuple[float, ...] | None = quantities(
         "angle",

@@ -25,10 +25,15 @@ class ScissorGear(Component):
         "torque",
         "torque of the spring on the free half while both halves are in line, counter-clockwise positive; "
         "the fixed half takes its reaction",
+        sample="15 N m",
     )
-    stiffness: float = positive("torsional_stiffness", "torsional stiffness of the spring")
+    stiffness: float = positive(
+        "torsional_stiffness", "torsional stiffness of the spring", sample="40 N m/rad"
+    )
     damping: float = quantity("torsional_damping", "torsional damping of the spring", 0.0, minimum=0.0)
-    friction: float = quantity("torque", "friction torque between both halves", 0.0, minimum=0.0)
+    friction: float = quantity(
+        "torque", "friction torque between both halves", 0.0, minimum=0.0, sample="0.5 N m"
+    )
     position: float | None = quantity(
         "length",
         "position of the mid-face of the free half along the axis, from that of the fixed half",
@@ -58,4 +63,6 @@ class ScissorGear(Component):
         "stiffness of the guide of the free half on the hub; required on shafts and bodies with motion: "
         "planar or free",
     )
-    hub_damping: Damping6 | None = component(Damping6, "damping in the same directions, or a damping ratio")
+    hub_damping: Damping6 | None = component(
+        Damping6, "damping in the same directions, or a damping ratio", needs="hub_stiffness"
+    )

@@ -50,7 +50,8 @@ def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a symmetric 6x6 matrix of SI numbers."""
-    row = Key("quantities", "", dimension="dimensionless", length=(6, 6))
+    six = "six rows of six numbers in SI units"
+    row = Key("quantities", "", dimension="dimensionless", length=(6, 6), sample=six)
     rows = reader.sequence(row, data, path, lambda k, entry, at: signals.values(reader, k, entry, at))
     if rows is BAD:
         return BAD

@@ -13,6 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean, nearest
+from pitchpoint.core.unit_table import UNITS
+from pitchpoint.core.unit_table import WORDS as UNIT_WORDS
 from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import data_files, formulas
@@ -51,7 +53,9 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if data == BALANCE and key.dimension == "torque":
         return Balance()
     if isinstance(data, str) and (
-        any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
+        any(w in variables for w in _WORDS.findall(data))
+        or _CALL.search(data) is not None
+        or _has_unknown_factor(reader, data)
     ):
         return formula(reader, key, data, path, variables)
     if key.dimension == "torque" and isinstance(data, str) and _is_misspelt(reader, data):
@@ -59,6 +63,12 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(path, "is neither balance nor a torque", value=shown(data), remedy=remedy)
     value = reader.number(key, data, path)
     return BAD if value is BAD else Constant(value)
+
+
+def _has_unknown_factor(reader: Reader, text: str) -> bool:
+    """Whether a text is a product with a word that is neither a unit nor a parameter: a misspelt variable."""
+    known = {"pi", *UNITS, *UNIT_WORDS, *reader.parameters, *reader.unreadable}
+    return "*" in text and any(word not in known for word in _WORDS.findall(text))
 
 
 def _is_misspelt(reader: Reader, text: str) -> bool:

@@ -4,11 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.keys import BAD, defaults_of, keys_of
 from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.dataset_plan import DatasetPlan
+    from pitchpoint.model.study_plan import StudyPlan
 
 
 def check_mapping(data: Any, reader: Reader, file: str | None) -> None:
@@ -40,6 +45,21 @@ def plan_values(
         if value is not BAD:
             values[name] = value
     return values
+
+
+def model_path(plan: DatasetPlan | StudyPlan) -> Path:
+    """Model file of a plan.
+
+    Raises
+    ------
+    ModelError
+        If it does not exist.
+    """
+    path = Path(str(plan.file or "")).parent / plan.model
+    if not path.is_file():
+        remedy, line = "give the path relative to the plan", plan.lines.get(("model",))
+        raise ModelError([Message("model", "file not found", str(path), None, remedy, line)], plan.file)
+    return path
 
 
 def in_order(problems: list[Message]) -> list[Message]:

@@ -65,7 +65,7 @@ def _remedy(reader: Reader, key: Key, data: Any, value: float) -> str:
         for name in WORDS.findall(data):
             if found := said_of(reader, ("parameters", name)):
                 return f"{name}: {found}"
-        if key.dimension in SI and is_without_unit(reader, key, data):
+        if key.dimension in SI.keys() & USUAL.keys() and is_without_unit(reader, key, data):
             return (
                 f"a formula without unit is in {SI[key.dimension]}; multiply it by 1 {USUAL[key.dimension]}"
             )

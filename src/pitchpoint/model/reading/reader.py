@@ -29,15 +29,13 @@ from pitchpoint.model.reading import (
     signals,
 )
 from pitchpoint.model.reading.bare_numbers import Bare
-from pitchpoint.model.show import dotted, entries, example, shown
+from pitchpoint.model.show import as_list, as_mapping, dotted, entries, example, shown
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
 
 MANY = 1000
 """Length of lists from which the limit is not stated."""
-NAMES = ("names", "words", "gears", "ends")
-"""Kinds of keys whose value is a list of names."""
 WHOLE = ("list", "tooth_profile")
 """Kinds of keys whose components have no path of their own in `Model.replace`."""
 
@@ -139,19 +137,17 @@ class Reader:
         if not isinstance(data, Mapping):
             if hasattr(data, "__dataclass_fields__"):
                 return python_parts.wrong_type(self, data, (cls,), path)
-            wanted = ", ".join(keys_of(cls))
-            return self.problem(
-                path, "is not a mapping", value=shown(data), remedy=f"possible keys: {wanted}"
-            )
+            return self.problem(path, "is not a mapping", value=shown(data), remedy=as_mapping(cls, data))
         keys, defaults = keys_of(cls), defaults_of(cls)
-        self.unknown(data, keys, path)
+        meant = self.unknown(data, keys, path)
         values: dict[str, Any] = {}
         usable = True
         for name, description in keys.items():
             if name not in data:
                 if name not in defaults:
                     usable = False
-                    self.missing(path, name, description)
+                    if name not in meant:
+                        self.missing(path, name, description)
                 continue
             value = data[name]
             if value is None and name in defaults and defaults[name] is None:
@@ -173,14 +169,18 @@ class Reader:
             (*path, name), f"is missing: {description.meaning}", remedy=f"add {name}: {example(description)}"
         )
 
-    def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
-        """Report unknown keys, with the nearest spelling."""
-        known = set(allowed)
+    def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> set[str | None]:
+        """Report unknown keys, with the nearest spelling; returns the keys that they probably mean."""
+        known, meant = set(allowed), set()
         for name in data:
             if name not in known:
                 near, remedy = remedy_for_key(name, allowed, cut=data[name] is None)
                 taint = near is not None and near not in data
                 self.problem((*path, str(name)), "is an unknown key", remedy=remedy, taint=taint)
+                meant.add(near)
+                if taint:
+                    self.taint((*path, str(near)))
+        return meant
 
     def value(self, description: Key, data: Any, path: Place) -> Any:
         """Read the value of one key by its kind."""
@@ -268,12 +268,7 @@ class Reader:
         """Read a list entry by entry and check its length."""
         low, high = description.length
         if not isinstance(data, list | tuple):
-            remedy = f"write {example(description)}"
-            if isinstance(data, str) and description.kind in NAMES and low <= 1:
-                remedy = f"write [{data.strip()}]"
-            if description.length == (3, 3) and description.dimension == "length" and isinstance(data, str):
-                remedy = f"write [x, y, z], such as [0, 0, {data[:20]}] on the z axis"
-            limit = entries(low, high) if high < MANY else None
+            limit, remedy = entries(low, high) if high < MANY else None, as_list(description, data)
             return self.problem(path, "is not a list", value=shown(data), limit=limit, remedy=remedy)
         if not low <= len(data) <= high:
             limit, has = entries(low, high, len(data)), f"has {entries(len(data), len(data))}"
@@ -315,7 +310,8 @@ class Reader:
     def nested_names(self, description: Key, data: Any, path: Place) -> Any:
         """Read a mapping of names to components; unreadable components are omitted."""
         if not isinstance(data, Mapping):
-            return self.problem(path, "is not a mapping of names", value=shown(data))
+            remedy = "give every component a name: NAME: {...}"
+            return self.problem(path, "is not a mapping of names", value=shown(data), remedy=remedy)
         out = {}
         for name, entry in data.items():
             if self.good_name(name, path, description.dotted):

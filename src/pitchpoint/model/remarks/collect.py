@@ -19,17 +19,26 @@ from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.remarks.beams import ends_left_behind
 from pitchpoint.model.remarks.bores import bores_off_their_shafts, gears_thinner_than_their_shafts
-from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
+from pitchpoint.model.remarks.clutches import couplings_without_torque, idle_clutches
+from pitchpoint.model.remarks.file import (
+    numbers_without_unit,
+    temperatures_without_oil,
+    unused_materials,
+    unused_parameters,
+)
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
+from pitchpoint.model.remarks.scissor_gears import weak_springs
 from pitchpoint.model.remarks.space import bearings_in_gears, gears_in_one_place
+from pitchpoint.model.remarks.stage_keys import stage_keys
 from pitchpoint.model.remarks.supports import axially_free, tilting
 from pitchpoint.model.remarks.trains import contradictory_loops, unconnected_shafts
 from pitchpoint.model.remarks.unusual_values import (
+    odd_materials,
     overdamped_meshes,
+    overdamped_supports,
     preloads_above_the_rating,
-    soft_materials,
 )
 
 if TYPE_CHECKING:
@@ -251,6 +260,7 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
         places_left_open,
         ends_left_behind,
         keys_without_effect,
+        idle_clutches,
         inaccurate_tables,
     )
     found = at_stages(model, (each for find in finders for each in find(model)))
@@ -270,7 +280,13 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *contradictory_loops(model),
         *unconnected_shafts(model),
         *at_stages(model, overdamped_meshes(model)),
-        *soft_materials(model),
+        *at_stages(model, overdamped_supports(model)),
+        *odd_materials(model),
+        *temperatures_without_oil(model),
+        *unused_materials(model),
+        *weak_springs(model),
+        *couplings_without_torque(model),
+        *stage_keys(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -6,8 +6,9 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import Message, remark
+from pitchpoint.core.errors import FileLine, Message, remark
 from pitchpoint.model.reading.bare_numbers import messages_on
+from pitchpoint.model.reading.laws import material_source
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -18,6 +19,33 @@ _WORDS = re.compile(r"[A-Za-z_]\w*")
 def numbers_without_unit(model: Model) -> tuple[Message, ...]:
     """A remark for every number without unit that is rarely meant in SI units."""
     return messages_on(model.origin.bare, model.line)
+
+
+def unused_materials(model: Model) -> tuple[Message, ...]:
+    """A remark for every material of a file that no part uses; included files may contain a list for several
+    models."""
+    if model.file is None:
+        return ()
+    used = {name for source in model.origin.sources.values() for name in source.names}
+    return tuple(
+        remark(f"materials.{name}", "is not used", "use or remove it", model.line(("materials", name)))
+        for name in model.materials
+        if material_source(name) not in used
+        and not isinstance((model.lines or {}).get(("materials", name)), FileLine)
+    )
+
+
+def temperatures_without_oil(model: Model) -> tuple[Message, ...]:
+    """A remark for every load case with the temperature of a lubricant that the file does not have."""
+    return tuple(
+        remark(
+            f"load_cases.{name}.temperature",
+            "has no effect without lubricant",
+            "add lubricant: {grade: ISO VG 220, temperature: 70 degC}, or remove it",
+        )
+        for name, case in model.load_cases.items()
+        if case.temperature is not None and model.lubricant is None
+    )
 
 
 def unused_parameters(model: Model) -> tuple[Message, ...]:

@@ -10,6 +10,7 @@ from pitchpoint.contact.potential_accuracy import inaccuracy
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.components.flank_contact import FlexibleContact, PrecomputedContact, RigidContact
 from pitchpoint.model.keys import defaults_of
+from pitchpoint.model.stage_members import SECTION as STAGES
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -21,6 +22,12 @@ def contact_keys(model: Model) -> Iterator[Message]:
         if mesh.contact is None:
             continue
         usual = defaults_of(type(mesh))
+        if mesh.stiffness != usual["stiffness"] or _written(model, name, "stiffness"):
+            yield remark(
+                f"meshes.{name}.stiffness",
+                f"has no effect with contact, level: {mesh.contact.level}, which determines the stiffness",
+                "remove stiffness, or contact",
+            )
         for key in ("width", "slices"):
             if getattr(mesh, key) != usual[key]:
                 yield remark(
@@ -33,6 +40,14 @@ def contact_keys(model: Model) -> Iterator[Message]:
             yield from _analytic_keys(mesh.contact, at)
         elif isinstance(mesh.contact, RigidContact):
             yield from _depth(mesh.contact, at)
+
+
+def _written(model: Model, mesh: str, key: str) -> bool:
+    """Whether the file gives a key of a mesh, possibly with the value of its default."""
+    places: list[tuple[str | int, ...]] = [("meshes", mesh, key)]
+    for name, stage in model.planetary_stages.items():
+        places += [(STAGES, name, *group.key, key) for group in stage.groups if mesh in group.names]
+    return any(place in (model.lines or {}) for place in places)
 
 
 def inaccurate_tables(model: Model) -> Iterator[Message]:

@@ -55,7 +55,7 @@ def idle_supports(model: Model) -> Iterator[Message]:
             yield remark(
                 f"bearings.{name}",
                 f"has no effect and no force at any load: it acts in no direction in which "
-                f"{bearing.body} (motion: {motion}) moves",
+                f"{bearing.body}{'' if motion == 'joint' else f' (motion: {motion})'} moves",
             )
     for group in ("rolling_bearings", "plain_bearings"):
         for name, part in getattr(model, group).items():

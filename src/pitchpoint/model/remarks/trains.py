@@ -48,7 +48,7 @@ def unconnected_shafts(model: Model) -> Iterator[Message]:
     acted |= {key.split(".")[0] for part in model.scenarios.values() for key in part.drive}
     acted |= {part.sweep.body for part in model.scenarios.values() if part.sweep is not None}
     for name in ("loads", "actuators", "controllers", "unbalances", "springs", "torsion_springs", "clutches"):
-        acted |= {body for part in getattr(model, name).values() for body in _named(model, part)}
+        acted |= {body for part in getattr(model, name).values() for body in named_bodies(model, part)}
     acted |= {seat.joint for seat in model.mechanism.seats.values() if seat.joint in acted and seat.joint}
     for group in groups:
         turning = [
@@ -79,12 +79,12 @@ def _groups(model: Model) -> list[set[str]]:
         parts = getattr(model, field.name)
         if field.name in NO_MACHINE or not hasattr(parts, "values"):
             continue
-        links += [_named(model, part) for part in parts.values() if is_dataclass(part)]
-    links += [_named(model, part) for group in model.others.values() for part in group.values()]
+        links += [named_bodies(model, part) for part in parts.values() if is_dataclass(part)]
+    links += [named_bodies(model, part) for group in model.others.values() for part in group.values()]
     return joined(model.mechanism.seats, links)
 
 
-def _named(model: Model, part: Any) -> set[str]:
+def named_bodies(model: Model, part: Any) -> set[str]:
     """Bodies that a component names, directly, by a gear, or by a joint."""
     found = set()
     for key in NAMING:

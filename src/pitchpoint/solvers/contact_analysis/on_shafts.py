@@ -30,7 +30,7 @@ from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.load_checks import method_problem, positions_problem, refuse
 from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes, rolled_together, unsuitable
 from pitchpoint.solvers.contact_analysis.root_stress import with_root_stress
-from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset, mesh_of
+from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.meshes import mesh_names, mesh_record
@@ -99,7 +99,8 @@ class ContactsOnShafts:
     Attributes
     ----------
     meshes
-        Dataset of each mesh, as of `solve_contact_on_shafts`.
+        Dataset of each mesh, as of `solve_contact`, with one torque, that of gear 1 in the mean; over
+        `mesh_phase_position` also misalignment [rad] and center_distance [m].
     omitted
         Reason by mesh for those that were not analysed.
     failed
@@ -109,60 +110,6 @@ class ContactsOnShafts:
     meshes: dict[str, xr.Dataset] = field(default_factory=dict)
     omitted: dict[str, str] = field(default_factory=dict)
     failed: dict[str, str] = field(default_factory=dict)
-
-
-def solve_contact_on_shafts(
-    model: Model,
-    mesh: str | None = None,
-    *,
-    scenario: Scenario | str | None = None,
-    positions: int = 64,
-    root_stress: str | None = None,
-    progress: Progress = silent,
-) -> xr.Dataset:
-    """Contact analysis of a mesh in equilibrium with all shafts, bearings and loads of its model.
-
-    Parameters
-    ----------
-    model
-        The model; both gears are on bodies, and the mesh has `contact`.
-    mesh
-        Name of the mesh; may be omitted if there is only one.
-    scenario
-        Scenario whose loads apply, or its name; default: the loads at t = 0.
-    positions
-        Equidistant positions over one base pitch.
-    root_stress
-        As for `solve_contact`.
-    progress
-        Called after each position of the roll.
-
-    Returns
-    -------
-    xarray.Dataset
-        As of `solve_contact`, with one torque, that of gear 1 in the mean; over `mesh_phase_position` also
-        misalignment [rad] and center_distance [m].
-
-    Raises
-    ------
-    SolverError
-        If an argument is out of range, the machine has no equilibrium, or the mesh carries no load; with the
-        partial result.
-    """
-    name = mesh_of(model, mesh)
-    try:
-        found = solve_contacts_on_shafts(
-            model,
-            [name],
-            scenario=scenario,
-            positions=positions,
-            root_stress=root_stress,
-            progress=progress,
-        )
-    except SolverError as error:
-        partial = error.partial.meshes.get(name) if isinstance(error.partial, ContactsOnShafts) else None
-        raise SolverError(str(error), error.status, partial) from error
-    return found.meshes[name]
 
 
 def solve_contacts_on_shafts(
@@ -182,8 +129,12 @@ def solve_contacts_on_shafts(
         The model; gears in mesh are on bodies.
     meshes
         Names of the meshes; default: all with `contact`. Planets on a carrier are included.
-    scenario, positions, root_stress
-        As for `solve_contact_on_shafts`; each mesh is analysed over one base pitch of its own.
+    scenario
+        Scenario whose loads apply, or its name; default: the loads at t = 0.
+    positions
+        Equidistant positions over one base pitch of each mesh.
+    root_stress
+        As for `solve_contact`.
     progress
         Called after each position of a roll.
 

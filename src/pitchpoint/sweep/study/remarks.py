@@ -11,7 +11,7 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.model import Model
 from pitchpoint.model.study_plan import INDICES, LATIN, SOBOL
 from pitchpoint.sweep.study.check import Study
-from pitchpoint.sweep.study.factors import Number
+from pitchpoint.sweep.study.factors import Number, Pitch
 
 ENOUGH = 64
 """Number of points from which Sobol' indices have usable intervals."""
@@ -54,17 +54,15 @@ def _on_sampling(study: Study) -> list[Message]:
 
 
 def _on_factors(study: Study) -> list[Message]:
-    """Factors far from the model, and centre distances that the backlash does not follow."""
+    """Factors far from the model, and centre distances that the backlash does not follow, or that change a
+    profile shift."""
     found = []
     for factor in study.factors:
-        if not isinstance(factor, Number):
+        if isinstance(factor, Pitch):
             continue
         at = ("factors", factor.name)
-        mean, deviation = float(factor.distribution.mean()), float(factor.distribution.std())
-        if abs(mean - factor.nominal) > FAR * deviation:
-            far = abs(mean - factor.nominal) / deviation
-            text = f"has its mean {far:.3g} standard deviations away from the number of the model"
-            found.append(_remark(study, at, text, "compare with the number of the model, and with `apply`"))
+        if isinstance(factor, Number):
+            found += _far(study, factor, at)
         value = float(factor.values(np.array([HIGH]))[0])
         try:
             changed = study.model.replace_all(factor.changes(HIGH, value))
@@ -73,6 +71,31 @@ def _on_factors(study: Study) -> list[Message]:
         for mesh, reason, remedy in _fixed_gaps(study.model, changed):
             text = f"changes the centre distance of {mesh}, but not its backlash: {reason}"
             found.append(_remark(study, at, text, remedy))
+        for gear, words, remedy in _moved_shifts(study.model, changed):
+            text = f"also changes the profile shift of {gear}, which follows the centre distance{words}"
+            found.append(_remark(study, at, text, remedy))
+    return found
+
+
+def _far(study: Study, factor: Number, at: tuple[str, str]) -> list[Message]:
+    """Remark on a distribution to which the number of the model does not belong."""
+    mean, deviation = float(factor.distribution.mean()), float(factor.distribution.std())
+    far = abs(mean - factor.nominal)
+    if not far > FAR * deviation:
+        return []
+    text = f"has its mean {far / deviation:.3g} standard deviations away from the number of the model"
+    return [_remark(study, at, text, "compare with the number of the model, and with `apply`")]
+
+
+def _moved_shifts(model: Model, changed: Model) -> list[tuple[str, str, str]]:
+    """Gears whose profile shift is not given and changes with a centre distance: gear, range, remedy."""
+    found = []
+    for name, gear in model.gears.items():
+        before, after = gear.x, changed.gears[name].x
+        if gear.profile_shift_coefficient is not None or before is None or after is None or before == after:
+            continue
+        remedy = f"to vary the distance of given gears, give the gear its present value, {before:.6g}"
+        found.append((name, f", to {after:.4g} from {before:.4g} in the model", remedy))
     return found
 
 
@@ -86,12 +109,7 @@ def _fixed_gaps(model: Model, changed: Model) -> list[tuple[str, str, str]]:
         follows = 2.0 * (after - before) * math.sin(model.pairs[name].alpha_wt)
         if abs(changed.backlash(name) - model.backlash(name)) > 0.1 * abs(follows):
             continue
-        free = [gear for gear in mesh.gears if model.gears[gear].profile_shift_coefficient is None]
         if mesh.backlash is not None:
             remedy = "remove backlash, and give tooth_thickness_allowance of the gears"
             found.append((name, "it is given", remedy))
-        elif free:
-            own = model.pairs[name].gear1.x if mesh.gears[0] == free[0] else model.pairs[name].gear2.x
-            remedy = f"give the gear its present value, {own:.6g}"
-            found.append((name, f"the profile shift of {free[0]} follows the centre distance", remedy))
     return found

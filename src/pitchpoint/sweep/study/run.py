@@ -15,7 +15,6 @@ from typing import Any
 from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import DIED, INTERRUPTED, OK, REFUSED
-from pitchpoint.model.study_plan import StudyPlan
 from pitchpoint.sweep.case_files import file_hashes
 from pitchpoint.sweep.cases import how_it_failed, run_case
 from pitchpoint.sweep.study.check import Study
@@ -180,22 +179,3 @@ def check_nominal(study: Study, nominal: Record) -> None:
         raise SolverError(words, int(nominal["status"]))
     if missing := missing_results(study, nominal):
         raise SolverError(f"the model has no result {', '.join(missing)}", REFUSED)
-
-
-def model_path(plan: StudyPlan) -> Path:
-    """Model file of a plan.
-
-    Raises
-    ------
-    ModelError
-        If it does not exist.
-    """
-    from pitchpoint.core.errors import Message, ModelError
-
-    path = Path(str(plan.file or "")).parent / plan.model
-    if not path.is_file():
-        remedy = "give the path relative to the plan"
-        line = plan.lines.get(("model",))
-        problem = Message("model", "file not found", str(path), None, remedy, line)
-        raise ModelError([problem], plan.file)
-    return path

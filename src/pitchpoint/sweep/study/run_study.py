@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, sentence
+from pitchpoint.model.reading.plan import model_path
 from pitchpoint.model.study_plan import StudyPlan
 from pitchpoint.sweep.study.check import check_study
-from pitchpoint.sweep.study.run import Record, check_nominal, compute_cases, model_path, planned, remaining
+from pitchpoint.sweep.study.run import Record, check_nominal, compute_cases, planned, remaining
 from pitchpoint.sweep.study.summary import study_dataset
 
 if TYPE_CHECKING:

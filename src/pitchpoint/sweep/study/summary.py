@@ -17,6 +17,7 @@ from pitchpoint.model.study_plan import INDICES
 from pitchpoint.sweep.study.check import Study
 from pitchpoint.sweep.study.design import StudyCase
 from pitchpoint.sweep.study.factors import Choice, Pitch, StudyFactor
+from pitchpoint.sweep.study.remarks import remarks
 from pitchpoint.sweep.study.run import Record, values_of
 
 if TYPE_CHECKING:
@@ -140,7 +141,8 @@ def study_dataset(
     sentences = [
         str(records[key]["sentence"]) if key in records else sentence(INTERRUPTED) for _, key in cases[1:]
     ]
-    return xr.Dataset(data, coords, {**attrs, "sentences": sentences, "notes": list(summary.notes)})
+    notes = [*map(str, remarks(study)), *summary.notes]
+    return xr.Dataset(data, coords, {**attrs, "sentences": sentences, "notes": notes})
 
 
 def options_of(study: Study) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError, Message, ModelError, PitchpointError
 from pitchpoint.elements.flexible_body import GROUP, LOADS, flexible_row, modal_bodies
 from pitchpoint.elements.kind import RIM
-from pitchpoint.elements.mesh.rim_room import rim_room
+from pitchpoint.elements.mesh.rim_workspace import rim_workspace
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.inertia import gear_by_geometry
 from pitchpoint.model.mechanism import axial_offset, seat_frame
@@ -281,7 +281,7 @@ def set_rim(row: Any, model: Model, name: str, keep: Callable[[Array], int]) -> 
     if part.flexible_rim is None:
         return
     body = str(model.body_of(gear))
-    row["rim"] = keep(rim_room(terms_of_rim(model, body, gear)))
+    row["rim"] = keep(rim_workspace(terms_of_rim(model, body, gear)))
     set_hidden(row, model, body, gear, int(row["j"]))
 
 

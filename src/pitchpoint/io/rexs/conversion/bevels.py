@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.io.rexs.conversion.gears import add_material, flanks_of
-from pitchpoint.io.rexs.conversion.hubs import shaft_of
+from pitchpoint.io.rexs.conversion.hubs import shaft_of_gear
 from pitchpoint.io.rexs.conversion.meshes import BACKLASH, MESH_DAMPING, gears_of_stage
 from pitchpoint.io.rexs.conversion.state import Conversion, Seat, q
 from pitchpoint.io.rexs.document import RexsComponent
@@ -82,11 +82,8 @@ def convert_bevel_stage(conversion: Conversion, stage: RexsComponent) -> None:
 
 def _seat(conversion: Conversion, gear: RexsComponent) -> Seat | None:
     """Seat of the shaft of a gear; None with a problem if it has none, or is in the model already."""
-    shaft = shaft_of(conversion, gear)
+    shaft = shaft_of_gear(conversion, gear)
     if shaft is None:
-        conversion.problem(
-            gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
-        )
         return None
     seat = conversion.seats.get(shaft.id)
     if seat is None:

@@ -17,6 +17,16 @@ def shaft_of(conversion: Conversion, part: RexsComponent) -> RexsComponent | Non
     return found if found is not None else _by_hub(conversion, part)
 
 
+def shaft_of_gear(conversion: Conversion, gear: RexsComponent) -> RexsComponent | None:
+    """Shaft of a gear; None with a problem if it has none."""
+    shaft = shaft_of(conversion, gear)
+    if shaft is None:
+        conversion.problem(
+            gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
+        )
+    return shaft
+
+
 def _by_hub(conversion: Conversion, part: RexsComponent) -> RexsComponent | None:
     for role in ("outer_part", "inner_part"):
         for relation in conversion.source.related("side", **{role: part.id}):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.io.rexs.conversion.gears import CYLINDRICAL, add_material, gear_data
-from pitchpoint.io.rexs.conversion.hubs import shaft_of
+from pitchpoint.io.rexs.conversion.hubs import shaft_of, shaft_of_gear
 from pitchpoint.io.rexs.conversion.state import Conversion, Meshing, q
 from pitchpoint.io.rexs.document import RexsComponent
 
@@ -38,11 +38,8 @@ def seat_gear(conversion: Conversion, gear: RexsComponent) -> str | None:
     """Add a gear to its shaft or body; its name, None with a problem if it has no place."""
     name = conversion.name(gear)
     values = gear_data(conversion, gear, f"gears.{name}")
-    shaft = shaft_of(conversion, gear)
+    shaft = shaft_of_gear(conversion, gear)
     if shaft is None:
-        conversion.problem(
-            gear, "is on no shaft", remedy="give a relation 'assembly' of a shaft with this gear"
-        )
         return None
     seat = conversion.seats.get(shaft.id)
     u = conversion.need(gear, "u_coordinate_on_shaft", "mm")

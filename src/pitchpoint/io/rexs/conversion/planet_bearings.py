@@ -28,7 +28,7 @@ def convert_planet_bearings(
     carrier: str,
     values: dict[str, Any],
 ) -> None:
-    """Add the bearings of the planets: the sum of linear ones, or rolling bearings one by one.
+    """Add the bearings of the planets: the sum of linear ones, and rolling bearings one by one.
 
     Parameters
     ----------
@@ -75,17 +75,18 @@ def convert_planet_bearings(
             text, target = f"{CONTACT_DAMPING:g} s/m", f"rolling_bearings.{own}.damping"
             conversion.default(bearing, "damping", text, target, "REXS has no damping")
     values["motion"] = "free"
-    if rolling:
-        return
     matrices = [sum_of_stiffness(parts) for parts in linear]
-    if not matrices[0].any():
+    stiff = [m for m in matrices if m.any()]
+    if not stiff and rolling:
+        return
+    if not stiff:
         values["motion"] = "torsion"
         text = "planets turn on rigid pins"
         conversion.default(stage, "bearings of the planets", text, f"planetary_stages.{circle.name}.motion")
         return
-    if any(not np.allclose(m, matrices[0], rtol=1e-9) for m in matrices[1:]):
+    if any(not np.allclose(m, stiff[0], rtol=1e-9) for m in matrices):
         conversion.changed(stage, "bearings", "those of the first planet", "", "planets of a stage are equal")
-    values["bearing"] = {"stiffness": _entry(matrices[0]), "damping": {"ratio": LINEAR_DAMPING}}
+    values["bearing"] = {"stiffness": _entry(stiff[0]), "damping": {"ratio": LINEAR_DAMPING}}
     text = f"ratio {LINEAR_DAMPING}"
     conversion.default(
         stage, "damping of the planet bearings", text, "bearing.damping", "REXS has no damping"

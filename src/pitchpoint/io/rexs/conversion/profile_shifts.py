@@ -37,7 +37,7 @@ def settle_shifts(conversion: Conversion) -> None:
             conversion.default(meshing.gears[0], ATTRIBUTE, "0", _target(conversion, meshing, 0), reason)
         for index in _open(meshing, follows):
             follows.add(id(meshing.entries[index]))
-            reason = f"from the centre distance {_mm(meshing.distance)} of {meshing.stage}"
+            reason = f"from the centre distance {_mm(meshing.distance)} of {_mesh(conversion, meshing)}"
             target = _target(conversion, meshing, index)
             conversion.default(meshing.gears[index], ATTRIBUTE, "zero backlash", target, reason)
 
@@ -72,12 +72,17 @@ def _leave(conversion: Conversion, meshing: Meshing, k: int, reason: str, follow
     """Leave the profile shift of a gear to the centre distance."""
     del meshing.entries[k][KEY]
     follows.add(id(meshing.entries[k]))
-    target, why = _target(conversion, meshing, k), f"{meshing.stage}: {reason}"
+    target, why = _target(conversion, meshing, k), f"{_mesh(conversion, meshing)}: {reason}"
     conversion.changed(meshing.gears[k], ATTRIBUTE, "zero backlash", target, why)
 
 
 def _target(conversion: Conversion, meshing: Meshing, k: int) -> str:
     return f"gears.{conversion.name(meshing.gears[k])}.{KEY}"
+
+
+def _mesh(conversion: Conversion, meshing: Meshing) -> str:
+    """Stage of a mesh in the file, and its gears by their names in the model."""
+    return f"{meshing.stage}, {' / '.join(map(conversion.name, meshing.gears))}"
 
 
 def _mm(value: float) -> str:

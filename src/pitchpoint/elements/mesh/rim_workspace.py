@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shapes and scratch of a flexible rim in the pool of the meshes; see `flexible_rim`."""
+"""Shapes and workspace of a flexible rim in the pool of the meshes; see `flexible_rim`."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ MAX_WAVES = 32
 WAY = 12 + MAX_MODES
 """Motions of both bodies and coordinates."""
 
-#: Scratch of the rim of one mesh; the rows of its shapes follow in the pool.
-ROOM = np.dtype(
+#: Workspace of the rim of one mesh; the rows of its shapes follow in the pool.
+WORKSPACE = np.dtype(
     [
         ("rows", "i8"),  # of the shapes: coordinate, waves, component, factors of cosine and sine
         ("waves", "i8"),  # their largest number
@@ -44,12 +44,12 @@ ROOM = np.dtype(
     align=True,
 )
 
-ROOM_BYTES = ROOM.itemsize
+WORKSPACE_BYTES = WORKSPACE.itemsize
 
 
-def rim_room(terms: np.ndarray) -> np.ndarray:
+def rim_workspace(terms: np.ndarray) -> np.ndarray:
     """Pool entry of a flexible rim with these shapes, rows as in `multibody.ring_modes.ring_terms`."""
-    head = np.zeros(1, ROOM)
+    head = np.zeros(1, WORKSPACE)
     head["rows"], head["waves"] = len(terms), int(terms[:, 1].max())
     return np.concatenate([head.view("f8"), np.ravel(terms)])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the room between planets, and between planets and the other gears around their carrier."""
+"""Checks of the clearance between planets, and between planets and the other gears around their carrier."""
 
 from __future__ import annotations
 
@@ -12,14 +12,16 @@ import numpy as np
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.planet_places import nominal_distance
-from pitchpoint.model.planetary_stages import SECTION
 from pitchpoint.model.reading.bare_numbers import said_of
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.stage_members import SECTION
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.planetary_stage import PlanetaryStage
     from pitchpoint.model.parts import Parts
 
+SAME = 1e-6
+"""Angle up to which two planets are at one place [rad]."""
 TOUCH = 1e-6
 """Overlap along the axis up to which two gears touch by rounding [m]."""
 
@@ -33,6 +35,12 @@ def check_planets(parts: Parts, report: Reader) -> None:
         for gap, (one, two) in planet_gaps(parts, stage):
             if gap > 0.0:
                 continue
+            first, second = (stage.places[stage.names.index(planet)] for planet in (one, two))
+            if abs(math.remainder(second - first, math.tau)) < SAME:
+                remedy = "give every planet its own angle; 360 deg is the place of 0 deg"
+                what = f"puts {one} and {two} at the same place"
+                report.problem((SECTION, name, "angles"), what, remedy=remedy, taint=False)
+                break
             report.problem(
                 (SECTION, name, "planets" if stage.angles is None else "angles"),
                 f"makes {one} and {two} overlap by {format_quantity(-gap, 'length', 3)} at their tips",
