@@ -156,6 +156,6 @@ def test_loads_by_formula_balance_up_to_rounding(whole):
 
 def test_one_roll_serves_all_meshes_of_a_stage(torsion):
     groups = meshes_rolled_together(torsion, list(torsion.every_mesh))
-    assert sorted({len(group) for group in groups.values()}) == [1, 6]
+    assert sorted({len(group) for group in groups}) == [1, 6]
     own = {f"sun_1-planet_{k}" for k in (1, 2, 3)} | {f"planet_{k}-ring_1" for k in (1, 2, 3)}
-    assert set(groups["planet_2-ring_1"]) == own
+    assert own in [set(group) for group in groups]

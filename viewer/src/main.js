@@ -50,8 +50,9 @@ const shown = () => {
   return page;
 };
 
-/** Print on a white background, also with a dark colour scheme. @param {boolean} on */
+/** Print on a white background, also with a dark colour scheme, and sharp, also in a small window. @param {boolean} on */
 function onPaper(on) {
+  page?.stage?.enlarge(on);
   if (page?.stage) page.stage.background.set(on ? "#ffffff" : getComputedStyle(page.area).backgroundColor);
   if (page && !on) page.draw();
 }

@@ -36,6 +36,9 @@ export function graphics() {
   }
 }
 
+/** Width of a picture on paper [pixels]. */
+const PAPER = 1400;
+
 /** Limits of size ratio and relative distance within which results count as variants of one machine. */
 const ALIKE = { size: 1.5, away: 0.5 };
 
@@ -108,6 +111,7 @@ export class Stage {
     this.size = { width: 1, height: 1 };
     this.drawn = 0;
     this.coarse = false;
+    this.large = false;
     /** Offset of the camera target to the left of the centre, as a fraction of the viewport width. */
     this.shift = 0;
     /** Offset of the camera target below the centre, as a fraction of the height. */
@@ -126,7 +130,14 @@ export class Stage {
     return true;
   }
 
+  /** Draw with the resolution of paper, or of the window. @param {boolean} on */
+  enlarge(on) {
+    this.large = on;
+    this.resize();
+  }
+
   get ratio() {
+    if (this.large) return Math.min(Math.max(PAPER / this.size.width, 1), 4);
     if (this.coarse) return 0.6;
     return this.software ? 1 : Math.min(window.devicePixelRatio || 1, 2);
   }

@@ -104,10 +104,11 @@ def gears(
     _print_pairs(model, only, quiet=quiet)
     print_bevel_pairs(model, only, quiet=quiet)
     if only is None and model.planetary_stages:
-        from pitchpoint.cli.check_output.planets import show_stages
+        from pitchpoint.cli.output import show_tables
+        from pitchpoint.report.machine_tables import stage_tables
         from pitchpoint.report.planets import stages_of_model
 
-        show_stages(stages_of_model(model))
+        show_tables(*stage_tables(stages_of_model(model)))
 
 
 def _chosen(model: Model, name: str | None) -> str:

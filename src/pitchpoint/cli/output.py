@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from pitchpoint.cli.columns import Column
+    from pitchpoint.report.power_tables import PowerTable
 
 NOTHING = "–"
 ROUNDING = 1e-13
@@ -135,6 +136,13 @@ def _made(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Table:
         else:
             made.add_section()
     return made
+
+
+def show_tables(*tables: PowerTable) -> None:
+    """Print tables of `report`; those without rows are omitted."""
+    for each in tables:
+        if each.rows:
+            table(each.title, each.head, each.rows, each.notes)
 
 
 def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:

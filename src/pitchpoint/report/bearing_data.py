@@ -7,6 +7,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.core.words import ranges
 from pitchpoint.geometry.bearings.designation import by_designation
 from pitchpoint.model.components.bearing_geometry import ELEMENTS
 
@@ -33,7 +34,8 @@ def bearing_data(model: Model) -> dict[str, dict[str, Any]]:
 
 def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
     """Rows of a table, and notes on the estimates."""
-    rows, notes = [], []
+    rows: list[list[str]] = []
+    notes: dict[str, list[str]] = {}  # names by text
     for name, part in model.rolling_bearings.items():
         found = part.geometry
         sizes = (found.bore, found.outside, found.width)
@@ -52,22 +54,25 @@ def bearing_lines(model: Model) -> tuple[list[list[str]], list[str]]:
         if found.axial_clearance is not None:
             given = part.flange_stiffness
             words = "estimated" if given is None else format_quantity(given, "stiffness", 3)
-            notes.append(
-                f"{name}: flanges with an axial clearance of "
-                f"{format_quantity(found.axial_clearance, 'length', 3)}, stiffness {words}"
-            )
+            notes.setdefault(
+                f"flanges with an axial clearance of "
+                f"{format_quantity(found.axial_clearance, 'length', 3)}, stiffness {words}",
+                [],
+            ).append(name)
         if part.contact_angle is None and part.designation and by_designation(part.designation).by_maker:
-            notes.append(
-                f"{name}: contact angle of {format_quantity(found.contact_angle, 'angle', 4)}, that of NSK; "
-                "it differs between makers: give contact_angle, or the suffix A (SKF), B or BD (FAG)"
-            )
+            notes.setdefault(
+                f"contact angle of {format_quantity(found.contact_angle, 'angle', 4)}, that of NSK; "
+                "it differs between makers: give contact_angle, or the suffix A (SKF), B or BD (FAG)",
+                [],
+            ).append(name)
         if found.rated is not None and found.dynamic is not None and found.static is not None:
-            notes.append(
-                f"{name}: elements estimated from C0 = {found.static * 1e-3:.4g} kN (reproduced) and "
+            notes.setdefault(
+                f"elements estimated from C0 = {found.static * 1e-3:.4g} kN (reproduced) and "
                 f"C = {found.dynamic * 1e-3:.4g} kN (ISO 281 with these elements: "
-                f"{found.rated * 1e-3:.4g} kN)"
-            )
-    return rows, notes
+                f"{found.rated * 1e-3:.4g} kN)",
+                [],
+            ).append(name)
+    return rows, [f"{ranges(names)}: {text}" for text, names in notes.items()]
 
 
 def _elements(found: BearingGeometry) -> str:

@@ -130,7 +130,8 @@ def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) ->
 
     The first rotating body whose speed a scenario gives, other than zero: start speeds, drives, sweep.
     Without one, the first that rotates, has a gear in mesh and is not a planet, that is, no rotating body
-    carries it; else the first that rotates.
+    carries it; else the first that rotates. Bodies at rest with the clutches that the first scenario engages
+    do not count.
 
     Parameters
     ----------
@@ -150,13 +151,28 @@ def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) ->
         seat = model.mechanism.seats.get(name)
         if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
             turning.append(name)
-    for scenario in model.scenarios.values() if scenarios is None else scenarios:
+    chosen = list(model.scenarios.values() if scenarios is None else scenarios)
+    for scenario in chosen:
         given = next((name for name in _with_speed(scenario) if name in turning), None)
         if given is not None:
             return given
+    turning = [name for name in turning if not chosen or _is_free(model, name, chosen[0])]
     own = {n: {*model.bodies[n].gears, *model.bodies[n].bevel_gears} for n in turning}
     geared = (n for n in turning if in_mesh & own[n] and not _carried(model, n, turning))
     return next(geared, turning[0] if turning else None)
+
+
+def _is_free(model: Model, body: str, scenario: Scenario) -> bool:
+    """Whether the engaged clutches and brakes of a scenario leave a body free to rotate."""
+    from pitchpoint.core.errors import ModelError
+    from pitchpoint.report.frequencies import turning_speeds
+
+    if not scenario.engaged:
+        return True
+    try:
+        return bool(turning_speeds(model, {body: 1.0}, scenario)[body])
+    except ModelError:
+        return False
 
 
 def _with_speed(scenario: Scenario) -> list[str]:

@@ -93,7 +93,7 @@ def collect(
     from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
     from pitchpoint.report.same_machine import require_same_machine
-    from pitchpoint.report.statics import rolled_meshes, with_rolls
+    from pitchpoint.report.statics import with_rolls
 
     require_same_machine(model, results)
     found = _Found()
@@ -115,11 +115,11 @@ def collect(
         for name, (cycle, relative_to, unit) in cycles_of_model(model, 401).items()
     }
     conditions = conditions_of(model, found.scenarios)
-    filled, notes = with_rolls(model, cycles, progress, UNITS_OF_WORK * len(conditions))
-    rolled = len(rolled_meshes(model, cycles)[0])
-    linear = linear_parts(model, conditions, progress, rolled, diagrams=not found.campbells)
+    rolled = with_rolls(model, cycles, progress, UNITS_OF_WORK * len(conditions))
+    linear = linear_parts(model, conditions, progress, rolled.count, diagrams=not found.campbells)
     shown = ReportResults(
-        mesh_cycles=without_given(filled, found.rolls),
+        mesh_cycles=without_given(rolled.cycles, found.rolls),
+        planets=rolled.planets,
         rolls=found.rolls,
         modes=linear.modes,
         campbells=found.campbells or linear.campbells,
@@ -135,7 +135,7 @@ def collect(
         compared=compared,
         sources=found.sources,
     )
-    return shown, [*notes, *linear.remarks, *found.remarks, *own_notes(found.notes)]
+    return shown, [*rolled.notes, *linear.remarks, *found.remarks, *own_notes(found.notes)]
 
 
 def _what_differs(model: Model, scenario: str, text: str, file: str) -> str:

@@ -17,7 +17,7 @@ SOURCES = (
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
 MAX_FLOWS = 3
-"""Largest number of power flows at constant speed in a report."""
+"""Largest number of power flows at constant speed with tables in a report."""
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 
 
@@ -55,13 +55,16 @@ def describe(model: Model) -> ReportModel:
 
 def _gearbox(model: Model) -> GearboxData:
     """Drawing in section and power flow at constant speed."""
-    from pitchpoint.report.power_tables import flow_texts
+    from pitchpoint.report.machine_tables import machine_tables
+    from pitchpoint.report.power_tables import flow_texts, further_flows
     from pitchpoint.report.section.build import gearbox_drawing
     from pitchpoint.report.static_power import static_powers
 
     flows = static_powers(model)
     texts = [flow for flow in flow_texts(flows) if flow.tables]
-    return GearboxData(drawing=gearbox_drawing(model, flows) or "", flows=texts[:MAX_FLOWS])
+    drawing = gearbox_drawing(model, flows) or ""
+    tables = [*further_flows(texts[MAX_FLOWS:]), *machine_tables(model)]
+    return GearboxData(drawing=drawing, flows=texts[:MAX_FLOWS], tables=tables)
 
 
 def _sources(model: Model) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,7 +34,7 @@ SPEEDS = 41
 
 @dataclass(frozen=True)
 class Condition:
-    """Scenarios in which the same bodies have a prescribed motion, so that their modes are the same.
+    """Scenarios with the same prescribed motions and engaged clutches, so that their modes are the same.
 
     Attributes
     ----------
@@ -42,13 +42,16 @@ class Condition:
         Names; the modes are those about the loaded state of the first one.
     held
         Bodies with prescribed motion, which do not vibrate.
+    engaged
+        Clutches and brakes that these scenarios engage.
     same
-        All scenarios of the model with these prescribed motions: they give the operating range.
+        All scenarios of the model with these motions and clutches: they give the operating range.
     """
 
     scenarios: tuple[str, ...]
     held: tuple[str, ...]
     same: tuple[str, ...]
+    engaged: tuple[str, ...] = ()
 
 
 @dataclass
@@ -73,6 +76,12 @@ def held_bodies(scenario: Scenario | None) -> list[str]:
     return [] if scenario is None else list(dict.fromkeys([*scenario.drive, *scenario.hold]))
 
 
+def _condition(scenario: Scenario) -> tuple[frozenset[str], frozenset[str] | None]:
+    """Bodies with a prescribed motion, and engaged clutches; None: by their capacities."""
+    engaged = scenario.engaged
+    return frozenset(held_bodies(scenario)), None if engaged is None else frozenset(engaged)
+
+
 def conditions_of(model: Model, used: Iterable[str] = ()) -> list[Condition]:
     """Sets of prescribed motions in the scenarios of some results.
 
@@ -89,16 +98,17 @@ def conditions_of(model: Model, used: Iterable[str] = ()) -> list[Condition]:
     if not names:
         chosen = loaded_scenario(model)
         names = [n for n, own in known.items() if own is chosen]
-    found: dict[frozenset[str], list[str]] = {}
+    found: dict[Any, list[str]] = {}
     for name in names:
-        found.setdefault(frozenset(held_bodies(known[name])), []).append(name)
+        found.setdefault(_condition(known[name]), []).append(name)
     conditions = [
         Condition(
             scenarios=tuple(group),
             held=tuple(held_bodies(known[group[0]])),
-            same=tuple(n for n, own in known.items() if frozenset(held_bodies(own)) == held),
+            same=tuple(n for n, own in known.items() if _condition(own) == kind),
+            engaged=known[group[0]].engaged or (),
         )
-        for held, group in found.items()
+        for kind, group in found.items()
     ]
     return conditions or [Condition(scenarios=(), held=(), same=())]
 
@@ -131,7 +141,8 @@ def linear_parts(
     if len(listed) > MAX_CONDITIONS:
         left = ", ".join(name for one in listed[MAX_CONDITIONS:] for name in one.scenarios)
         found.remarks.append(
-            f"Modes and Campbell diagrams of {len(listed)} sets of prescribed motions would take too long: "
+            f"Modes and Campbell diagrams of {len(listed)} sets of prescribed motions"
+            f"{' and engaged clutches' if any(one.engaged for one in listed) else ''} would take too long: "
             f"the first {MAX_CONDITIONS} are computed, without those of {left}."
         )
     listed = listed[:MAX_CONDITIONS]
@@ -178,6 +189,7 @@ def _add_modes(
         scenarios=one.scenarios,
         others=others,
         held=one.held,
+        engaged=one.engaged,
         total=modes.total,
         components=modes.groups.components,
         strain_share=modes.energies.strain,
@@ -199,7 +211,7 @@ def _diagram(
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
 
     model = model_of(system)
-    body = body_of_speeds(model, [model.scenarios[name] for name in one.scenarios])
+    body = body_of_speeds(model, [model.scenarios[name] for name in (*one.scenarios, *one.same)])
     if body is None:
         return "No body rotates."
     if not frequency:

@@ -26,6 +26,8 @@ READ = {*TIME_QUANTITIES, *FORCE_PARTS, "normal_force"} - {"bearing_force", "cou
 """Quantities available as curves below the scene of a report."""
 NO_PARTS = ("lines", "pairs")
 """Mappings of a model that are not sections of its file."""
+SPRINGS = ("torsion_springs", "couplings")
+"""Sections with parts of scissor gears."""
 MAX_NAMES = 6
 """Maximum number of listed names."""
 
@@ -36,7 +38,11 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
     for field in fields(model):
         section, parts = field.name, getattr(model, field.name)
         if isinstance(parts, Mapping) and section not in NO_PARTS:
-            parts = [name for name, part in parts.items() if not getattr(part, "of_housing", False)]
+            own = {*model.scissor_gears} if section in SPRINGS else set()  # parts of scissor gears
+            own |= {f"{name}-friction" for name in model.scissor_gears} if section == "clutches" else set()
+            parts = [
+                n for n, part in parts.items() if n not in own and not getattr(part, "of_housing", False)
+            ]
             if not parts:
                 continue
             names = [_named(model, section, name) for name in parts[:MAX_NAMES]]

@@ -94,6 +94,12 @@ def flow_texts(flows: Mapping[str, Mapping[str, Any]]) -> list[FlowText]:
     return [_texts(names, resting, flow) for names, resting, flow in groups]
 
 
+def further_flows(flows: Sequence[FlowText]) -> list[PowerTable]:
+    """Table of the power flows without tables of their own: names of the scenarios and summary."""
+    rows = [[ranges(flow.names), flow.summary] for flow in flows]
+    return [PowerTable("Power flow in further scenarios", ("scenario", "power flow"), rows)] if rows else []
+
+
 def _texts(names: Sequence[str], resting: Sequence[str], flow: Mapping[str, Any]) -> FlowText:
     """One power flow as texts."""
     if "failure" in flow:
@@ -104,6 +110,8 @@ def _texts(names: Sequence[str], resting: Sequence[str], flow: Mapping[str, Any]
         PowerTable("Couplings and ratios", ("name", "section", "bodies", TORQUE), _others(flow)),
         PowerTable("Rolling bearings: speeds and frequencies", BEARING, _bearings(flow)),
     ]
+    if not flow["turns"] and all(t is None for row in flow["links"].values() for t in row["torques"]):
+        tables = []  # neither speeds nor torques are known
     rest = [f"at rest the same torques in {ranges(resting)}"] if resting else []
     return FlowText(names, _summary(flow), [t for t in tables if t.rows], [*flow["notes"], *rest])
 
@@ -133,7 +141,8 @@ def _summary(flow: Mapping[str, Any]) -> str:
         elif power:
             sides["from" if power > 0.0 else "to"].append(words)
         else:
-            sides["held by"].append(f"{row['name'].removesuffix(', held')} {size}")
+            name = row["name"].removesuffix(", held").removesuffix(", fixed")
+            sides["held by"].append(f"{name} {size}")
     parts = [f"{word} {ranges(sides[word])}" for word in sides if sides[word]]
     size = "at rest" if not flow["turns"] else shown(flow["power_in"], "power", 5)
     if flow["turns"] and flow["power_in"] is None:

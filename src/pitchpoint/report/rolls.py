@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -23,13 +24,15 @@ if TYPE_CHECKING:
 Array = np.ndarray
 POSITION = "mesh_phase_position"
 POINTS, MIN_POINTS, ALL_POINTS = 96, 16, 960
-"""Minimum number of points per period of a roll, and total number of points."""
+"""Number of points per period of a short roll and of one with deviating teeth, and total number of points."""
+POINTS_OF_LONG, MESH_POINTS = 80, 8
+"""Minimum number of points per period of a long roll, and per cycle of the fastest mesh."""
 LARGE, POINTS_OF_LARGE = 100, 240
 """Number of coordinates above which a roll has fewer points: each then takes about 10 ms."""
 MAX_PERIODS, MAX_TURNS = 12, 60
 """Maximum number of rolled periods: for interacting meshes, and for gears with single-tooth deviations."""
-MAX_MESHES = 20
-"""Maximum number of rolled meshes, the first ones of the file."""
+MAX_ROLLS = 20
+"""Maximum number of rolls, the first ones of the file; meshes of equal periods share a roll."""
 WHOLE = 0.99
 """Periods that count as one whole period, up to the deflection of the teeth."""
 SAME = 1e-3
@@ -38,7 +41,66 @@ ROUND_OFF = 1e-10
 """Tolerance for equal transmission errors [m]."""
 
 
-def periods_until_repeat(model: Model, mesh: str) -> int:
+@dataclass(frozen=True)
+class Train:
+    """Meshes that move and carry load in a scenario.
+
+    Attributes
+    ----------
+    loaded
+        Meshes that carry load; None: all.
+    engaged
+        Clutches and brakes that the scenario engages.
+    """
+
+    loaded: Collection[str] | None = None
+    engaged: tuple[str, ...] | None = None
+
+    def meshes(self, model: Model) -> list[str]:
+        """Meshes that influence the others."""
+        return [name for name in model.every_mesh if self.loaded is None or name in self.loaded]
+
+
+ALL = Train()
+
+
+@dataclass(frozen=True)
+class RollPlan:
+    """Length of a roll.
+
+    Attributes
+    ----------
+    until
+        Periods after which the roll repeats.
+    periods, points
+        Rolled periods, and points per period.
+    """
+
+    until: int
+    periods: int
+    points: int
+
+
+def plan_of(model: Model, mesh: str, coordinates: int, train: Train = ALL) -> RollPlan:
+    """Length of the roll of a mesh in a machine with a number of coordinates.
+
+    A period has `MESH_POINTS` points for every cycle of the fastest loaded mesh, so that its transmission
+    error is resolved, too.
+    """
+    total, until = points_to_roll(coordinates), periods_until_repeat(model, mesh, train)
+    if _single_teeth(model):
+        periods = min(until, MAX_TURNS, total // MIN_POINTS)
+        return RollPlan(until, periods, max(MIN_POINTS, min(POINTS, total // periods)))
+    turning, order = _rates(model, mesh, train)
+    faster = max(
+        (_order_of(model, name, turning) / order for name in train.meshes(model) if order), default=1.0
+    )
+    points = min(total, max(POINTS_OF_LONG, math.ceil(MESH_POINTS * faster)))
+    periods = min(until, MAX_PERIODS, total // points)
+    return RollPlan(until, periods, max(points, min(POINTS, total // periods)))
+
+
+def periods_until_repeat(model: Model, mesh: str, train: Train = ALL) -> int:
     """Number of periods of a mesh after which a slow roll repeats.
 
     Another mesh of the train repeats when the ratio of the mesh frequencies times the periods is an integer,
@@ -46,25 +108,26 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
     """
     from pitchpoint.model.tooth_errors import periods_of_errors
 
-    turning, order = _rates(model, mesh)
+    turning, order = _rates(model, mesh, train)
     if not order:
         return 1
-    rates = [_order_of(model, name, turning) for name in model.every_mesh]
-    for name, one in model.every_mesh.items():
-        for gear, periods in zip(one.gears, periods_of_errors(model, name), strict=True):
+    names = {mesh, *train.meshes(model)}
+    rates = [_order_of(model, name, turning) for name in names]
+    for name in names:
+        for gear, periods in zip(model.every_mesh[name].gears, periods_of_errors(model, name), strict=True):
             body = model.body_of(gear)
             if periods > 1 and body is not None:
                 rates.append(abs(turning.get(body, 0.0)))
     return math.lcm(*(_denominator(rate / order) for rate in rates))
 
 
-def equal_periods(model: Model, one: str, two: str) -> bool:
+def equal_periods(model: Model, one: str, two: str, train: Train = ALL) -> bool:
     """Whether two meshes of a train have the same mesh frequency and repeat together."""
-    turning, order = _rates(model, one)
+    turning, order = _rates(model, one, train)
     other = _order_of(model, two, turning) if order else 0.0
-    return abs(other - order) <= 1e-9 * order and periods_until_repeat(model, one) == periods_until_repeat(
-        model, two
-    )
+    return abs(other - order) <= 1e-9 * order and periods_until_repeat(
+        model, one, train
+    ) == periods_until_repeat(model, two, train)
 
 
 def points_to_roll(coordinates: int) -> int:
@@ -72,19 +135,8 @@ def points_to_roll(coordinates: int) -> int:
     return POINTS_OF_LARGE if coordinates > LARGE else ALL_POINTS
 
 
-def periods_to_roll(model: Model, mesh: str, points: int = ALL_POINTS) -> int:
-    """Number of rolled periods for a number of points: until everything repeats, within limits."""
-    most = MAX_TURNS if _single_teeth(model) else MAX_PERIODS
-    return min(periods_until_repeat(model, mesh), most, points // MIN_POINTS)
-
-
-def points_per_period(periods: int, points: int = ALL_POINTS) -> int:
-    """Points per period, fewer if many periods are rolled."""
-    return max(MIN_POINTS, min(POINTS, points // periods))
-
-
-def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
-    """Speeds of all bodies for speed 1 of the first rotating body of a mesh, and its mesh frequency.
+def _rates(model: Model, mesh: str, train: Train) -> tuple[dict[str, float], float]:
+    """Speeds of all bodies for speed 1 of the first body of a mesh that can rotate, and its mesh frequency.
 
     Relative to their parents, as in the model file: planets relative to their carriers.
     """
@@ -95,10 +147,12 @@ def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
         body = model.body_of(gear)
         if body is not None and model.bodies[body].moves != "fixed":
             try:
-                turning = model.start_speeds(Scenario(speed={body: 1.0}))
+                turning = model.start_speeds(Scenario(speed={body: 1.0}, engaged=train.engaged))
             except PitchpointError:
                 return {}, 0.0
-            return turning, _order_of(model, mesh, turning)
+            order = _order_of(model, mesh, turning)
+            if order:
+                return turning, order
     return {}, 0.0
 
 
@@ -126,23 +180,23 @@ def _denominator(ratio: float) -> int:
 
 
 def from_roll(
-    model: Model, mesh: str, data: MeshCycleData, unit: float | None, system: System, roll: Roll, points: int
+    mesh: str, data: MeshCycleData, unit: float | None, system: System, roll: Roll, plan: RollPlan
 ) -> MeshCycleData:
     """Mesh cycle with the curves of a roll of whole periods over the mesh phase.
 
     Parameters
     ----------
-    model, mesh, system
-        Model, mesh and compiled system of the roll.
+    mesh, system
+        Mesh and compiled system of the roll.
     data
         Mesh cycle without the roll.
     unit
         Reference stiffness of its ratios [N/m]; None if the reference is not a stiffness.
-    roll
-        The roll.
-    points
-        Points per period of the roll.
+    roll, plan
+        The roll and its length.
     """
+    model: Any = system.model
+    points = plan.points
     from pitchpoint.analysis.load_sharing import share_along_path
 
     def channel(name: str) -> Array:
@@ -163,7 +217,7 @@ def from_roll(
         other_flank=float(force.mean()) < 0.0,
     )
     curves = {"without load": one.unloaded} | ({force_title(force): te} if loaded else {})
-    cycles, until = _cycles(model, mesh, list(curves.values()), points)
+    cycles, until = _cycles(model, list(curves.values()), plan), plan.until
     phase = whole_phase(channel("mesh_phase"), sharing.offset)
     where, drawn = _drawn(phase, [*curves.values(), one.tangent_stiffness], points * cycles)
     rolled = math.ceil((len(force) - 1) / points)
@@ -184,15 +238,15 @@ def from_roll(
     )
 
 
-def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[int, int]:
-    """Number of periods after which the curves of a roll repeat, 0 if unknown; and the remarks."""
-    periods, until = (len(curves[0]) - 1) // points, periods_until_repeat(model, mesh)
-    cycles = shortest_cycle(curves, points, periods)
-    if periods < until:
+def _cycles(model: Model, curves: list[Array], plan: RollPlan) -> int:
+    """Number of periods after which the curves of a roll repeat, 0 if unknown."""
+    periods = (len(curves[0]) - 1) // plan.points
+    cycles = shortest_cycle(curves, plan.points, periods)
+    if periods < plan.until:
         # the curves may repeat although deviating teeth have not been in mesh yet
         known = not _single_teeth(model) and cycles <= periods // 2
         cycles = cycles if known else 0
-    return cycles, until
+    return cycles
 
 
 def _single_teeth(model: Model) -> bool:

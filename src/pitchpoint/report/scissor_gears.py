@@ -24,8 +24,8 @@ def scissors_of_model(model: Model) -> dict[str, dict[str, Any]]:
     -------
     dict
         Gear of the fixed half, its body, face widths [m], torque of the spring with rigid teeth in contact
-        [N m], the flank force that it causes along the base tangent [N], and the sum of the backlashes taken
-        up, as an angle [rad]. With several meshes the smallest backlash counts.
+        [N m], the flank force that it causes along the base tangent [N], and the backlash taken up along the
+        base tangent [m] and as an angle [rad]. With several meshes the smallest backlash counts.
 
     Notes
     -----
@@ -36,12 +36,14 @@ def scissors_of_model(model: Model) -> dict[str, dict[str, Any]]:
     for name, scissor in model.scissor_gears.items():
         radius = 0.5 * abs(model.gears[scissor.gear].geometry.d_b)
         gaps = [model.backlash(m) for m, mesh in model.meshes.items() if mesh.stage == f"{SECTION}.{name}"]
-        twist = max(min(gaps, default=0.0), 0.0) / radius
+        backlash = max(min(gaps, default=0.0), 0.0)
+        twist = backlash / radius
         torque = max(abs(scissor.torque) - scissor.stiffness * twist, 0.0)
         found[name] = {
             "gear": scissor.gear,
             "body": model.body_of(scissor.gear),
             "face_widths": [model.gears[scissor.gear].face_width, scissor.face_width],
+            "backlash": backlash,
             "twist": twist,
             "spring_torque": math.copysign(torque, scissor.torque),
             "flank_force": torque / radius,

@@ -66,6 +66,16 @@ def with_locked_clutches(system: System, scenario: Scenario | None) -> System:
     return system.with_params(changed)
 
 
+def locked_clutches(system: System) -> list[str]:
+    """Names of the clutches and brakes that are springs in a system."""
+    return [
+        name
+        for kind in system.kinds(CLUTCH)
+        for record, name in zip(system.records[kind], element_names(system, kind), strict=True)
+        if record["sticking"] == LOCKED
+    ]
+
+
 def overload_notes(system: System, state: State) -> list[str]:
     """Notes on locked clutches of constant capacity whose torque in a state exceeds it."""
     values, notes = evaluate.observe(system, state), []

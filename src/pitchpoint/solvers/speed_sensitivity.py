@@ -28,6 +28,7 @@ import numpy as np
 
 from pitchpoint.solvers.modes.energies import Energies, Motions
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.system.rules.places import STATE
 
 PARALLEL = 1e-6
 """Difference of the slopes of branch and order, over that of the order, below which they do not cross."""
@@ -66,4 +67,5 @@ def sensitivities(motions: Motions, energies: Energies, slopes: Array) -> list[S
     springs = np.array(groups.springs, dtype=bool)
     stiffness = energies.strain * (energies.strain_ratio * further)[:, None] * springs
     inertia = -(energies.kinetic.sum(axis=2) - energies.turning) * further[:, None]
+    inertia *= [not name.endswith(STATE) for name in groups.parts]  # the bristles of clutches have no mass
     return [Sensitivity(k, m) for k, m in zip(stiffness, inertia, strict=True)]

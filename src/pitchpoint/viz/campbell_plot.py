@@ -28,7 +28,9 @@ SAMPLE = 52
 ROOM = HEIGHT - BOTTOM - LEGEND
 """Height of the plot [pixels]."""
 WIDTH = 560
-"""Width of the plot on narrow pages, for the distance of labels above it [pixels]."""
+"""Width of the plot on narrow pages [pixels]."""
+PAPER = 360
+"""Least width of the plot, on paper, for the distance of labels above it [pixels]."""
 LINE, LETTER = 14, 6.3
 """Distance of two labels and mean width of a letter at 11 points [pixels]."""
 LEADER = 22
@@ -359,10 +361,10 @@ def _above(figure: go.Figure, listed: Sequence[tuple[float, str]]) -> int:
         return 0
     folded = [_folded(text, UPRIGHT) for _, text in listed]
     lengths = [LINE * len(lines) for lines in folded]
-    found = spread([at * WIDTH for at, _ in listed], lengths, 0.0, WIDTH)
+    found = spread([at * PAPER for at, _ in listed], lengths, 0.0, PAPER)
     for (at, _), lines, shown in zip(listed, folded, found, strict=True):
         where = {"x": at, "xref": "paper", "y": 1, "yref": "paper"}
-        aside = float(shown - at * WIDTH)
+        aside = float(shown - at * PAPER)
         line = {"arrowhead": 0, "arrowwidth": 0.8, "arrowcolor": theme.GREY, "standoff": 0}
         figure.add_annotation(**where, ax=aside, ay=-10, text="", showarrow=True, **line)
         figure.add_annotation(

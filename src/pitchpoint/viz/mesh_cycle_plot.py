@@ -15,6 +15,8 @@ from pitchpoint.viz.quantities import number, scale
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
+LOW: dict[str, Any] = {"height": 340, "meta": {"low": True}}
+"""Height of the plots; on paper those of a mesh share a page."""
 ROUND_OFF = 1e-9
 """Transmission errors below this are round-off [m]."""
 
@@ -53,7 +55,7 @@ def plot_mesh_stiffness(
         factor, unit = reference * shown.factor, shown.unit
     phase, ratio = repeated(cycle.phase, factor * np.asarray(cycle.stiffness_ratio, dtype=float), cycles)
     mean, low, high = (factor * float(x) for x in (cycle.mean, cycle.minimum, cycle.maximum))
-    figure = theme.figure("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
+    figure = theme.figure("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", **LOW)
     figure.add_scatter(
         x=phase,
         y=ratio,
@@ -108,7 +110,7 @@ def plot_transmission_error(
     means = {name: mean if abs(mean) > ROUND_OFF else 0.0 for name, mean in means.items()}
     sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
     shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
-    figure = theme.figure(title, shown.title("transmission error<br>− mean"), height=340)
+    figure = theme.figure(title, shown.title("transmission error<br>− mean"), **LOW)
     for index, (name, values) in enumerate(data.items()):
         x, y = repeated(phase, values - means[name], cycles)
         whole = scale("m", [means[name]]) if means[name] else shown
@@ -140,7 +142,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     figure = theme.figure(
         "travel of a tooth pair from the start of contact at mid-face [base pitches]",
         "load share [%]",
-        height=340,
+        **LOW,
     )
     figure.add_scatter(
         x=np.asarray(way, dtype=np.float64),

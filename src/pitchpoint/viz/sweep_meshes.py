@@ -90,7 +90,8 @@ def contact_sentences(
     sentences = [f"The flanks{_of(meshes)} {text}." for text, meshes in list(texts.items())[:MAX_NAMED]]
     more = [mesh for meshes in list(texts.values())[MAX_NAMED:] for mesh in meshes]
     if more:
-        sentences.append(f"Those of {len(more)} more meshes separate for shorter times.")
+        who = "one more mesh" if len(more) == 1 else f"{len(more)} more meshes"
+        sentences.append(f"Those of {who} separate for shorter times.")
     if kept:
         whole = "" if apart else " of this sweep"
         sentences.append(f"The flanks{_of(kept)} stay in contact at every point{whole}.")

@@ -130,7 +130,8 @@ def plot_meshes(
     single = len(found) == 1
     words = frequency_words(swept if single else next(iter(found)))
     title = shown.title(f"{what.title}{f', {mesh}' if mesh else ''}")
-    figure = theme.figure(pitch.title(words), title, height=400)
+    # the long titles and legends need their height, also on paper
+    figure = theme.figure(pitch.title(words), title, height=400, meta={"whole": True})
     order = sorted(range(1, len(curves)), key=lambda k: -max(y.max() for _, y in curves[k][1].values()))
     drawn = sorted([0, *order][: len(theme.SERIES)]) if curves else []
     for colour, k in zip(theme.SERIES, drawn, strict=False):

@@ -11,6 +11,7 @@ from typing import Any
 
 from pitchpoint.core.nomenclature import Entry, lookup, table
 from pitchpoint.core.units import display_unit, in_unit
+from pitchpoint.core.words import ranges
 from pitchpoint.viz.quantities import number, pretty, printed
 
 # Rows of the tables in order; symbol, description and unit are those of the nomenclature.
@@ -185,7 +186,7 @@ def common_name(names: Sequence[str]) -> str:
     >>> common_name(["Z1", "Z1_right"]), common_name([f"set.planet_{k}" for k in range(1, 6)])
     ('Z1, Z1_right', 'set.planet_1 … set.planet_5')
     """
-    return ", ".join(names) if len(names) < 4 else f"{names[0]} … {names[-1]}"
+    return ", ".join(names) if len(names) < 4 else ranges(names)
 
 
 def plain_table(

@@ -9,6 +9,7 @@ import pytest
 from pitchpoint.cli.check import summary
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.report.machine_tables import rim_table
 from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
@@ -73,6 +74,8 @@ def test_check_lists_the_ring_modes():
     found = summary(model)
     rim = found["flexible_rims"]["ring"]
     assert rim["waves"] == [2, 3, 4]
+    table = rim_table(found["flexible_rims"])  # also in the report
+    assert [row[:2] for row in table.rows] == [["ring", "2"], ["ring", "3"], ["ring", "4"]]
     assert rim["free"][0] == pytest.approx(283.400, abs=1e-3)
     assert [len(pair) for pair in rim["supported"]] == [2, 2, 2]
     one, two = rim["supported"][2]  # n = 4 on eight supports

@@ -17,9 +17,11 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.rolls import (
+    RollPlan,
+    Train,
     given_roll,
-    periods_to_roll,
     periods_until_repeat,
+    plan_of,
     points_to_roll,
     without_given,
 )
@@ -83,13 +85,57 @@ def test_a_mesh_is_rolled_until_the_others_have_come_round() -> None:
     assert [periods_until_repeat(model, mesh) for mesh in model.meshes] == [3, 1]
     other = train(middle=(57, 20))
     assert [periods_until_repeat(other, mesh) for mesh in other.meshes] == [57, 20]
-    assert periods_to_roll(other, "first") == 12
+    assert plan_of(other, "first", 12) == RollPlan(57, 12, 80)
+
+
+def test_a_roll_has_points_for_the_fastest_mesh_and_fewer_periods_in_a_large_machine() -> None:
+    """57 cycles of the first mesh are 20 of the second one: 8 points each, at least 80 per period."""
+    other = train(middle=(57, 20))
+    assert plan_of(other, "second", 101) == RollPlan(20, 3, 80)
+    fast = train(middle=(342, 18))  # 19 cycles of the first mesh per period of the second one
+    assert plan_of(fast, "second", 101) == RollPlan(1, 1, 152)
+    assert plan_of(fast, "second", 101, Train(loaded=("second",))) == RollPlan(1, 1, 96)
 
 
 def test_a_gear_whose_teeth_differ_is_rolled_once_round() -> None:
     """The input makes one turn in 19 periods of the first mesh, in 19/3 of the second one."""
     model = train(deviation=True)
-    assert [periods_to_roll(model, mesh) for mesh in model.meshes] == [57, 19]
+    assert [plan_of(model, mesh, 3).periods for mesh in model.meshes] == [57, 19]
+
+
+BRAKED = """
+gears:
+  z1: {number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  z2: {number_of_teeth: 40, normal_module: 2 mm, face_width: 20 mm}
+  z3: {number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0}
+  z4: {number_of_teeth: 40, normal_module: 2 mm, face_width: 20 mm}
+bodies:
+  input: {gears: {z1: 0 mm}, motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 0]}
+  output: {gears: {z2: 0 mm}, motion: torsion, inertia: 1e-2 kg m^2}
+  lay: {gears: {z3: 0 mm}, motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 60 mm]}
+  ring: {gears: {z4: 0 mm}, motion: torsion, inertia: 1e-2 kg m^2}
+meshes:
+  first: {gears: [z1, z2], center_distance: 60 mm}
+  second: {gears: [z3, z4], center_distance: 60 mm}
+clutches:
+  B: {bodies: [lay], capacity: 200 N m}
+loads:
+  motor: {body: input, torque: 10 N m}
+  road: {body: output, torque: balance}
+  push: {body: ring, torque: 20 N m}
+scenarios:
+  roll: {engaged: [B], quasi_static: {mesh: first, points: 12}}
+"""
+
+
+def test_meshes_that_clutches_lock_are_not_rolled() -> None:
+    """The brake holds the second train: its gears would be forced through the teeth."""
+    model = loads_model(BRAKED)
+    found, remarks = collect(model, [], silent)
+    assert len(found.mesh_cycles["first"].errors) == 2 and not found.mesh_cycles["second"].errors
+    assert "second: no slow roll, since the engaged clutches lock their gears." in remarks
+    with pytest.raises(pp.SolverError, match="second cannot be rolled: .* while B is locked; roll another"):
+        roll_through(pp.compile_model(model, "roll"), mesh="second")
 
 
 def helical_train() -> Model:
@@ -233,12 +279,12 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
 
 
 def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monkeypatch) -> None:
-    monkeypatch.setattr("pitchpoint.report.rolls.MAX_MESHES", 1)
+    monkeypatch.setattr("pitchpoint.report.rolls.MAX_ROLLS", 1)
     found, notes = collect(train(middle=(57, 19)), [], silent)
     assert found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
     assert (
-        "Slow rolls of 2 meshes would take too long: the first 1 are computed. "
-        "Use a scenario with a slow roll for the others."
+        "Slow rolls of 2 meshes would take too long: those of second are omitted. "
+        "Use a scenario with a slow roll."
     ) in notes
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +18,7 @@ from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.critical_speeds import DAMPED
 from pitchpoint.solvers.linear_system import linearise
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.modes.unstable import unstable_notes
+from pitchpoint.solvers.modes.unstable import unstable_modes, unstable_notes
 from tests.support.machines import compiled
 from tests.unit.solvers.test_modal import TWO_ROTORS, whirl_roots
 
@@ -202,3 +204,14 @@ def test_a_mode_near_another_is_that_of_all_modes_with_states_of_a_brake():
         assert value == pytest.approx(complex(found.eigenvalue[1, mode]), rel=1e-9)
         M = found.modes.at(60.0).at_rest.M
         assert abs(shape.conj() @ M @ found.shape[1, mode]) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_rounding_of_a_rigid_rotation_is_not_an_unstable_mode():
+    """Its eigenvalue is zero: the sign of the computed one, a damping ratio of -1, has no meaning."""
+    eigenvalue = np.array([[1e-15 * sign, complex(-3.0, 700.0)] for sign in (1.0, -1.0, 2.0)])
+    found: Any = SimpleNamespace(
+        speed=np.arange(3.0),
+        eigenvalue=eigenvalue,
+        damping_ratio=-eigenvalue.real / np.abs(eigenvalue),
+    )
+    assert unstable_modes(found) == ()

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.cli.check_output.flexible_rims import show_rims
-from pitchpoint.cli.output import show, shown, table
+from pitchpoint.cli.output import show, show_tables, shown, table
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
 
@@ -88,6 +88,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     from pitchpoint.cli.check_output.gearbox import show_gearbox
     from pitchpoint.cli.check_output.power_flow import show_power_flows
     from pitchpoint.cli.mass import show_masses, show_shaft_masses
+    from pitchpoint.report.machine_tables import bearing_table, rim_table, scissor_table, stage_tables
     from pitchpoint.report.parameters import HEAD, parameter_lines
 
     passed = f"no errors, {warnings} warning{'s' * (warnings > 1)}" if warnings else "no problems"
@@ -108,7 +109,7 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
         show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
-    show_rims(found["flexible_rims"])
+    show_tables(rim_table(found["flexible_rims"]))
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
@@ -130,22 +131,17 @@ def show_check(model: Model, file: str, found: Mapping[str, Any], warnings: int,
         table("Stations of beams", ["station", "from first end [mm]", "in the world [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
-    if found["planetary_stages"]:
-        from pitchpoint.cli.check_output.planets import show_stages
-
-        show_stages(found["planetary_stages"])
-    if found["scissor_gears"]:
-        from pitchpoint.cli.check_output.scissor_gears import show_scissors
-
-        show_scissors(found["scissor_gears"])
+    show_tables(*stage_tables(found["planetary_stages"]), scissor_table(found["scissor_gears"]))
     show_gearbox(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
     if found["balance"]:
         show_balance(found["balance"])
-    if model.rolling_bearings:
-        _show_bearings(model)
+    bearings = bearing_table(model)
+    show_tables(replace(bearings, notes=()))
+    for note in bearings.notes:
+        show(note)
     if found["signals"]:
         table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
@@ -163,16 +159,6 @@ def _show_defaults(defaults: Sequence[Mapping[str, str]]) -> None:
     if rows:
         lines = [[owner, "; ".join(words)] for owner, words in rows.items()]
         table("Defaults in effect", ["component", "keys that the file omits"], lines)
-
-
-def _show_bearings(model: Model) -> None:
-    """Print the data of rolling bearings, given or estimated."""
-    from pitchpoint.report.bearing_data import HEAD, bearing_lines
-
-    rows, notes = bearing_lines(model)
-    table("Rolling bearings", list(HEAD), rows)
-    for note in notes:
-        show(note)
 
 
 def _show_bodies(found: Mapping[str, Any]) -> None:

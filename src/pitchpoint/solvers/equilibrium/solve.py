@@ -53,6 +53,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     inverse_of,
     rest_matrix,
     unsettled_states,
+    wrapped,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, held_spins, is_independent
 from pitchpoint.system import evaluate
@@ -71,6 +72,8 @@ NEGLIGIBLE = 1e-12
 the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
+NEAR = 1.0
+"""The same from an equilibrium for similar loads."""
 TINY = 1e-9
 """Step [m] over which a continuous force is practically constant."""
 HEAVY = 1e8
@@ -128,6 +131,7 @@ def find_equilibrium(
     held: Sequence[int] | None = None,
     *,
     tolerance: float = TOLERANCE,
+    near: bool = False,
 ) -> Equilibrium:
     """Find the equilibrium near an initial state.
 
@@ -141,6 +145,8 @@ def find_equilibrium(
         Coordinates to hold. Default: `held_spins`.
     tolerance
         Largest residual, relative to the loads.
+    near
+        Whether the initial state is an equilibrium for similar loads: the first steps are then longer.
 
     Returns
     -------
@@ -165,20 +171,20 @@ def find_equilibrium(
         if words := broken_tooth(system, mechanism.state):
             raise SolverError(words, DIVERGED, mechanism.state)
         reaction = mechanism.residual[list(kept)].copy()
-        return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
-    found, count, failure, worst = _pseudo_time(system, state, free, tolerance)
+        return Equilibrium(wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
+    found, count, failure, worst = _pseudo_time(system, state, free, tolerance, NEAR if near else FIRST)
     if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
         words, singular = reason(system, state, free, found, count, worst)
         raise SolverError(words, SINGULAR if singular else failure, found.state)
-    other_sides = tuple(_wrapped(system, other) for other in found.other_sides)
+    other_sides = tuple(wrapped(system, other) for other in found.other_sides)
     reaction = found.residual[list(kept)].copy()
-    return Equilibrium(_wrapped(system, found.state), kept, reaction, count, other_sides, found.share)
+    return Equilibrium(wrapped(system, found.state), kept, reaction, count, other_sides, found.share)
 
 
 def _pseudo_time(
-    system: System, state: State, free: NDArray[np.int64], tolerance: float
+    system: System, state: State, free: NDArray[np.int64], tolerance: float, first: float = FIRST
 ) -> tuple[Rest, int, int, int]:
     """Iterate the free coordinates to equilibrium.
 
@@ -196,7 +202,7 @@ def _pseudo_time(
     tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
-    mu, floats = FIRST, False
+    mu, floats = first, False
     learned: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # last step, residual missed
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
@@ -275,18 +281,6 @@ def _pseudo_time(
     return Rest(state, R), count, SINGULAR if mu < 1.0 else DIVERGED, worst
 
 
-def _wrapped(system: System, state: State) -> State:
-    """Wrap every spin angle of a state into (-pi, pi] and whole turns; changes and returns the state."""
-    for b in range(1, len(system.layout.bodies)):
-        spin = int(system.program["body"][b]["spin"])
-        if spin >= 0:
-            turns = int(np.floor(state.q[spin] / (2.0 * np.pi) + 0.5))
-            if turns:
-                state.q[spin] -= 2.0 * np.pi * turns
-                state.turns[b] += turns
-    return state
-
-
 def balance_torques(
     system: System,
     state: State,
@@ -351,7 +345,7 @@ def _mean_reaction(
         state = found.state.copy()
         state.q[spins] += instant * state.v[spins]
         with suppress(SolverError):
-            total += weight * find_equilibrium(system, _wrapped(system, state), found.held).reaction
+            total += weight * find_equilibrium(system, wrapped(system, state), found.held).reaction
             counted += weight
     return total / counted if counted > 0.0 else found.reaction
 
@@ -394,7 +388,7 @@ def solve_equilibrium(
             held = exchange(system, held, spin)
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
-    settled, balanced, kept = balance_torques(system, _wrapped(system, start), held)
+    settled, balanced, kept = balance_torques(system, wrapped(system, start), held)
     held = tuple(kept) if balanced and is_looped(settled) else held
-    start = centred(settled, _wrapped(settled, start), held)
+    start = centred(settled, wrapped(settled, start), held)
     return point_dataset(settled, find_equilibrium(settled, start, held))

@@ -34,6 +34,8 @@ SOFTENING = 2.0
 mu/(mu + k/m) times this one, so the mass factor mu stays above 2 |k|/m."""
 LARGE = 300
 """Number of coordinates from which matrices are sparse (importing SciPy takes a fifth of a second)."""
+FACTORISED = 100
+"""Number of unknowns from which SciPy factorises dense matrices, in a third of the time of an inverse."""
 REGULAR = 1e13
 """Condition number up to which a matrix is inverted; beyond it the pseudo-inverse is used."""
 
@@ -86,6 +88,8 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
             return solve
         A = A.toarray()
     scaled = A / np.outer(root, root)
+    if len(root) >= FACTORISED and (solve := _factorised(scaled, root)) is not None:
+        return solve
     try:
         inverse = np.linalg.inv(scaled)
         regular = bool(np.linalg.norm(scaled, 1) * np.linalg.norm(inverse, 1) < REGULAR)
@@ -94,6 +98,16 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
     if not regular:
         inverse = np.linalg.pinv(scaled)
     return lambda b: np.asarray(inverse @ (b / root) / root)
+
+
+def _factorised(scaled: Array, root: Array) -> Callable[[Array], Array] | None:
+    """`inverse_of` by triangular factors of a dense matrix; None if the matrix is singular."""
+    from scipy.linalg.lapack import dgecon, dgetrf, dgetrs
+
+    lu, pivots, failed = dgetrf(scaled)
+    if failed or not dgecon(lu, np.linalg.norm(scaled, 1))[0] * REGULAR > 1.0:
+        return None
+    return lambda b: np.asarray(dgetrs(lu, pivots, b / root)[0] / root)
 
 
 def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
@@ -166,3 +180,15 @@ def step_on(system: System, state: State, free: NDArray[np.int64], step: NDArray
     found.q[free[~holds]] += step[~holds]
     found.v[free[holds]] += step[holds]
     return found
+
+
+def wrapped(system: System, state: State) -> State:
+    """Wrap every spin angle of a state into (-pi, pi] and whole turns; changes and returns the state."""
+    for b in range(1, len(system.layout.bodies)):
+        spin = int(system.program["body"][b]["spin"])
+        if spin >= 0:
+            turns = int(np.floor(state.q[spin] / (2.0 * np.pi) + 0.5))
+            if turns:
+                state.q[spin] -= 2.0 * np.pi * turns
+                state.turns[b] += turns
+    return state

@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
+RIGID = 1e-10
+"""Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which does not grow."""
 ANTISYMMETRIC = 1e-12
 """Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
 SHOWN = 3
@@ -74,7 +76,9 @@ class UnstableMode:
 def unstable_modes(found: Campbell) -> tuple[UnstableMode, ...]:
     """Unstable modes in the range of the speeds, lowest damping first."""
     order = np.argsort(found.speed, kind="stable")
-    ratio = found.damping_ratio[order]
+    size = np.abs(found.eigenvalue)
+    moves = size > RIGID * size.max(axis=1, keepdims=True, initial=0.0)
+    ratio = np.where(moves, found.damping_ratio, 0.0)[order]
     listed = []
     for mode in range(ratio.shape[1]):
         for first, last in _runs(ratio[:, mode] < -UNDAMPED):

@@ -96,7 +96,7 @@ class Holding:
                 if abs(change) <= PRECISE * abs(torques[record]) or abs(change) > 0.5 * last:
                     break  # in balance, or as close to it as rounding permits
                 torques[record] += change
-                found, last = find_equilibrium(system, found.state, self.held), abs(change)
+                found, last = find_equilibrium(system, found.state, self.held, near=True), abs(change)
         left = found.reaction.copy()
         for place, record in self.balancing.items():
             torques[record] += left[place]

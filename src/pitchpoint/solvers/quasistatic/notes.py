@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import Message, note
-from pitchpoint.core.words import listed
+from pitchpoint.core.words import listed, ranges
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.gear_trains import rotations
@@ -87,7 +87,7 @@ def _meshes(names: Sequence[str]) -> str:
     >>> _meshes(["a"]), _meshes(["a", "b", "c"])
     ('mesh a carries', 'meshes a, b and c carry')
     """
-    return f"mesh {names[0]} carries" if len(names) == 1 else f"meshes {listed(names)} carry"
+    return f"mesh {names[0]} carries" if len(names) == 1 else f"meshes {ranges(names)} carry"
 
 
 def _relieved(model: Model, empty: Sequence[str]) -> tuple[dict[str, list[str]], list[str]]:

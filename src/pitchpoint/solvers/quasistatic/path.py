@@ -10,6 +10,7 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.core.words import listed
 from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.constraints.assembly import close_loops
 from pitchpoint.solvers.equilibrium.balancing import balancing_spins
@@ -23,7 +24,9 @@ from pitchpoint.solvers.gear_trains import (
     rotations,
     tied_by_teeth,
     turning_rates,
+    turning_spins,
 )
+from pitchpoint.solvers.locked_clutches import locked_clutches
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
@@ -33,11 +36,17 @@ LARGEST_RATIO = 10**6
 
 
 def turned_gear(system: System, mesh: int) -> tuple[int, int]:
-    """Spin and number of teeth of the rotated gear of a mesh: the first of both that can rotate."""
+    """Spin and number of teeth of the rotated gear of a mesh: the first of both that can rotate.
+
+    A gear that springs and locked clutches leave free takes precedence.
+    """
     record = mesh_record(system, mesh)
-    body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
-    z = record["z1"] if body == record["i"] else record["z2"]
-    return system.spin(system.layout.bodies[body]), abs(int(z))
+    bodies = [int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0]
+    spins = [system.spin(system.layout.bodies[body]) for body in bodies]
+    free = turning_spins(system) if len(bodies) > 1 else set(spins)
+    k = next((k for k, spin in enumerate(spins) if spin in free), 0)
+    z = record["z1"] if bodies[k] == record["i"] else record["z2"]
+    return spins[k], abs(int(z))
 
 
 def held_in_roll(system: System, mesh: int, state: State) -> tuple[int, ...]:
@@ -47,7 +56,20 @@ def held_in_roll(system: System, mesh: int, state: State) -> tuple[int, ...]:
 
     A held gear between the drive and the loads would take the load off the meshes on the side of the drive.
     Bodies with a balancing torque are held in the other trains.
+
+    Raises
+    ------
+    SolverError
+        If locked clutches hold both gears of the mesh.
     """
+    locked = locked_clutches(system)
+    if locked and turned_gear(system, mesh)[0] not in turning_spins(system):
+        raise SolverError(
+            f"mesh {mesh_names(system)[mesh]} cannot be rolled: its gears have no relative rotation while "
+            f"{listed(locked)} {'is' if len(locked) == 1 else 'are'} locked; roll another mesh, or engage "
+            "other clutches",
+            SINGULAR,
+        )
     spin, driving, driven = turned_gear(system, mesh)[0], held_spins(system), driven_coordinates(system)
     if is_looped(system):
         return (spin, *(h for h in exchange(system, driving, spin, state) if h != spin))

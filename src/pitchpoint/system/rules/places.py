@@ -63,6 +63,10 @@ class Places:
         row["j"] = self.end(bodies[1])[0] if len(bodies) == 2 else 0
 
 
+STATE = ".state"
+"""End of the names of hidden bodies."""
+
+
 def hidden_bodies(elements: Iterable[str]) -> list[Body]:
     """Hidden bodies whose spin rates are the states of elements, numbered after all others.
 
@@ -71,4 +75,4 @@ def hidden_bodies(elements: Iterable[str]) -> list[Body]:
     elements
         Names of the elements with a state.
     """
-    return [Body(name=f"{name}.state", polar_inertia=1.0, state=True) for name in elements]
+    return [Body(name=f"{name}{STATE}", polar_inertia=1.0, state=True) for name in elements]

@@ -26,8 +26,9 @@
   // Paper is white and its width is known: 182 mm between the margins, two plots in a pair.
   const paperWidth = (node) => (node.closest(".pair") ? 325 : 680);
 
-  // Rows with a name each, and diagrams full of names, need their height; other plots are lower on paper.
-  const paperHeight = (height, meta) => (meta && meta.whole ? height : Math.round(0.8 * height));
+  // Rows with a name each, and diagrams full of names, need their height; other plots are lower on paper, those of a
+  // mesh cycle more, so that they share a page.
+  const paperHeight = (height, meta) => Math.round((meta && meta.whole ? 1 : meta && meta.low ? 0.7 : 0.8) * height);
 
   function apply(mode, printing) {
     for (const { node, height } of plots) {

@@ -210,10 +210,10 @@ class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
     `scenarios` lists the scenarios with these modes, `others` those with other prescribed motions, `held` the
-    bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
-    if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
-    (number of modes, number of components). `at` is the state of a sweep, in words. `sources` are the
-    components that feed unstable modes, "" for the others; `undamped`: the model has no damping.
+    bodies with prescribed motion, which do not vibrate, `engaged` the engaged clutches. `total` is the number
+    of all modes if only the lowest are given. `strain_share` are the shares of `components` in the strain
+    energy, shape (number of modes, number of components). `at` is the state of a sweep, in words. `sources`
+    are the components that feed unstable modes, "" for the others; `undamped`: the model has no damping.
     """
 
     names: Sequence[str]
@@ -222,6 +222,7 @@ class ModeData:
     scenarios: Sequence[str] = ()
     others: Sequence[str] = ()
     held: Sequence[str] = ()
+    engaged: Sequence[str] = ()
     total: int = 0
     components: Sequence[str] = ()
     strain_share: ArrayLike = ()
@@ -291,6 +292,8 @@ class ReportResults:
     ----------
     mesh_cycles
         By the name of the mesh.
+    planets
+        Load sharing of planetary stages in the rolls of the report itself, see `planet_table`.
     rolls
         Slow rolls by the name of the scenario.
     runs
@@ -324,6 +327,7 @@ class ReportResults:
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
+    planets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     rolls: Mapping[str, RollData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
@@ -364,7 +368,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         contact_section(results.contacts),
         relief_section(results.reliefs),
         roll_section(results.rolls),
-        mesh_cycle_section(results.mesh_cycles),
+        mesh_cycle_section(results.mesh_cycles, results.planets),
         parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
         parts.drawing_section(model.pairs),
         parameter_section(model.parameters),

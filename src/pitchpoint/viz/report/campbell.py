@@ -31,6 +31,8 @@ LISTED = 12
 """Number of critical speeds in the table, in addition to those that the summary names."""
 MOVERS = 3
 """Number of stiffnesses and masses listed for each critical speed."""
+CLOSE = 0.1
+"""Distance from the operating range, over its speed, up to which a critical speed is close."""
 MAX_CRITICAL = 3
 """Maximum number of critical speeds that the summary names."""
 
@@ -69,11 +71,16 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
 def named_speeds(ranked: Sequence[RankedSpeed]) -> list[int]:
     """Places of the critical speeds that the summary names, in the ranking.
 
-    Those with a large response that are within the operating range, else the nearest one.
+    Those with a large response that are within the operating range, else the nearest one and those close to
+    the range.
     """
     known = [k for k, c in enumerate(ranked) if np.isfinite(c.separation) and c.response >= LARGE]
     inside = [k for k in known if ranked[k].separation == 0.0]
-    return inside[:MAX_CRITICAL] or sorted(known, key=lambda k: abs(ranked[k].separation))[:1]
+    if inside:
+        return inside[:MAX_CRITICAL]
+    nearest = sorted(known, key=lambda k: abs(ranked[k].separation))[:1]
+    close = [k for k in known if abs(ranked[k].separation) <= CLOSE]
+    return sorted({*close[: MAX_CRITICAL - 1], *nearest})
 
 
 def _conditions(data: xr.Dataset) -> str:
@@ -115,8 +122,7 @@ def _movers_table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int]) -> str
     ranks: dict[str, list[int]] = {}
     for k in listed:
         words = ", ".join(
-            f"{label} {100.0 * STEP * value:+.1f} %".replace("-", "−")
-            for label, value in ranked[k].moved_by[:MOVERS]
+            f"{label} {_signed(100.0 * STEP * value, 1)}" for label, value in ranked[k].moved_by[:MOVERS]
         )
         if words:
             ranks.setdefault(words, []).append(k)
@@ -128,6 +134,11 @@ def _movers_table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int]) -> str
     ]
     heads = ("rank", f"change of the critical speed for +{100.0 * STEP:g} % of stiffness or mass")
     return plain_table(heads, rows, words=1, texts=(1,))
+
+
+def _signed(percent: float, digits: int) -> str:
+    """Percentage with its sign."""
+    return f"{percent:+.{digits}f} %".replace("-", "−")
 
 
 def _unstable_table(listed: tuple[UnstableRange, ...]) -> str:
@@ -165,12 +176,12 @@ def _table(ranked: tuple[RankedSpeed, ...], listed: Sequence[int], apart: bool) 
             cells.append(
                 "in range"
                 if c.separation == 0.0
-                else f"{100.0 * c.separation:+.0f} %".replace("-", "−")
+                else _signed(100.0 * c.separation, 0 if abs(c.separation) >= 0.095 else 1)
                 if known
                 else "–"
             )
         body = "".join(f'<td class="{"num" if n not in TEXTS else ""}">{x}</td>' for n, x in enumerate(cells))
-        rows.append(f'<tr><th scope="row">{k + 1}</th>{body}</tr>')
+        rows.append(f'<tr><th scope="row" class="short">{k + 1}</th>{body}</tr>')
     heads = ["rank", "speed", "frequency", "damping", "order", "mode", "driven by"]
     heads += ["amplification", "response", *(["from operation"] if apart else [])]
     return plain_table(heads, rows, words=1, texts=[k + 1 for k in TEXTS])

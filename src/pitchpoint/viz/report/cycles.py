@@ -34,9 +34,13 @@ ROUND_OFF_WAY = 1e-6
 """Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
 
 
-def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
-    """Section with stiffness and transmission error over the mesh cycle."""
+def mesh_cycle_section(
+    cycles: Mapping[str, Any], planets: Mapping[str, Mapping[str, Any]] | None = None
+) -> Section:
+    """Section with stiffness and transmission error over the mesh cycle, and load sharing of planets."""
     section = Section("cycle", "Mesh cycle")
+    if planets:
+        section.add(f"<h3>Load sharing of the planets in slow rolls</h3>{planet_table(planets)}")
     for meshes, cycle in grouped(cycles, _same):
         mesh = common_name(meshes)
         section.add_name(mesh, cycles)

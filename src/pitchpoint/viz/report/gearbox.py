@@ -8,10 +8,14 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table, symbol_html
 
-WORDS = ("gears", "driven by", "drives", "section", "bodies")
+WORDS = (
+    *("gears", "driven by", "drives", "section", "bodies"),
+    *("power flow", "speeds", "loads", "next to", "elements", "clearance", "axial force", "on its supports"),
+)
 """Heads of columns with words."""
 SYMBOLS = ("T_1", "T_2", "F_wt", "F_wr", "F_a", "v_w", "f_z")
 """Heads that are symbols."""
@@ -28,10 +32,13 @@ class GearboxData:
     flows
         Power flows as texts: `names` of the scenarios, `summary`, `tables` with `title`, `head`, `rows` and
         `notes`, and `notes`.
+    tables
+        Further tables: load cases, planetary stages, scissor gears, ring modes, rolling bearings.
     """
 
     drawing: str = ""
     flows: Sequence[Any] = ()
+    tables: Sequence[Any] = ()
 
 
 def gearbox_section(data: GearboxData) -> Section:
@@ -43,24 +50,35 @@ def gearbox_section(data: GearboxData) -> Section:
     for flow in data.flows:
         names = ", ".join(name for name in flow.names if name)
         section.add(f"<h3>Power flow at constant speed{f': {escape(names)}' if names else ''}</h3>")
-        section.add(f"<p>{escape(flow.summary[:1].upper() + flow.summary[1:])}.</p>")
+        section.add(f"<p>{escape(printed(flow.summary[:1].upper() + flow.summary[1:]))}.</p>")
         for table in flow.tables:
-            texts = [k for k, head in enumerate(table.head) if head in WORDS]
-            rows = [_row(row, texts) for row in table.rows]
-            made = plain_table(table.head, rows, words=1, texts=texts)
-            for symbol in SYMBOLS:
-                made = made.replace(f">{symbol}</th>", f">{symbol_html(symbol)}</th>")
-            section.add(f"<h4>{escape(table.title)}</h4>{made}")
+            section.add(f"<h4>{escape(table.title)}</h4>{_table(table)}")
             section.add(f"<p>{_symbols(' '.join(table.notes))}.</p>" if table.notes else "")
-        items = "".join(f"<li>{escape(note)}</li>" for note in flow.notes)
-        section.add(f'<ul class="notes">{items}</ul>' if items else "")
+        section.add(_notes(flow.notes))
+    for table in data.tables:
+        section.add(f"<h3>{escape(table.title)}</h3>{_table(table)}{_notes(table.notes)}")
     return section
+
+
+def _table(table: Any) -> str:
+    """Table of texts."""
+    texts = [k for k, head in enumerate(table.head) if head in WORDS]
+    made = plain_table(table.head, [_row(row, texts) for row in table.rows], words=1, texts=texts)
+    for symbol in SYMBOLS:
+        made = made.replace(f">{symbol}</th>", f">{symbol_html(symbol)}</th>")
+    return made
+
+
+def _notes(notes: Sequence[str]) -> str:
+    """List of notes."""
+    items = "".join(f"<li>{escape(printed(note))}</li>" for note in notes)
+    return f'<ul class="notes">{items}</ul>' if items else ""
 
 
 def _row(row: Sequence[str], texts: Sequence[int]) -> str:
     """Row of a table: name, words and numbers."""
     cells = "".join(
-        f"<td>{escape(text)}</td>" if k in texts else f'<td class="num">{escape(text)}</td>'
+        f"<td>{escape(printed(text))}</td>" if k in texts else f'<td class="num">{escape(printed(text))}</td>'
         for k, text in enumerate(row)
         if k
     )

@@ -8,8 +8,12 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.core.words import ranges
+from pitchpoint.viz.quantities import amount, number, scale
 from pitchpoint.viz.tables import plain_table
+
+EQUAL = 1.00005
+"""Mesh load factor up to which the planets carry equal loads."""
 
 
 def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
@@ -27,9 +31,18 @@ def planet_table(stages: Mapping[str, Mapping[str, Any]]) -> str:
         if factor is None:
             found.append(f"<p>{escape(name)}: no load on the planets, no mesh load factor K<sub>γ</sub>.</p>")
             continue
+        positions = stage.get("positions")
+        largest = factor if positions is None else max(factor, positions["load_sharing_factor"])
+        if largest < EQUAL:
+            words = ranges(stage["meshes"])
+            load = amount(max(map(abs, stage["mean_force"])), "N", 4)
+            found.append(
+                f"<p>{escape(name)}: mesh load factor K<sub>γ</sub> = {factor:.4f}; equal mean forces in "
+                f"{escape(words)}, {load}.</p>"
+            )
+            continue
         force = scale("N", stage["mean_force"])
         head = ["planet", "mesh", f"mean mesh force [{force.unit}]", "share [%]"]
-        positions = stage.get("positions")
         pairs: list[tuple[float, ...]] = [()] * len(stage["planets"])
         if positions is not None:
             head += ["smallest share [%]", "largest share [%]"]

@@ -374,14 +374,20 @@ def _critical(diagrams: Mapping[str, Any]) -> list[str]:
             place = range_words(data.attrs["operating_speed"])
             found.append(f"Critical speeds{of} within the operating {place}{body}: {words}.")
             continue
-        near = known[0]
-        side = "above" if near.separation > 0.0 else "below"
-        found.append(
-            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}{body}, "
-            f"{number(abs(100.0 * near.separation), 2)} % {side} the operating "
-            f"{range_words(data.attrs['operating_speed'])} ({_resonance(near)})."
-        )
+        place = range_words(data.attrs["operating_speed"])
+        if len(known) > 1:
+            words = "; ".join(f"{amount(c.speed, 'rad/s')}, {_apart(c)} ({_resonance(c)})" for c in known)
+            found.append(f"Critical speeds{of} close to the operating {place}{body}: {words}.")
+        else:
+            near = f"{amount(known[0].speed, 'rad/s')}{body}, {_apart(known[0])} the operating {place}"
+            found.append(f"Nearest critical speed{of}: {near} ({_resonance(known[0])}).")
     return found
+
+
+def _apart(critical: RankedSpeed) -> str:
+    """Distance from the operating range, in words."""
+    side = "above" if critical.separation > 0.0 else "below"
+    return f"{number(abs(100.0 * critical.separation), 2)} % {side}"
 
 
 def _resonance(critical: RankedSpeed) -> str:

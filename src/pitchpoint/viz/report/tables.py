@@ -65,14 +65,16 @@ def _conditions(modes: Any) -> str:
         words += f"; prescribed motion: {', '.join(modes.held)}"
     elif modes.scenarios:
         words += "; no prescribed motion"
+    words += f"; engaged: {', '.join(modes.engaged)}" if modes.engaged else ""
     words += "."
     if len(modes.scenarios) > 1:
         words += f" Scenarios with the same prescribed motions: {', '.join(modes.scenarios[1:])}."
     if modes.others:
+        or_clutches = " or engaged clutches" if modes.engaged else ""
         plural = "s" if len(modes.others) > 1 else ""
         words += (
-            f" The prescribed motions of scenario{plural} {', '.join(modes.others)} differ, and so do the "
-            f"modes: for a report of these, give {'their results' if plural else 'its result'}."
+            f" The prescribed motions{or_clutches} of scenario{plural} {', '.join(modes.others)} differ, and "
+            f"so do the modes: for a report of these, give {'their results' if plural else 'its result'}."
         )
     return words
 
