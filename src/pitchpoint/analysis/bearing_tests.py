@@ -56,10 +56,14 @@ class BearingView:
         Samples per revolution of the reference shaft [-].
     parts
         Rotating parts of the machine.
+    slip
+        Maximum relative deviation of the orders [-].
     """
 
-    def __init__(self, values: Array, samples_per_turn: float, parts: TurningParts) -> None:
-        self.samples_per_turn, self.parts = samples_per_turn, parts
+    def __init__(
+        self, values: Array, samples_per_turn: float, parts: TurningParts, slip: float = SLIP
+    ) -> None:
+        self.samples_per_turn, self.parts, self.slip = samples_per_turn, parts, slip
         x = without_healthy_lines(values, samples_per_turn, parts)
         self.empty = float(x.std()) <= NOTHING * float(np.std(values))
         low, high = (0.0, 0.0) if self.empty else envelope_band(x, samples_per_turn, parts)
@@ -80,10 +84,10 @@ class BearingView:
         `known` holds orders, shapes (n,), of the signal, of its envelope and of that of the whitened signal.
         """
         lines, envelope, white = self._without(known) if known else self.spectra
-        found = _part(envelope, order, self.parts, self.end)
+        found = _part(envelope, order, self.parts, self.end, self.slip)
         if found.probability >= IMPACTS:
             return found, True
-        impacts = _part(white, order, self.parts, self.end).probability
+        impacts = _part(white, order, self.parts, self.end, self.slip).probability
         if min(impacts, _comb(lines, order, self.parts, self.samples_per_turn)) > self.impacts:
             return replace(found, probability=1.0), False
         return found, True
@@ -100,7 +104,7 @@ class BearingView:
 
 
 def bearing_evidence(
-    values: Array, samples_per_turn: float, parts: TurningParts
+    values: Array, samples_per_turn: float, parts: TurningParts, slip: float = SLIP
 ) -> tuple[list[Row], list[Note], BearingView | None]:
     """Test all bearing parts for lines in the spectrum of the squared envelope.
 
@@ -112,6 +116,8 @@ def bearing_evidence(
         Samples per revolution of the reference shaft [-].
     parts
         Rotating parts of the machine.
+    slip
+        Maximum relative deviation of the orders [-].
 
     Returns
     -------
@@ -125,7 +131,7 @@ def bearing_evidence(
     Notes
     -----
     Lines of a healthy machine are removed; the band is that of the most significant kurtosis [1]_. Its
-    squared envelope is searched within 1 % of each order to allow for slip [2]_: two of the first three
+    squared envelope is searched within the slip of each order [2]_: two of the first three
     harmonics must exceed the noise and be due to impacts. Shaft orders are omitted. Equal bearings on one
     shaft are treated as one. Valid for many events per record.
 
@@ -157,7 +163,7 @@ def bearing_evidence(
     turns = values.size / samples_per_turn
     if all(order * turns < MIN_EVENTS for bearing in parts.bearings for order in bearing.orders.values()):
         return [], [Note(f"too few events of all bearings, {few} of each")], None
-    view = BearingView(values, samples_per_turn, parts)
+    view = BearingView(values, samples_per_turn, parts, slip)
     if view.empty:
         text = "bearings not tested: lines of a healthy machine fill the spectrum of so short a record"
         return [], [Note(text)], None
@@ -214,18 +220,18 @@ def _comb(lines: FineSpectrum, order: float, parts: TurningParts, samples_per_tu
     return view.comb().probability if view.testable else 1.0
 
 
-def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float) -> Measured:
+def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float, slip: float) -> Measured:
     """Second least probable of the first three harmonics, with the slip that makes it least probable.
 
     Impacts have many harmonics. A single one may be that of another part, so that two of them must exceed the
     noise with the same slip.
     """
-    slips = np.arange(-SLIP, SLIP, min(spectrum.step / (HARMONICS * order), SLIP))
+    slips = np.arange(-slip, slip, min(spectrum.step / (HARMONICS * order), slip))
     chance, power, ratio = (np.full((HARMONICS, slips.size), fill) for fill in (1.0, 0.0, 0.0))
     held = 0
     for k in range(1, HARMONICS + 1):
         place = k * order
-        reach = max(SLIP * place, spectrum.resolution)
+        reach = max(slip * place, spectrum.resolution)
         if place + 80.0 * spectrum.resolution > end:
             break
         near = np.asarray(place * (1.0 + slips), dtype=np.float64)

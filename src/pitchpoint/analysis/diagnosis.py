@@ -16,11 +16,19 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import FROM_MESHES, bearing_evidence
 from pitchpoint.analysis.explaining import Channel, explain
+from pitchpoint.analysis.family_evidence import family_evidence
 from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
-from pitchpoint.analysis.shaft_tests import HARMONICS, MIN_TURNS, NEIGHBOURS, Measured, ShaftView
+from pitchpoint.analysis.shaft_tests import (
+    HARMONICS,
+    MIN_TURNS,
+    NEIGHBOURS,
+    SLIP,
+    Measured,
+    ShaftView,
+)
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
@@ -99,6 +107,7 @@ def diagnose(
     false_alarm: float = 0.01,
     sampled_per_turn: float | None = None,
     speed_tolerance: float = 0.0,
+    slip: float = SLIP,
 ) -> Diagnosis:
     """Evidence and findings from channels over the angle of the reference shaft.
 
@@ -116,6 +125,8 @@ def diagnose(
         Samples per revolution of the original record, if it was resampled [-].
     speed_tolerance
         Relative tolerance of the speed [-]. If it is not zero, the orders of shafts are not tested.
+    slip
+        Maximum relative deviation of bearing orders due to slip [-].
 
     Returns
     -------
@@ -162,6 +173,7 @@ def diagnose(
     channels: dict[str, Channel] = {}
     meshes, turns = {}, {}
     untested: list[Note] = []
+    families: list[Evidence] = []
     modulated: set[tuple[str, str]] = set()
     for name, values in signals.items():
         x = as_signal(values, name, 64)
@@ -171,9 +183,18 @@ def diagnose(
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         turns = {shaft: view.turns for shaft, view in mine.items()}
         meshes[name] = tuple(_mesh_lines(mine, parts, mesh) for mesh in parts.meshes)
+        channels[name] = Channel(x, rate, mine, None)
         if speed_tolerance == 0.0:
             raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
-        bearings, remarks, envelopes = bearing_evidence(x, rate, parts)
+        if parts.bearings and not parts.meshes:
+            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
+            rows, notes = family_evidence(
+                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
+            )
+            families += rows
+            untested += notes
+            continue
+        bearings, remarks, envelopes = bearing_evidence(x, rate, parts, slip + speed_tolerance)
         channels[name] = Channel(x, rate, mine, envelopes)
         raw += [(name, "bearing", part, bearing, found) for bearing, part, found in bearings]
         untested += remarks
@@ -188,7 +209,7 @@ def diagnose(
         for shaft, count in turns.items()
         if count < MIN_TURNS
     ]
-    tests = sum(1 for row in raw if row[4].lines > 0)
+    tests = sum(1 for row in raw if row[4].lines > 0) + len(families)
     if not tests and speed_tolerance == 0.0:
         reasons = grouped([*few, *untested]) or ["use a longer one, or a higher sample rate"]
         raise SignalError("record: is too short for any test; " + "; ".join(reasons))
@@ -200,6 +221,7 @@ def diagnose(
         for e in every
     )
     evidence, explained = explain(evidence, channels, parts, tests)
+    evidence += tuple(families)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, observations, spread = findings_of(evidence, views, signals, rate, parts)
     not_tested, not_reported = (

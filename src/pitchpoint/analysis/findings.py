@@ -53,6 +53,8 @@ class Evidence:
         Allowed probability [-].
     explained
         Cause that explains the test, such as a bearing part with the same lines; empty if there is none.
+    alike
+        Parts of bearings with the same lines, which this record does not distinguish.
     """
 
     channel: str
@@ -68,6 +70,7 @@ class Evidence:
     found: bool
     allowed: float = 0.0
     explained: str = ""
+    alike: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -233,7 +236,7 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
             spread.append(Note(why, f"{e.shaft} of {e.gear}"))
             continue
         reported.append(e)
-        found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability))
+        found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability, e.alike))
     return found, spread
 
 

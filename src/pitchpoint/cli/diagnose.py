@@ -59,6 +59,11 @@ PAGE_ENDINGS = (".html", ".htm")
     metavar="NAME=RATIO[@SHAFT]",
     help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as fan=120/280@motor.",
 )
+@quantity(
+    "--slip",
+    "dimensionless",
+    "Slip of rolling bearings: maximum deviation of their orders; default: 1 %.",
+)
 @click.option(
     "--false-alarm",
     type=click.FloatRange(1e-9, 0.5),

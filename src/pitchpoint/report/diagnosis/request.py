@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.core.nearest import hint
 from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
@@ -43,6 +44,7 @@ class Request:
     allow_code: bool = False
     sample_rate: float | None = None
     noise: float | None = None
+    slip: float | None = None
     more: Sequence[str] = ()
     """Further files, recorded together with the first one."""
 
@@ -77,7 +79,14 @@ def diagnose_file(request: Request) -> Study:
     remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
     units = {name: record.units.get(name, "") for name in signals}
     try:
-        found = study(over, machine.parts, false_alarm=request.false_alarm, remarks=remarks, units=units)
+        found = study(
+            over,
+            machine.parts,
+            false_alarm=request.false_alarm,
+            remarks=remarks,
+            units=units,
+            slip=SLIP if request.slip is None else request.slip,
+        )
     except SignalError as error:
         source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
         raise SignalError("; ".join([str(error), *other, *source])) from error

@@ -15,6 +15,7 @@ from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
 from pitchpoint.analysis.pulse_trains import is_pulse_train
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
+from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
@@ -151,6 +152,7 @@ def study(
     false_alarm: float,
     remarks: Sequence[str] = (),
     units: Mapping[str, str] | None = None,
+    slip: float = SLIP,
 ) -> Study:
     """Diagnose channels over an angle and describe the findings in words.
 
@@ -167,6 +169,7 @@ def study(
         false_alarm=false_alarm,
         sampled_per_turn=over.sampled_per_turn,
         speed_tolerance=over.tolerance,
+        slip=slip,
     )
     found, unnamed = _named(found, parts)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
