@@ -29,6 +29,9 @@ AVERAGES = (1, 3, 9, 27)
 """Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
 BACKGROUND = 128
 """Minimum number of lines of the running median."""
+SPREAD, STRONG = 4.0, 3.0
+"""How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts whose
+sharpness varies with the load have weak higher harmonics."""
 MIN_EVENTS = 16.0
 SEPARATE = 2.5
 """Distance of lines of the record from which they are separate with a Hann window."""
@@ -115,9 +118,20 @@ class FaultFamily:
         """Part and bearing."""
         return f"{self.part} of {self.bearing}" if self.bearing else self.part
 
-    def is_clear(self, line: float, chance: float) -> bool:
-        """Whether every line is less probable in noise than `line`, and all together less than `chance`."""
-        return bool(np.all(self.line_probability <= line)) and self.probability <= chance
+    @property
+    def level(self) -> Array:
+        """Levels of the lines [dB], shape (n,); of averaged lines those of single lines as probable in noise."""
+        if self.average == 1:
+            return self.prominence
+        likelihood = -np.log(np.maximum(self.line_probability, 1e-300)) / np.log(2.0)
+        return np.asarray(10.0 * np.log10(np.maximum(likelihood, 1e-3)))
+
+    def is_clear(self, prominence: float, chance: float) -> bool:
+        """Whether all lines are prominent, or one is less so than the others, and not by chance."""
+        level = self.level
+        every = level.min() >= prominence
+        most = level.min() >= prominence - SPREAD and level.mean() >= prominence + STRONG
+        return bool(every or most) and self.probability <= chance
 
     @property
     def lines(self) -> Array:

@@ -75,7 +75,7 @@ def fault_families(
         Maximum relative deviation of the orders of a bearing due to slip [-].
     prominence
         Minimum level of each of the first three harmonics, five of a cage, above the local median [dB]; for
-        averaged lines the level of the same probability.
+        averaged lines the level of the same probability. A level may be 4 dB lower if their mean is 3 dB higher.
     false_alarm
         Probability that noise alone leads to any detection [-].
 
@@ -138,7 +138,7 @@ def fault_families(
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))
     first = trials = {part: search.family(part, span, slip) for part in tested}
     found: dict[BearingPart, FaultFamily] = {}
-    while clear := {part: t for part, t in trials.items() if t.is_clear(search.line_limit, chance)}:
+    while clear := {part: t for part, t in trials.items() if t.is_clear(prominence, chance)}:
         own = [t for t in clear.values() if not any(search.explains(o, t) for o in clear.values())]
         best = min(own or clear.values(), key=lambda t: (t.line_probability.max(), -t.prominence.min()))
         alike = {part: t for part, t in clear.items() if t is best or search.alike(best, t)}
@@ -154,7 +154,7 @@ def fault_families(
             # a damaged one modulates at the speed of its cage, and random slip may hide its own lines
             for cage in [p for p in found if (p.bearing, p.name) == (part.bearing, "cage")]:
                 found[cage] = replace(found[cage], same_lines=(*found[cage].same_lines, t.name))
-        seemed = first[part].is_clear(search.line_limit, chance)
+        seemed = first[part].is_clear(prominence, chance)
         same = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
         rest.append(replace(t, same_lines=tuple(same)))
     rest.sort(key=lambda t: t.probability)

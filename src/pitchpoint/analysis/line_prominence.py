@@ -206,7 +206,7 @@ def _levels(power: Array, count: int, average: int, top: int, step: float) -> Li
     mean = mean[kept]
     return LineProminence(
         frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
-        amplitude=np.sqrt(mean),
+        amplitude=np.sqrt(np.maximum(mean, 0.0)),
         background=np.sqrt(median),
         prominence=10.0 * np.log10(np.maximum(mean / median, 1e-30)),
         probability=prominence_probability(mean / median, count, average),
