@@ -78,7 +78,7 @@ def test_the_speed_is_that_of_the_file() -> None:
         assert 60.0 * found.over.frequency == pytest.approx(measured, abs=2.5), record.file.name
 
 
-@pytest.mark.parametrize(("offset", "count"), [(0.0, 10), (0.008, 10), (-0.008, 10), (0.02, 9), (-0.02, 10)])
+@pytest.mark.parametrize(("offset", "count"), [(0.0, 10), (0.008, 10), (-0.008, 10), (0.02, 9), (-0.02, 9)])
 def test_the_plain_method_names_the_same_parts(offset: float, count: int) -> None:
     from scipy.io import loadmat
 
