@@ -20,6 +20,7 @@ from pitchpoint.analysis.family_evidence import family_evidence
 from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
 from pitchpoint.analysis.remarks import Note, grouped
+from pitchpoint.analysis.same_fault import across_channels
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.shaft_tests import (
     HARMONICS,
@@ -221,7 +222,8 @@ def diagnose(
         for e in every
     )
     evidence, explained = explain(evidence, channels, parts, tests)
-    evidence += tuple(families)
+    revolutions = min(as_signal(x).size for x in signals.values()) / rate
+    evidence = across_channels((*evidence, *families), parts, revolutions)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, observations, spread = findings_of(evidence, views, signals, rate, parts)
     not_tested, not_reported = (
@@ -308,4 +310,5 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
         sideband=found.sideband,
         found=together < allowed,
         allowed=allowed,
+        explained=found.rule if value > threshold else "",
     )

@@ -86,7 +86,6 @@ def family_evidence(
         return [], [Note(f"{channel}: {error}")]
     rows = []
     for family in found.families:
-        least = float(family.prominence.min())
         explained = ""
         if not family.named and family.same_lines:
             explained = " and ".join(family.same_lines)
@@ -98,7 +97,7 @@ def family_evidence(
                 kind="bearing",
                 shaft=family.part,
                 gear=family.bearing,
-                value=least,
+                value=family.strength,
                 threshold=LEAST,
                 probability=float(min(1.0, family.probability * len(found.families))),
                 order=family.order * family.scale,

@@ -128,10 +128,13 @@ class FaultFamily:
 
     def is_clear(self, prominence: float, chance: float) -> bool:
         """Whether all lines are prominent, or one is less so than the others, and not by chance."""
-        level = self.level
-        every = level.min() >= prominence
-        most = level.min() >= prominence - SPREAD and level.mean() >= prominence + STRONG
-        return bool(every or most) and self.probability <= chance
+        return self.strength >= prominence and self.probability <= chance
+
+    @property
+    def strength(self) -> float:
+        """Level to which the limit applies [dB]: that of the least line, or more if the mean is much higher."""
+        least, mean = float(self.level.min()), float(self.level.mean())
+        return max(least, min(least + SPREAD, mean - STRONG))
 
     @property
     def lines(self) -> Array:

@@ -225,7 +225,8 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
     reported: list[Evidence] = []
     found, spread = [], []
     orders = _orders(parts)
-    for e in sorted((e for e in evidence if e.kind == "bearing" and e.found), key=lambda e: e.probability):
+    tests = [e for e in evidence if e.kind == "bearing" and e.found]
+    for e in sorted(tests, key=lambda e: (e.probability, e.threshold - e.value)):
         if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in reported):
             continue
         own = orders[e.gear, e.shaft]

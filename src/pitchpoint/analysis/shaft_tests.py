@@ -72,6 +72,8 @@ class Measured:
         Number of the sideband, 0 if it is not a sideband [-].
     choices
         Number of bands of a comb from which the best was chosen [-].
+    rule
+        Why the test is not significant whatever its score, such as a line below 1 % of the rms; empty for none.
     """
 
     score: float
@@ -81,6 +83,7 @@ class Measured:
     lines: int
     sideband: int = 0
     choices: int = 1
+    rule: str = ""
 
 
 class ShaftView:
@@ -167,6 +170,7 @@ class ShaftView:
             worst,
             probability=1.0 if small else worst.probability,
             order=worst.order * self.order,
+            rule=f"below {100.0 * SMALLEST_COMB:g} % of the rms" if small else "",
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
@@ -180,15 +184,17 @@ class ShaftView:
             if one is None:
                 continue
             looked += 1
-            if one.amplitude < limit or not self.has_top_at(float(place)):
-                one = replace(one, probability=1.0)
+            if one.amplitude < limit:
+                one = replace(one, probability=1.0, rule=f"below {100.0 * SMALLEST_SIDEBAND:g} % of its mesh line")
+            elif not one.rule and not self.has_top_at(float(place)):
+                one = replace(one, probability=1.0, rule="slope of another line")
             if best is None or one.probability < best[0].probability:
                 best = one, int(number)
         if best is None:
             return Measured(0.0, 1.0, float(orders[0]) if orders.size else self.order, 0.0, 0)
         one, number = best
         some = float(-np.expm1(looked * np.log1p(-min(one.probability, 1.0 - 1e-16))))
-        return Measured(one.score, some, one.order, one.amplitude, looked, number)
+        return replace(one, probability=some, lines=looked, sideband=number)
 
     def line(self, order: float) -> Measured | None:
         """Test of one line against the higher of both sides; None without enough neighbours."""
@@ -205,9 +211,9 @@ class ShaftView:
                 if found >= probability:
                     probability, score = found, ratio
         amplitude = float(np.sqrt(power))
-        if amplitude < SMALLEST_LINE * self.rms:
-            probability = 1.0
-        return Measured(score, probability, order, amplitude, 1)
+        small = amplitude < SMALLEST_LINE * self.rms
+        rule = f"below {100.0 * SMALLEST_LINE:g} % of the rms" if small else ""
+        return Measured(score, 1.0 if small else probability, order, amplitude, 1, rule=rule)
 
     def _passed(self, order: float) -> bool:
         """Whether an order may be due to ball passage, within the resolution of the record."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.analysis.tools import TOOLS
-from pitchpoint.cli.options import as_json, debug, quantity, quiet, writes
+from pitchpoint.cli.options import as_json, debug, pairs, quantity, quiet, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) 
     _one_shaft(tacho, angle, options["pulses_per_revolution"])
     chosen = list(dict.fromkeys([*options["channels"], *(n for n in (angle, tacho) if n)]))
     wanted = chosen if options["channels"] else None
-    units = _pairs(options["units"], "--unit")
+    units = pairs(options["units"], "--unit")
     record = read_measured(files, sample_rate=options["sample_rate"], channels=wanted, units=units)
     if tacho is not None:
         record = with_shaft_angle(record, tacho, pulses_per_revolution=options["pulses_per_revolution"])
@@ -92,7 +92,7 @@ def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) 
         named = files[0] + (f" and {len(files) - 1} more" if files[1:] else "")
         return _list_channels(named, record, notes, as_json)
     names = options["channels"][0] if len(options["channels"]) == 1 else list(options["channels"]) or None
-    settings = {name: value_of(text) for name, text in _pairs(options["settings"], "--option").items()}
+    settings = {name: value_of(text) for name, text in pairs(options["settings"], "--option").items()}
     result = apply(record, tool, channel=names, angle=angle, **settings)
     notes += split_notes(str(result.attrs.get("notes", "")))
     _write(targets, record, result, notes)
@@ -163,17 +163,6 @@ def value_of(text: str) -> Any:
         except (UnitError, ValueError):
             return text
     return text
-
-
-def _pairs(texts: Sequence[str], flag: str) -> dict[str, str]:
-    """Mapping from texts of the form name=value."""
-    found = {}
-    for text in texts:
-        name, sign, value = text.partition("=")
-        if not sign or not name.strip() or not value.strip():
-            raise click.BadParameter(f"{text!r} is not NAME=VALUE", param_hint=flag)
-        found[name.strip()] = value.strip()
-    return found
 
 
 def _lost(record: xr.Dataset, lines: Sequence[str]) -> str:

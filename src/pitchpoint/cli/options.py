@@ -137,3 +137,20 @@ def one_of(name: str | None, names: Sequence[str], what: str) -> str:
         problem = f"select a {what}" if name is None else f"no {what} {name!r}"
         raise click.BadParameter(f"{problem}; {hint(name or '', names)}", param_hint=f"--{what}")
     return name
+
+
+def pairs(texts: Sequence[str], flag: str) -> dict[str, str]:
+    """Mapping from texts of the form name=value.
+
+    Examples
+    --------
+    >>> pairs(["acc=50 m/s^2"], "--unit")
+    {'acc': '50 m/s^2'}
+    """
+    found = {}
+    for text in texts:
+        name, sign, value = text.partition("=")
+        if not sign or not name.strip() or not value.strip():
+            raise click.BadParameter(f"{text!r} is not NAME=VALUE", param_hint=flag)
+        found[name.strip()] = value.strip()
+    return found

@@ -87,6 +87,21 @@ def _is_animation(_: Path, head: bytes) -> bool:
     return head.startswith(b'{"about": "motion: mode, frame') or head[30:40] == b"bodies.npy"
 
 
+def _is_diagnoses(_: Path, head: bytes) -> bool:
+    """Identify a table of diagnoses by its first columns or its first entry."""
+    first = f'{{\n  "about": "{TABLE_OF_DIAGNOSES}"'
+    return head.startswith((DIAGNOSES_HEAD.encode(), first.encode()))
+
+
+def written_by_diagnose(path: Path) -> bool:
+    """Whether a file is a table of diagnoses."""
+    try:
+        with path.open("rb") as file:
+            return _is_diagnoses(path, file.read(HEAD))
+    except OSError:
+        return False
+
+
 def _is_pdf(_: Path, head: bytes) -> bool:
     """Identify a PDF file by its title."""
     return head.startswith(b"%PDF") and f"/Title ({PDF_TITLE})".encode() in head
@@ -108,6 +123,11 @@ SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
 HOUSING_MARK = "# housing matrix written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
+
+TABLE_OF_DIAGNOSES = "diagnoses by pitchpoint"
+"""Entry `about` of a table of diagnoses in JSON."""
+DIAGNOSES_HEAD = "file,verdict,test,channel,value,limit"
+"""First columns of a table of diagnoses in CSV."""
 
 CONTACT_TABLE = "gear-contact-potential-"
 """Beginning of the attribute `format` of a contact table; the version of the format follows."""
@@ -135,6 +155,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "pdf": ("a drawing of pitchpoint (PDF)", _is_pdf),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
+    "diagnoses": ("a table of diagnoses of pitchpoint (CSV, JSON)", _is_diagnoses),
     "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),

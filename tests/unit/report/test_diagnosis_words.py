@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.family_evidence import PARTLY
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import train_parts
 from pitchpoint.report.diagnosis.words import nothing_found, outcome, sentence
@@ -44,6 +47,27 @@ def test_one_line_of_two_meshes_is_told_once() -> None:
     assert "sideband +2 of the mesh of Z2 and of that of Z3 (by noise alone" in words
 
 
-def test_a_test_is_found_explained_or_neither() -> None:
-    rows = [_evidence(found=True), _evidence(found=False, explained="cage"), _evidence(found=False)]
-    assert [outcome(row) for row in rows] == ["found", "explained", ""]
+def test_every_test_above_its_limit_has_a_reason() -> None:
+    """Found, observed, explained, or the rule that overrules it; nothing for a test below its limit."""
+    comb, shared = _evidence(found=True), replace(_evidence(found=True), channel="other", shaft="shaft 2")
+    rows = [
+        _evidence(found=False, explained="outer ring of left"),
+        _evidence(found=False, explained="below 1 % of the rms"),
+        _evidence(found=False, explained=PARTLY),
+        replace(_evidence(found=False), kind="bearing"),
+        _evidence(found=False),
+        replace(_evidence(found=False), value=2.0),
+    ]
+    shaft = Finding("local fault", "shaft 1", ("Z1",), "acc", 1e-9)
+    every = Diagnosis((shaft,), (), (comb, shared, *rows), {}, (), (), {}, 8, 0.01)
+    assert [outcome(row, every) for row in (comb, shared)] == ["found", "lines of a clearer part"]
+    assert [outcome(row, every) for row in rows] == [
+        "explained by outer ring of left",
+        "below 1 % of the rms",
+        "only some of its harmonics",
+        "impacts not confirmed",
+        "possible by chance",
+        "",
+    ]
+    seen = replace(every, findings=(), observations=(replace(shaft, kind="every order"),))
+    assert outcome(comb, seen) == "observed"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import split_notes
 from pitchpoint.report.diagnosis.record import Record
+from pitchpoint.report.diagnosis.severity import machine_group, standard
 
 if TYPE_CHECKING:
     from pitchpoint.report.diagnosis.machine import Machine
@@ -58,11 +59,16 @@ def origin(
     chosen = (
         "--channel"
         if request.channels
+        else "all of sensors and internal quantities (--all-channels)"
+        if request.all_channels and record.model_text
         else "sensors first, then internal quantities"
         if record.model_text
         else "all"
     )
     rows.append(("channels", ", ".join(found.over.signals), chosen))
+    rows += [("sensor", text, "--sensor") for text in request.sensors]
+    if request.machine_group:
+        rows.append(("machine group", standard(machine_group(request.machine_group)), "--machine-group"))
     rows += [
         ("noise", "; ".join(noise), "--noise" if request.noise is not None else "default for results")
     ] * bool(noise)
@@ -70,7 +76,7 @@ def origin(
     rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of records of noise alone", given))
     notes = record.about.get("notes", "")
     rows += [("note in the file", note, "file") for note in split_notes(notes)]
-    assumed = "shafts with fixed axes; teeth of equal pitch"
+    assumed = "shafts with fixed axes" + "; teeth of equal pitch" * bool(found.parts.meshes)
     slip = "; bearing slip below 1 %" if found.parts.bearings else ""
     rows.append(("assumptions", assumed + slip, "–"))
     return tuple(rows)

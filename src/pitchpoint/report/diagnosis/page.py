@@ -19,6 +19,16 @@ NOT_HEALTHY = (
     "detected. The plots show the evidence that is closest to a finding."
 )
 
+OF_GEARS = (
+    "Lines below 1 % of the rms of the channel and sidebands below 3 % of their mesh line are never reported, because "
+    "every machine has them. A local fault must raise all orders of its shaft and act at one angle of the synchronous "
+    "average: the kurtosis of its residual must exceed 4.5 and the limit in the table of indicators."
+)
+OF_BEARINGS = (
+    "The first three harmonics of a damaged part, five of a cage, must be this far above the surroundings in the "
+    "squared envelope spectrum. Raised orders of shafts are observations."
+)
+
 
 def diagnosis_page(study: Study) -> str:
     """HTML page of one study; the same study gives the same text.
@@ -57,15 +67,16 @@ def shown_channels(study: Study) -> list[str]:
 def _answer(study: Study) -> Section:
     """Findings in sentences, with the tooth if one stands out."""
     section = Section("answer", "Result")
-    places = study.place_sentences or ("",) * len(study.sentences)
     for number, words in enumerate(study.sentences):
         section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
-        place = places[number] if number < len(places) else ""
-        section.add(f"<p>{escape(_capital(place))}.</p>" if place else "")
+        for detail in study.details(number):
+            section.add(f"<p>{escape(_capital(detail))}.</p>")
     if not study.diagnosis.findings:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis
+    rated = [row.sentence for row in study.severity if not row.is_verdict]
     for words, texts in (
+        ("Vibration of the machine:", rated),
         ("Observed, as on sound machines; no verdict from one record:", study.observed),
         ("Above the limit, but not a finding:", found.unreported),
         ("Not tested:", found.untested),
@@ -92,7 +103,8 @@ def _tests(study: Study) -> Section:
         f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
         f"{percent(study.diagnosis.false_alarm)} of records of noise alone have a finding. “By noise” is the "
         "probability that any test of such a record reaches this value. Combs are rated in standard "
-        "deviations of a rank test, lines in decibels above the adjacent spectrum.</p>"
+        "deviations of a rank test, lines in decibels above the adjacent spectrum. “Result” gives the reason if a "
+        "value above its limit is not a finding.</p>"
     )
     section.add(tables.test_table(study))
     return section
@@ -104,12 +116,9 @@ def _limits(study: Study) -> Section:
     if study.diagnosis.findings:
         return section
     (channel,) = shown_channels(study)
-    section.add(
-        f"<p>{escape(channel)}: faults above these limits are reported. Lines below 1 % of the rms of the "
-        "channel and sidebands below 3 % of their mesh line are never reported, because every machine has "
-        "them. A local fault must raise all orders of its shaft and act at one angle of the synchronous "
-        "average: the kurtosis of its residual must exceed 4.5 and the limit in the table of indicators.</p>"
-    )
+    gears, bearings = bool(study.parts.meshes), bool(study.parts.bearings)
+    text = f"{escape(channel)}: faults above these limits are reported. {OF_GEARS * gears}{OF_BEARINGS * (bearings and not gears)}"
+    section.add(f"<p>{text.rstrip()}</p>")
     section.add(tables.limit_table(study, channel))
     return section
 

@@ -14,6 +14,7 @@ from pitchpoint.analysis.line_tests import fine_spectrum
 from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length
 from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis.channels import matching
 
 Array = NDArray[np.float64]
 
@@ -161,9 +162,10 @@ def at_speed(
             f"({found.frequency * 60:.6g} rpm) instead of {frequency:.6g} Hz"
         )
     elif found.tolerance > 0.0:
+        lines, omitted = ("mesh or shaft", "shafts and gears") if parts.meshes else ("shaft", "shafts")
         remarks.append(
-            f"speed: no mesh or shaft lines determine it within ±{100.0 * found.tolerance:.2g} % of {frequency:.6g} "
-            "Hz; shafts and gears are not tested, bearings over the whole range"
+            f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of {frequency:.6g} "
+            f"Hz; {omitted} are not tested, bearings over the whole range"
         )
     per_turn = sample_rate / found.frequency
     return OverAngle(
@@ -222,7 +224,10 @@ class ResultChannels(Mapping[str, Array]):
 
 
 def read_record(
-    paths: Sequence[str], sample_rate: float | None = None, channels: Sequence[str] | None = None
+    paths: Sequence[str],
+    sample_rate: float | None = None,
+    channels: Sequence[str] | None = None,
+    units: Mapping[str, str] | None = None,
 ) -> Record:
     """Read the channels of a time response or a measured file, or of files that were recorded together.
 
@@ -234,6 +239,8 @@ def read_record(
         Sample rate given by the user [Hz], or None.
     channels
         Channels to which the record is reduced if not all of a measured file fit together.
+    units
+        Unit by channel of a measured file, in whose name `*` stands for any characters.
 
     Raises
     ------
@@ -247,11 +254,11 @@ def read_record(
 
     path = paths[0]
     if len(paths) > 1:
-        return _measured(paths, sample_rate, channels)
+        return _measured(paths, sample_rate, channels, units)
     try:
         header = read_header(path)
     except ResultError:
-        return _measured(paths, sample_rate, channels)
+        return _measured(paths, sample_rate, channels, units)
     if header.get("kind") != "time":
         raise SignalError(
             f"{path}: contains {header.get('kind')} results (limit: a time response); compute one first"
@@ -272,7 +279,12 @@ def read_record(
     )
 
 
-def _measured(paths: Sequence[str], sample_rate: float | None, chosen: Sequence[str] | None) -> Record:
+def _measured(
+    paths: Sequence[str],
+    sample_rate: float | None,
+    chosen: Sequence[str] | None,
+    units: Mapping[str, str] | None,
+) -> Record:
     """Read measured files: all channels over time, or the chosen ones if others prevent it."""
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.measured.record import MeasuredError
@@ -283,6 +295,10 @@ def _measured(paths: Sequence[str], sample_rate: float | None, chosen: Sequence[
         if not chosen:
             raise
         data = read_measured(paths, sample_rate=sample_rate, channels=list(dict.fromkeys(chosen)))
+    if units:
+        names = [str(name) for name in data.data_vars]
+        unit_of = {name: unit for text, unit in units.items() for name in matching(text, names, "--unit")}
+        data = read_measured(paths, sample_rate=sample_rate, channels=names, units=unit_of)
     channels = {
         str(name): np.asarray(values.values, dtype=np.float64)
         for name, values in data.data_vars.items()

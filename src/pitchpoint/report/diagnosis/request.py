@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.core.nearest import hint
+from pitchpoint.report.diagnosis.channels import Places, every_quantity, given_places, preferred
 from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
 from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
-from pitchpoint.report.diagnosis.study import Study, preferred, study, usable
+from pitchpoint.report.diagnosis.severity import machine_group, severities
+from pitchpoint.report.diagnosis.study import Study, study, usable
 
 Array = NDArray[np.float64]
 SAME_SPEED = 0.02
@@ -47,6 +49,10 @@ class Request:
     slip: float | None = None
     more: Sequence[str] = ()
     """Further files, recorded together with the first one."""
+    all_channels: bool = False
+    sensors: Sequence[str] = ()
+    units: Mapping[str, str] = field(default_factory=dict)
+    machine_group: str = ""
 
 
 def diagnose_file(request: Request) -> Study:
@@ -59,12 +65,17 @@ def diagnose_file(request: Request) -> Study:
     """
     from pitchpoint.report.diagnosis.record import read_record
 
+    group = machine_group(request.machine_group) if request.machine_group else ""
     channels = [*request.channels, *(t.partition("@")[0] for t in (request.tacho, request.angle) if t)]
     record = read_record(
-        (request.file, *request.more), request.sample_rate, channels if request.channels else None
+        (request.file, *request.more), request.sample_rate, channels if request.channels else None, request.units
     )
+    if record.model_text and request.units:
+        raise SignalError(f"{request.file}: --unit {next(iter(request.units))}: results have units; omit the option")
     machine = machine_of(request, record)
-    chosen = _chosen(request, record)
+    places = Places(machine.parts, machine.names)
+    places = replace(places, given=given_places(request.sensors, record.channels, places))
+    chosen = _chosen(request, record, places)
     _complete(request, record, chosen)
     units = record.units if record.model_text else None
     signals, remarks = usable(chosen) if request.channels else usable(chosen, record.time, units)
@@ -73,9 +84,11 @@ def diagnose_file(request: Request) -> Study:
     part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
     record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
     signals = {name: values[part] for name, values in signals.items()}
+    on_housing = _on_housing(record, signals)
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
     other = _other_speed(record, machine)
+    remarks += places.remark(signals, bool(record.model_text) and not request.all_channels)
     remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
     units = {name: record.units.get(name, "") for name in signals}
     try:
@@ -86,10 +99,13 @@ def diagnose_file(request: Request) -> Study:
             remarks=remarks,
             units=units,
             slip=SLIP if request.slip is None else request.slip,
+            places=places,
         )
     except SignalError as error:
         source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
         raise SignalError("; ".join([str(error), *other, *source])) from error
+    slowest = over.frequency * min(float(shaft.order) for shaft in machine.parts.shafts)
+    found = found.with_severity(*severities(on_housing, record.time, units, slowest, group))
     return replace(
         found,
         file=request.file + (f" and {len(request.more)} more" if request.more else ""),
@@ -108,6 +124,11 @@ def _other_speed(record: Record, machine: Machine) -> list[str]:
         f"speed: {60.0 * record.speed:.6g} rpm in the file ({record.speed_source}) is the speed of no shaft; "
         "it is not used"
     ]
+
+
+def _on_housing(record: Record, signals: dict[str, Array]) -> dict[str, Array]:
+    """Channels of which the severity is rated: measured ones, and sensors of simulations."""
+    return {name: x for name, x in signals.items() if not record.model_text or name.startswith("signal[")}
 
 
 def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
@@ -151,7 +172,7 @@ def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple
     return found, [f"white noise {chosen:g} dB below the signal was added to each channel (--noise)"]
 
 
-def _chosen(request: Request, record: Record) -> dict[str, Array]:
+def _chosen(request: Request, record: Record, places: Places) -> dict[str, Array]:
     """Channels to diagnose."""
     used = {text.partition("@")[0] for text in (request.tacho, request.angle) if text}
     for name in [*request.channels, *used]:
@@ -160,7 +181,8 @@ def _chosen(request: Request, record: Record) -> dict[str, Array]:
     names = list(request.channels)
     if not names:
         kept = [name for name in record.channels if name not in used]
-        names = preferred(kept) if record.model_text else kept
+        choose = every_quantity(kept) if request.all_channels else preferred(kept, places)
+        names = choose if record.model_text else kept
     if not names:
         listed = ", ".join(list(record.channels)[:12])
         raise SignalError(f"{request.file}: no channel to diagnose; choose with -c; there are: {listed}")

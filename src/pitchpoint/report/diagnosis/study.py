@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from shlex import quote
 from typing import Any
 
@@ -17,7 +17,10 @@ from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
 from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis.channels import Places
+from pitchpoint.report.diagnosis.levels import ChannelLevel, at_sensors, nearest_sensor
 from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
+from pitchpoint.report.diagnosis.severity import ChannelSeverity, verdicts
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
 from pitchpoint.report.diagnosis.words import (
     evidence_rows,
@@ -29,14 +32,6 @@ from pitchpoint.report.diagnosis.words import (
 
 Array = NDArray[np.float64]
 
-PREFERRED = (
-    ("signal",),
-    ("acceleration",),
-    ("bearing_force", "support_force"),
-    ("transmission_error", "mesh_force"),
-)
-"""Quantities of result files tested by default: sensors first, then internal quantities."""
-MAX_LISTED = 6
 RESIDUE = 1e-6
 """Variation over that of another channel of the unit below which a simulated channel shows solver errors."""
 
@@ -69,6 +64,12 @@ class Study:
         Rows of quantity, value, origin.
     units
         Unit of each channel, if known.
+    levels
+        Levels of each finding by channel, the highest first.
+    sensors
+        One sentence about the nearest sensor per finding; empty with one channel.
+    severity
+        Vibration severity of the channels of acceleration or velocity.
     """
 
     diagnosis: Diagnosis
@@ -82,6 +83,23 @@ class Study:
     file: str = ""
     origin: tuple[tuple[str, str, str], ...] = ()
     units: Mapping[str, str] = field(default_factory=dict)
+    levels: tuple[tuple[ChannelLevel, ...], ...] = ()
+    sensors: tuple[str, ...] = ()
+    severity: tuple[ChannelSeverity, ...] = ()
+
+    def with_severity(self, rows: tuple[ChannelSeverity, ...], remarks: Sequence[str]) -> Study:
+        """Add the vibration severity, with a verdict in zones C and D."""
+        words, more = self.sentences, verdicts(rows)
+        return replace(
+            self,
+            severity=rows,
+            sentences=(*words, *more) if self.diagnosis.findings else (*more, *words),
+            remarks=(*self.remarks, *remarks),
+        )
+
+    def details(self, number: int) -> list[str]:
+        """Sentences on the nearest sensor and the damaged tooth of a finding."""
+        return [texts[number] for texts in (self.sensors, self.place_sentences) if number < len(texts) and texts[number]]
 
     def as_data(self) -> dict[str, Any]:
         """Complete result as plain data."""
@@ -103,11 +121,21 @@ class Study:
                         for turn in turns
                     ],
                     "place": place,
+                    "levels": [asdict(row) for row in levels],
+                    "nearest_sensor": sensor,
                 }
-                for finding, words, turns, place in zip(
-                    found.findings, self.sentences, self.places, self.place_sentences, strict=False
+                for finding, words, turns, place, levels, sensor in zip(
+                    found.findings,
+                    self.sentences,
+                    self.places,
+                    self.place_sentences,
+                    self.levels,
+                    self.sensors,
+                    strict=False,
                 )
-            ],
+            ]
+            + [row.as_data() for row in self.severity if row.is_verdict],
+            "severity": [row.as_data() for row in self.severity],
             "sentences": list(self.sentences),
             "observations": [
                 {
@@ -153,6 +181,7 @@ def study(
     remarks: Sequence[str] = (),
     units: Mapping[str, str] | None = None,
     slip: float = SLIP,
+    places: Places | None = None,
 ) -> Study:
     """Diagnose channels over an angle and describe the findings in words.
 
@@ -172,6 +201,9 @@ def study(
         slip=slip,
     )
     found, unnamed = _named(found, parts)
+    where = places or Places(parts)
+    turns = next(iter(over.signals.values())).size / over.samples_per_turn
+    found, levels = at_sensors(found, parts, turns, where)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
@@ -197,6 +229,10 @@ def study(
             for finding, turns in zip(found.findings, places, strict=True)
         ),
         units=units or {},
+        levels=levels,
+        sensors=tuple(
+            nearest_sensor(finding, rows, where) for finding, rows in zip(found.findings, levels, strict=True)
+        ),
     )
 
 
@@ -260,30 +296,14 @@ def _residues(channels: Mapping[str, Array], units: Mapping[str, str]) -> list[s
     return [name for name, value in rms.items() if value < RESIDUE * largest[units[name]]]
 
 
-def preferred(names: Sequence[str]) -> list[str]:
-    """Default channels of a result for a diagnosis.
-
-    Examples
-    --------
-    >>> preferred(["angle[a]", "mesh_force[m]", "transmission_error[m]", "speed[a]"])
-    ['transmission_error[m]', 'mesh_force[m]']
-    """
-    for group in PREFERRED:
-        found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
-        if found:
-            # spread over the list, because neighbours are often from one shaft
-            count = min(MAX_LISTED, len(found))
-            return [found[k * len(found) // count] for k in range(count)]
-    return []
-
-
 def _whole_ratios(parts: TurningParts) -> list[str]:
     """Remarks on shafts with integer speed ratios, whose synchronous averages mix."""
     why = (
         "integer speed ratios: {}; synchronous averaging cannot separate the gears of these shafts, and "
         "equal faults at equal angles on the slower shaft look like one fault on the faster shaft"
     )
-    pairs = [(fast, slow) for fast in parts.shafts for slow in parts.shafts if fast.order > slow.order]
+    shafts = parts.shafts if parts.meshes else ()
+    pairs = [(fast, slow) for fast in shafts for slow in shafts if fast.order > slow.order]
     return grouped(
         Note(why, f"{fast.name} rotates {fast.order / slow.order} times as fast as {slow.name}")
         for fast, slow in pairs

@@ -19,15 +19,18 @@ from pitchpoint.viz.tables import plain_table
 HARMONICS = 5
 
 
-def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
-    """HTML rows of a table: `words` columns of text, then numbers; a leading `**` gives bold type."""
+def rows_html(rows: Iterable[Sequence[str]], words: int, texts: Sequence[int] = ()) -> list[str]:
+    """HTML rows of a table: `words` columns of text, then numbers; a leading `**` gives bold type.
+
+    `texts` are further columns of text.
+    """
     made = []
     for row in rows:
         cells = []
         for k, text in enumerate(row):
             plain = escape(text.removeprefix("**"))
             shown = f"<b>{plain}</b>" if text.startswith("**") else plain
-            cells.append(f"<td>{shown}</td>" if k < words else f'<td class="num">{shown}</td>')
+            cells.append(f"<td>{shown}</td>" if k < words or k in texts else f'<td class="num">{shown}</td>')
         made.append(f"<tr>{''.join(cells)}</tr>")
     return made
 
@@ -38,7 +41,7 @@ def origin_table(study: Study) -> str:
 
 
 def shaft_table(study: Study) -> str:
-    """Table of shafts with gears, ratio, speed and turns in the record."""
+    """Table of shafts with gears, if any, ratio, speed and turns in the record."""
     hertz, turns = study.over.frequency, study.diagnosis.turns
     rows = []
     for shaft in study.parts.shafts:
@@ -47,21 +50,14 @@ def shaft_table(study: Study) -> str:
         rows.append(
             (
                 shaft.name,
-                gears or "–",
+                *([gears or "–"] if study.parts.meshes else []),
                 str(shaft.order) if shaft.order.denominator < 1000 else number(order, 7),
                 *_rates(order, hertz),
                 number(turns[shaft.name], 4) if shaft.name in turns else "–",
             )
         )
-    head = (
-        "shaft",
-        "gears (teeth)",
-        "ratio",
-        "[Hz]",
-        "[rpm]",
-        "turns in the record",
-    )
-    return plain_table(head, rows_html(rows, 2))
+    words = ("shaft", "gears (teeth)") if study.parts.meshes else ("shaft",)
+    return plain_table((*words, "ratio", "[Hz]", "[rpm]", "turns in the record"), rows_html(rows, len(words)))
 
 
 def mesh_table(study: Study) -> str:
@@ -112,12 +108,13 @@ def test_table(study: Study) -> str:
         if len(study.over.signals) > 1:
             body.append(f'<tr><td colspan="{len(head)}"><b>{escape(channel)}</b></td></tr>')
         mine = [e for e in study.diagnosis.evidence if e.channel == channel]
-        body += rows_html((_test_row(e, study.over.frequency) for e in mine), 2)
-    return plain_table(head, body)
+        body += rows_html((_test_row(e, study) for e in mine), 2, texts=(6,))
+    return plain_table(head, body, texts=(6,))
 
 
-def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
+def _test_row(e: Evidence, study: Study) -> tuple[str, ...]:
     """Table cells of one test."""
+    hertz, result = study.over.frequency, outcome(e, study.diagnosis)
     return (
         e.shaft if e.kind != "bearing" else e.gear,
         e.shaft if e.kind == "bearing" else what_is_tested(e),
@@ -125,7 +122,7 @@ def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
         f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
         f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
         percent(e.probability).replace("less than", "<"),
-        f"**{outcome(e)}" if e.found else outcome(e),
+        f"**{result}" if result == "found" else result,
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.family_evidence import PARTLY
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.turning_parts import TurningParts
@@ -22,6 +23,14 @@ BEARING_WORDS = {
 
 NEVER = -100.0
 """Level [dB] below which a line counts as absent."""
+NOT_VISIBLE = "not visible in "
+RULES = ("below ", "slope ", NOT_VISIBLE, PARTLY)
+"""Beginnings of reasons that are not another fault."""
+NO_IMPACTS = "impacts not confirmed"
+"""Why a bearing part with a line above its limit is not named."""
+BY_CHANCE = "possible by chance"
+SHARED = "lines of a clearer part"
+"""Why a significant test is neither a finding nor an observation."""
 LOST = "sample rate: above half of it, not testable: {}"
 
 
@@ -58,7 +67,8 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     where = f"in {finding.channel}"
     if finding.kind == "bearing":
         what = BEARING_WORDS.get(finding.shaft, f"a fault of the {finding.shaft}")
-        return f"{what} of bearing {finding.gears[0]}, seen {where} as {seen} ({chance})"
+        named = f"{finding.gears[0]}{_or_bearings(finding)}"
+        return f"{what} of bearing {named}, seen {where} as {seen} ({chance})"
     gears = _gears(finding.gears)
     turning = _rate(float(parts.shaft(finding.shaft).order), frequency)
     shaft = _named(finding.shaft)
@@ -133,6 +143,11 @@ def _over(tests: int) -> str:
 
 def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
     """Evidence that supports a finding, in the channel of the finding, strongest kind first."""
+    return [e for e in evidence_in(finding, diagnosis) if e.channel == finding.channel]
+
+
+def evidence_in(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
+    """Evidence that supports a finding, in all channels, strongest kind first."""
     mine = [
         e
         for e in diagnosis.evidence
@@ -143,8 +158,8 @@ def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
         and (e.kind != "bearing" or e.gear == finding.gears[0])
     ]
     kinds = {"comb": 0, "sidebands": 1, "low order": 2, "bearing": 3}
-    mine.sort(key=lambda e: (e.channel != finding.channel, kinds[e.kind], e.probability))
-    return [e for e in mine if e.channel == finding.channel]
+    mine.sort(key=lambda e: (kinds[e.kind], e.probability))
+    return mine
 
 
 def mesh_remarks(
@@ -205,6 +220,7 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
             "sideband": e.sideband,
             "found": e.found,
             "explained_by": e.explained,
+            "result": outcome(e, diagnosis),
         }
         for e in diagnosis.evidence
     ]
@@ -221,9 +237,18 @@ def unit_of(kind: str) -> str:
     return "σ" if kind == "comb" else "dB"
 
 
-def outcome(e: Evidence) -> str:
-    """Result of a test in one word; empty if the limit is not exceeded."""
-    return "found" if e.found else "explained" if e.explained else ""
+def outcome(e: Evidence, diagnosis: Diagnosis) -> str:
+    """Result of a test; for a test above its limit without a finding the reason."""
+    if e.explained:
+        return e.explained if e.explained.startswith(RULES) else f"explained by {e.explained}"
+    if not e.found:
+        beyond = e.value > e.threshold
+        return "" if not beyond else NO_IMPACTS if e.kind == "bearing" else BY_CHANCE
+    if any(e in evidence_in(finding, diagnosis) for finding in diagnosis.findings):
+        return "found"
+    if e.kind != "bearing" and any(one.shaft == e.shaft for one in diagnosis.observations):
+        return "observed"
+    return SHARED
 
 
 def what_is_tested(e: Evidence) -> str:
@@ -272,6 +297,13 @@ def _cannot_tell(finding: Finding) -> str:
     if len(finding.gears) < 2:
         return others
     return f"{others}; gears on one shaft rotate together, and a fault of one excites the meshes of all"
+
+
+def _or_bearings(finding: Finding) -> str:
+    """Other parts of bearings with the same lines; a ball may be the cause of the lines of its cage."""
+    if not finding.bearings:
+        return ""
+    return f" (or {' or '.join(finding.bearings)}: this record cannot distinguish them)"
 
 
 def _gears(gears: tuple[str, ...]) -> str:
