@@ -18,11 +18,11 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
 HARMONICS, SIDEBANDS = 3, 3
-"""Harmonics of a part that must all be explained, and sidebands on either side of those of the clearer part."""
+"""Harmonics of a part that must all be explained, and sidebands on either side of those of the other."""
 SEPARATE = 2.5
 """Distance of lines of a record from which they are separate with a Hann window."""
 COVERED = 0.25
-"""Share of all orders next to lines of a part above which it explains nothing: any line would be one of its own."""
+"""Share of all orders next to lines of a part above which it explains nothing: any line would be near one."""
 
 
 def fundamental(e: Evidence, parts: TurningParts) -> float:
@@ -51,13 +51,11 @@ def same_lines(one: float, other: float, turns: float) -> bool:
     return abs(one - other) * turns < SEPARATE
 
 
-def across_channels(
-    evidence: Sequence[Evidence], parts: TurningParts, turns: float
-) -> tuple[Evidence, ...]:
+def across_channels(evidence: Sequence[Evidence], parts: TurningParts, turns: float) -> tuple[Evidence, ...]:
     """Mark bearing parts that are lines of a clearer part in another channel.
 
-    A part that is itself found in the other part's channel, or the other one in its own channel, has lines of its
-    own and remains.
+    A part that is itself found in the channel of the other one, or the other one in its channel, has lines
+    of its own and remains.
 
     Parameters
     ----------
@@ -70,7 +68,7 @@ def across_channels(
 
     Notes
     -----
-    The most certain part comes first, see `is_weaker_copy` [1]_. Valid for channels that were recorded together.
+    The most certain part comes first, see `is_weaker_copy` [1]_. Valid for channels of one record.
 
     References
     ----------
@@ -90,7 +88,11 @@ def across_channels(
     causes: dict[tuple[str, str, str], str] = {}
     for e in bearings:
         for other in kept:
-            apart = (e.channel, other.gear, other.shaft) not in seen and (other.channel, e.gear, e.shaft) not in seen
+            apart = (e.channel, other.gear, other.shaft) not in seen and (
+                other.channel,
+                e.gear,
+                e.shaft,
+            ) not in seen
             if apart and is_weaker_copy(e, other, parts, turns):
                 causes[e.channel, e.gear, e.shaft] = f"{other.shaft} of {other.gear} in {other.channel}"
                 break
@@ -105,7 +107,7 @@ def across_channels(
 
 
 def is_weaker_copy(e: Evidence, stronger: Evidence, parts: TurningParts, turns: float) -> bool:
-    """Whether all lines of a part in one channel are lines of a clearer part in another one, but not vice versa.
+    """Whether all lines of a part are lines of a clearer part in another channel, but not vice versa.
 
     Parameters
     ----------
@@ -125,9 +127,9 @@ def is_weaker_copy(e: Evidence, stronger: Evidence, parts: TurningParts, turns: 
 
     Notes
     -----
-    A damaged part has lines k f ± j n, where n is the speed at which it passes the load zone: that of the shaft
-    for a ring, that of the cage for a rolling element [1]_, of which both contacts may differ. Valid for speeds
-    that are constant within the resolution of the record, or signals over the angle.
+    A damaged part has lines k f ± j n, where n is the speed at which it passes the load zone: that of the
+    shaft for a ring, that of the cage for a rolling element [1]_, whose two contacts may differ. Valid for
+    speeds that are constant within the resolution of the record, or signals over the angle.
 
     References
     ----------
@@ -143,8 +145,8 @@ def is_weaker_copy(e: Evidence, stronger: Evidence, parts: TurningParts, turns: 
     >>> left = Bearing("left", {"inner ring": 5.42}, "rotor")
     >>> right = Bearing("right", {"inner ring": 4.42}, "rotor")
     >>> parts = TurningParts((Shaft("rotor", Fraction(1)),), (), (left, right))
-    >>> test = {"kind": "bearing", "shaft": "inner ring", "value": 20.0, "threshold": 12.0, "probability": 1e-9}
-    >>> test |= {"amplitude": 0.0, "sideband": 0, "found": True}
+    >>> test = {"kind": "bearing", "shaft": "inner ring", "value": 20.0, "threshold": 12.0}
+    >>> test |= {"probability": 1e-9, "amplitude": 0.0, "sideband": 0, "found": True}
     >>> strong = Evidence("a", gear="left", order=5.42, **test)
     >>> weak = Evidence("b", gear="right", order=4.42, **test)
     >>> is_weaker_copy(weak, strong, parts, 300.0), is_weaker_copy(strong, weak, parts, 300.0)
@@ -163,7 +165,9 @@ def _among(order: float, other: Evidence, parts: TurningParts, turns: float) -> 
     ball = other.shaft == "rolling element"
     step = fundamental(other, parts) * (0.5 if ball else 1.0)
     shafts = {shaft.name: float(shaft.order) for shaft in parts.shafts}
-    beside = bearing.orders.get("cage", 0.0) if ball else shafts.get(bearing.shaft, float(parts.shafts[0].order))
+    beside = (
+        bearing.orders.get("cage", 0.0) if ball else shafts.get(bearing.shaft, float(parts.shafts[0].order))
+    )
     lines = _lines(step, beside if other.shaft != "cage" else 0.0, float(own[-1]))
     reach = SEPARATE / turns
     covered = float(np.minimum(np.diff(lines), 2.0 * reach).sum())

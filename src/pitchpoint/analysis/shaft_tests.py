@@ -73,7 +73,7 @@ class Measured:
     choices
         Number of bands of a comb from which the best was chosen [-].
     rule
-        Why the test is not significant whatever its score, such as a line below 1 % of the rms; empty for none.
+        Why the test is not significant at any score, such as a line below 1 % of the rms; empty for none.
     """
 
     score: float
@@ -185,7 +185,9 @@ class ShaftView:
                 continue
             looked += 1
             if one.amplitude < limit:
-                one = replace(one, probability=1.0, rule=f"below {100.0 * SMALLEST_SIDEBAND:g} % of its mesh line")
+                one = replace(
+                    one, probability=1.0, rule=f"below {100.0 * SMALLEST_SIDEBAND:g} % of its mesh line"
+                )
             elif not one.rule and not self.has_top_at(float(place)):
                 one = replace(one, probability=1.0, rule="slope of another line")
             if best is None or one.probability < best[0].probability:

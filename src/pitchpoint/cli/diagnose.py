@@ -40,20 +40,24 @@ TABLE_ENDINGS = (".csv", ".json")
     "speeds",
     multiple=True,
     metavar="[SHAFT=]QUANTITY[±TOL]",
-    help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; tolerance "
+    help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; "
+    "tolerance "
     "without ±: 2 %. Lines of the record determine it more closely. Default: a speed that the file states.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
 @click.option("--angle", metavar="CHANNEL[@SHAFT]", help="Channel with the angle of a shaft [rad].")
 @click.option("--channel", "-c", "channels", multiple=True, metavar="NAME", help="Channel; may be repeated.")
-@click.option("--all-channels", is_flag=True, help="Test all vibration channels of a result, not the usual six.")
+@click.option(
+    "--all-channels", is_flag=True, help="Test all vibration channels of a result, not the usual six."
+)
 @click.option(
     "--sensor",
     "sensors",
     multiple=True,
     metavar="CHANNEL=PART",
-    help="Bearing, mesh or shaft next to a sensor, such as '*_1=left'; default: names of parts in that of the channel.",
+    help="Bearing, mesh or shaft next to a sensor, such as '*_1=left'; default: the part whose name is in that of "
+    "the channel.",
 )
 @click.option(
     "--unit", "units", multiple=True, metavar="NAME=UNIT", help="Unit of a channel, such as acc='9.81 m/s^2'."
@@ -62,23 +66,26 @@ TABLE_ENDINGS = (".csv", ".json")
     "--machine-group",
     default="",
     metavar="GROUP",
-    help="Machine group and support for zones of vibration severity: '1 rigid', '1 flexible', '2 rigid', '2 flexible' "
-    "of ISO 20816-3, or 'small'.",
+    help="Machine group and support for zones of vibration severity: '1 rigid', '1 flexible', '2 rigid', "
+    "'2 flexible' of ISO 20816-3, or 'small'.",
 )
 @click.option(
     "--bearing",
     "bearings",
     multiple=True,
     metavar="NAME:BEARING[@SHAFT]",
-    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter of elements, "
-    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as left:BPFO=3.58,BPFI=5.42.",
+    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter "
+    "of elements, "
+    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as "
+    "left:BPFO=3.58,BPFI=5.42.",
 )
 @click.option(
     "--shaft",
     "shafts",
     multiple=True,
     metavar="NAME=RATIO[@SHAFT]",
-    help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as fan=120/280@motor.",
+    help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as "
+    "fan=120/280@motor.",
 )
 @quantity(
     "--slip",
@@ -104,10 +111,10 @@ TABLE_ENDINGS = (".csv", ".json")
 def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> int | None:
     """Look for damaged gears, shafts and bearings in FILES: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
-    The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with bearings is
-    enough. The speed follows from an angle or tacho channel of the file, or from --speed and lines near it. Several
-    files are one record with the channels of all; they were recorded together with one sample rate. A folder is
-    diagnosed file by file, with one table as result.
+    The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with
+    bearings is enough. The speed follows from an angle or tacho channel of the file, or from --speed and
+    lines near it. Several files are one record with the channels of all; they were recorded together with
+    one sample rate. A folder is diagnosed file by file, with one table as result.
     """
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file

@@ -82,7 +82,19 @@ class FileRow:
 
 
 HEAD = ("file", "verdict", "strongest test", "value", "speed", "time")
-WIDE = ("file", "verdict", "test", "channel", "value", "limit", "unit", "speed [rpm]", "tolerance", "time [s]", "sentences")
+WIDE = (
+    "file",
+    "verdict",
+    "test",
+    "channel",
+    "value",
+    "limit",
+    "unit",
+    "speed [rpm]",
+    "tolerance",
+    "time [s]",
+    "sentences",
+)
 
 
 @dataclass(frozen=True)
@@ -130,7 +142,12 @@ class FolderDiagnosis:
         writer.writerow(WIDE)
         for row in self.rows:
             cells = [row.file, row.verdict, row.test, row.channel, row.value, row.limit, row.unit]
-            cells += [None if row.frequency is None else 60.0 * row.frequency, row.tolerance, round(row.time, 2), "; ".join(row.sentences)]
+            cells += [
+                None if row.frequency is None else 60.0 * row.frequency,
+                row.tolerance,
+                round(row.time, 2),
+                "; ".join(row.sentences),
+            ]
             writer.writerow([plain_cell("" if cell is None else cell) for cell in cells])
         return made.getvalue()
 
@@ -141,7 +158,10 @@ class FolderDiagnosis:
     def page(self) -> str:
         """HTML page: the table, and the sentences of each file."""
         summary, details = Section("files", "Files"), Section("results", "Results")
-        cells = [("**" + row.cells()[0] if row.verdict not in QUIET else row.cells()[0], *row.cells()[1:]) for row in self.rows]
+        cells = [
+            ("**" + row.cells()[0] if row.verdict not in QUIET else row.cells()[0], *row.cells()[1:])
+            for row in self.rows
+        ]
         summary.add(plain_table(HEAD, rows_html(cells, 3), words=3))
         for row in self.rows:
             items = "".join(f"<li>{escape(text)}</li>" for text in row.sentences)
@@ -208,7 +228,9 @@ def _row(file: str, study: Study) -> FileRow:
     return FileRow(
         file,
         "; ".join(words) or NOTHING,
-        test=what_is_tested(best) if best.kind in ("bearing", "sidebands") else f"{what_is_tested(best)} of {best.shaft}",
+        test=what_is_tested(best)
+        if best.kind in ("bearing", "sidebands")
+        else f"{what_is_tested(best)} of {best.shaft}",
         channel=best.channel,
         value=best.value if math.isfinite(best.value) else None,
         limit=best.threshold,
@@ -237,7 +259,10 @@ def _strongest(study: Study) -> Evidence:
     if mine:
         return mine[0]
     rest = [e for e in found.evidence if not e.found] or found.evidence
-    return min(rest, key=lambda e: (bool(e.explained) and e.value > e.threshold, e.probability, e.threshold - e.value))
+    return min(
+        rest,
+        key=lambda e: (bool(e.explained) and e.value > e.threshold, e.probability, e.threshold - e.value),
+    )
 
 
 def _message(error: BaseException, file: str) -> str:

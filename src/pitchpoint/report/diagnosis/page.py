@@ -20,13 +20,14 @@ NOT_HEALTHY = (
 )
 
 OF_GEARS = (
-    "Lines below 1 % of the rms of the channel and sidebands below 3 % of their mesh line are never reported, because "
-    "every machine has them. A local fault must raise all orders of its shaft and act at one angle of the synchronous "
-    "average: the kurtosis of its residual must exceed 4.5 and the limit in the table of indicators."
+    "Lines below 1 % of the rms of the channel and sidebands below 3 % of their mesh line are never "
+    "reported, because every machine has them. A local fault must raise all orders of its shaft and act at one "
+    "angle of the synchronous average: the kurtosis of its residual must exceed 4.5 and the limit in the table "
+    "of indicators."
 )
 OF_BEARINGS = (
-    "The first three harmonics of a damaged part, five of a cage, must be this far above the surroundings in the "
-    "squared envelope spectrum. Raised orders of shafts are observations."
+    "The first three harmonics of a damaged part, five of a cage, must be this far above the surroundings in "
+    "the squared envelope spectrum. Raised orders of shafts are observations."
 )
 
 
@@ -103,8 +104,8 @@ def _tests(study: Study) -> Section:
         f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
         f"{percent(study.diagnosis.false_alarm)} of records of noise alone have a finding. “By noise” is the "
         "probability that any test of such a record reaches this value. Combs are rated in standard "
-        "deviations of a rank test, lines in decibels above the adjacent spectrum. “Result” gives the reason if a "
-        "value above its limit is not a finding.</p>"
+        "deviations of a rank test, lines in decibels above the adjacent spectrum. “Result” gives the reason "
+        "if a value above its limit is not a finding.</p>"
     )
     section.add(tables.test_table(study))
     return section
@@ -116,9 +117,8 @@ def _limits(study: Study) -> Section:
     if study.diagnosis.findings:
         return section
     (channel,) = shown_channels(study)
-    gears, bearings = bool(study.parts.meshes), bool(study.parts.bearings)
-    text = f"{escape(channel)}: faults above these limits are reported. {OF_GEARS * gears}{OF_BEARINGS * (bearings and not gears)}"
-    section.add(f"<p>{text.rstrip()}</p>")
+    more = OF_GEARS if study.parts.meshes else OF_BEARINGS if study.parts.bearings else ""
+    section.add(f"<p>{escape(channel)}: faults above these limits are reported. {more}</p>")
     section.add(tables.limit_table(study, channel))
     return section
 

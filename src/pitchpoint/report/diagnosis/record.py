@@ -164,8 +164,8 @@ def at_speed(
     elif found.tolerance > 0.0:
         lines, omitted = ("mesh or shaft", "shafts and gears") if parts.meshes else ("shaft", "shafts")
         remarks.append(
-            f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of {frequency:.6g} "
-            f"Hz; {omitted} are not tested, bearings over the whole range"
+            f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of "
+            f"{frequency:.6g} Hz; {omitted} are not tested, bearings over the whole range"
         )
     per_turn = sample_rate / found.frequency
     return OverAngle(

@@ -68,10 +68,15 @@ def diagnose_file(request: Request) -> Study:
     group = machine_group(request.machine_group) if request.machine_group else ""
     channels = [*request.channels, *(t.partition("@")[0] for t in (request.tacho, request.angle) if t)]
     record = read_record(
-        (request.file, *request.more), request.sample_rate, channels if request.channels else None, request.units
+        (request.file, *request.more),
+        request.sample_rate,
+        channels if request.channels else None,
+        request.units,
     )
     if record.model_text and request.units:
-        raise SignalError(f"{request.file}: --unit {next(iter(request.units))}: results have units; omit the option")
+        raise SignalError(
+            f"{request.file}: --unit {next(iter(request.units))}: results have units; omit the option"
+        )
     machine = machine_of(request, record)
     places = Places(machine.parts, machine.names)
     places = replace(places, given=given_places(request.sensors, record.channels, places))
@@ -99,7 +104,7 @@ def diagnose_file(request: Request) -> Study:
             remarks=remarks,
             units=units,
             slip=SLIP if request.slip is None else request.slip,
-            places=places,
+            sensors=places,
         )
     except SignalError as error:
         source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)

@@ -145,7 +145,9 @@ def severities(
             rows.append(ChannelSeverity(name, found, group))
     if group and not rows:
         remedy = f"; give the unit, such as --unit {next(iter(signals))}=m/s^2" if signals else ""
-        return (), [f"vibration severity: no channel of a housing is an acceleration or velocity up to 100 Hz{remedy}"]
+        return (), [
+            f"vibration severity: no channel of a housing is an acceleration or velocity up to 100 Hz{remedy}"
+        ]
     return tuple(rows), []
 
 

@@ -99,7 +99,11 @@ class Study:
 
     def details(self, number: int) -> list[str]:
         """Sentences on the nearest sensor and the damaged tooth of a finding."""
-        return [texts[number] for texts in (self.sensors, self.place_sentences) if number < len(texts) and texts[number]]
+        return [
+            texts[number]
+            for texts in (self.sensors, self.place_sentences)
+            if number < len(texts) and texts[number]
+        ]
 
     def as_data(self) -> dict[str, Any]:
         """Complete result as plain data."""
@@ -181,7 +185,7 @@ def study(
     remarks: Sequence[str] = (),
     units: Mapping[str, str] | None = None,
     slip: float = SLIP,
-    places: Places | None = None,
+    sensors: Places | None = None,
 ) -> Study:
     """Diagnose channels over an angle and describe the findings in words.
 
@@ -201,7 +205,7 @@ def study(
         slip=slip,
     )
     found, unnamed = _named(found, parts)
-    where = places or Places(parts)
+    where = sensors or Places(parts)
     turns = next(iter(over.signals.values())).size / over.samples_per_turn
     found, levels = at_sensors(found, parts, turns, where)
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
