@@ -57,6 +57,44 @@ def test_bearings_of_a_motor_at_any_speed_within_two_percent(offset: float) -> N
     assert counts["right although hard"] == 1  # the ball of 0.021 in at no load
 
 
+def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
+    """All channels and both bearings of the motor, 6205 at the drive end and 6203 at the fan end.
+
+    Frame: the names of channels contain those of bearings, DE and FE. All faults are at the drive end.
+    """
+    right = 0
+    for record in motor_records():
+        found = diagnose_file(
+            Request(file=str(record.file), sample_rate=12_000.0, bearings=(BEARING, "FE:6203-2RS JEM"))
+        )
+        named = [(finding.shaft, finding.gears) for finding in found.diagnosis.findings]
+        assert named in ([], [(record.part, ("DE",))]), record.file.name
+        if record.diagnosable:
+            right += len(named)
+            ((best, *_),) = found.levels
+            assert best.channel == record.channel
+            assert found.sensors[0].startswith(f"nearest of the given sensors: {best.channel} (by ")
+    assert right == 10
+
+
+def test_a_fault_of_a_bearing_that_is_not_given_requires_its_own_sensor() -> None:
+    """Only the fan end is given, in the four records whose faults at the drive end have lines of its parts.
+
+    Without the condition that the sensor at the fan end shows a fault of its bearing, all four name one. Lines
+    at its rolling element are in two of them, from impacts of the drive end at 3.593 per revolution.
+    """
+    named = {}
+    for record in motor_records():
+        if record.file.stem in ("IR014_2", "IR021_0", "OR021@6_0", "OR021@6_2"):
+            file = str(record.file)
+            request = Request(file=file, sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
+            found = diagnose_file(request).diagnosis
+            named[record.file.stem] = [finding.shaft for finding in found.findings]
+            assert any("not visible in " in text for text in found.unreported)
+    ball = ["rolling element"]
+    assert named == {"IR014_2": [], "IR021_0": [], "OR021@6_0": ball, "OR021@6_2": ball}
+
+
 def test_the_speed_is_that_of_the_file() -> None:
     """Shaft lines against the speed that was measured with the record, in whole rpm.
 

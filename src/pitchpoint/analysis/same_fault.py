@@ -107,7 +107,7 @@ def across_channels(evidence: Sequence[Evidence], parts: TurningParts, turns: fl
 
 
 def is_weaker_copy(e: Evidence, stronger: Evidence, parts: TurningParts, turns: float) -> bool:
-    """Whether all lines of a part are lines of a clearer part in another channel, but not vice versa.
+    """Whether all lines of a part are lines of a clearer part in another channel.
 
     Parameters
     ----------
@@ -149,13 +149,12 @@ def is_weaker_copy(e: Evidence, stronger: Evidence, parts: TurningParts, turns: 
     >>> test |= {"probability": 1e-9, "amplitude": 0.0, "sideband": 0, "found": True}
     >>> strong = Evidence("a", gear="left", order=5.42, **test)
     >>> weak = Evidence("b", gear="right", order=4.42, **test)
-    >>> is_weaker_copy(weak, strong, parts, 300.0), is_weaker_copy(strong, weak, parts, 300.0)
+    >>> is_weaker_copy(weak, strong, parts, 300.0), is_weaker_copy(weak, strong, parts, 20.0)
     (True, False)
     """
     if e.channel == stronger.channel:
         return False
-    forward = _among(fundamental(e, parts), stronger, parts, turns)
-    return forward and not _among(fundamental(stronger, parts), e, parts, turns)
+    return _among(fundamental(e, parts), stronger, parts, turns)
 
 
 def _among(order: float, other: Evidence, parts: TurningParts, turns: float) -> bool:

@@ -56,8 +56,8 @@ TABLE_ENDINGS = (".csv", ".json")
     "sensors",
     multiple=True,
     metavar="CHANNEL=PART",
-    help="Bearing, mesh or shaft next to a sensor, such as '*_1=left'; default: the part whose name is in that of "
-    "the channel.",
+    help="Bearing, mesh or shaft next to a sensor, such as '*_1=left'; default: the part whose name is in "
+    "that of the channel.",
 )
 @click.option(
     "--unit", "units", multiple=True, metavar="NAME=UNIT", help="Unit of a channel, such as acc='9.81 m/s^2'."

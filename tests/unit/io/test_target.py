@@ -31,6 +31,7 @@ from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.schema import json_schema
+from pitchpoint.report.diagnosis.many import FileRow, FolderDiagnosis
 from pitchpoint.report.figure_picture import marked_png
 from pitchpoint.report.stiffness_tables import StiffnessTable, csv_text
 from pitchpoint.viz.report.page import page
@@ -76,6 +77,9 @@ def own_file(kind: str, path: Path) -> Path:
         path.write_bytes(marked_png(head))
     elif kind == "pdf":
         path.write_bytes(f"%PDF-1.4\n1 0 obj\n<</Title ({PDF_TITLE})>>\nendobj\n".encode())
+    elif kind == "diagnoses":
+        table = FolderDiagnosis("rig", (FileRow("a.csv", "nothing found"),))
+        path.write_text(table.csv_text(), encoding="utf-8")
     elif kind == "schema":
         path.write_text(json.dumps(json_schema(), indent=2), encoding="utf-8")
     else:

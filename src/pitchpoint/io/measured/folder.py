@@ -10,8 +10,8 @@ from pitchpoint.io.measured.record import MeasuredError
 from pitchpoint.io.target import written_by_diagnose
 
 DOCUMENTS = frozenset(
-    ".md .rst .html .htm .pdf .png .jpg .jpeg .gif .svg .doc .docx .xls .xlsx .ppt .pptx .json .yaml .yml .toml "
-    ".xml .py .m .sh .bat .ipynb .log .zip .tar .7z .part".split()
+    ".md .rst .html .htm .pdf .png .jpg .jpeg .gif .svg .doc .docx .xls .xlsx .ppt .pptx .json .yaml .yml "
+    ".toml .xml .py .m .sh .bat .ipynb .log .zip .tar .7z .part".split()
 )
 """Endings of files that are not records."""
 NAMED = ("readme", "license", "licence")

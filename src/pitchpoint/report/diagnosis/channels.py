@@ -183,8 +183,8 @@ def given_places(texts: Sequence[str], channels: Iterable[str], places: Places) 
         channel, sign, part = (piece.strip() for piece in text.rpartition("="))
         if not sign or not channel or not part:
             raise SignalError(
-                f"--sensor: {text!r} is not CHANNEL=PART; write it as in acc_1=left, where left is a bearing, "
-                "a mesh or a shaft"
+                f"--sensor: {text!r} is not CHANNEL=PART; write it as in acc_1=left, where left is a "
+                "bearing, a mesh or a shaft"
             )
         if part not in known:
             raise SignalError(f"--sensor: no bearing, mesh or shaft {part!r}; {hint(part, known)}")

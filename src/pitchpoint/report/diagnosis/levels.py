@@ -66,8 +66,8 @@ def at_sensors(
             continue
         hidden = f"{NOT_VISIBLE}{', '.join(row.channel for row in own)}"
         notes.append(
-            f"{finding.shaft} of {finding.gears[0]} in {finding.channel}: {hidden}, next to this bearing; the fault "
-            "is that of another part, or check the bearings and the places of the sensors"
+            f"{finding.shaft} of {finding.gears[0]} in {finding.channel}: {hidden}, next to this bearing; "
+            "the fault is that of another part, or check the bearings and the places of the sensors"
         )
         mine = evidence_in(finding, diagnosis)
         evidence = [replace(e, found=False, explained=hidden) if e in mine else e for e in evidence]
@@ -176,8 +176,8 @@ def _elsewhere(finding: Finding, best: str, others: Sequence[str], places: Place
     if not at or named & set(at) or not own:
         return ""
     return (
-        f"; it is near {', '.join(at)}, and {own[0]} is near {' or '.join(sorted(named))}: check the bearings "
-        "and the places of the sensors"
+        f"; it is near {', '.join(at)}, and {own[0]} is near {' or '.join(sorted(named))}: check the "
+        "bearings and the places of the sensors"
     )
 
 

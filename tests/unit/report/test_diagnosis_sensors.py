@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Several sensors: default channels, places by name or option, nearest sensor, faults seen only elsewhere."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.turning_parts import Bearing, Mesh, Shaft, TurningParts, train_parts
+from pitchpoint.report.diagnosis.channels import MOST, Places, every_quantity, given_places, preferred
+from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.study import Study, study
+
+RATE, TURNS = 200.0, 300.0
+ORDERS = {"outer ring": 3.58, "inner ring": 5.42}
+ONE_SHAFT = (Shaft("rotor", Fraction(1)),)
+
+
+def _channel(strength: float, seed: int, order: float = 3.585) -> np.ndarray:
+    """Impacts of the outer ring in noise of the power one."""
+    turned = np.arange(int(RATE * TURNS)) / RATE
+    power = 1.0 + strength * np.exp(-8.0 * (order * turned % 1.0))
+    return np.sqrt(power) * np.random.default_rng(seed).standard_normal(turned.size)
+
+
+def _study(channels: dict[str, np.ndarray], bearings: tuple[Bearing, ...], **given: tuple[str, ...]) -> Study:
+    parts = TurningParts(ONE_SHAFT, (), bearings)
+    over = OverAngle(channels, RATE, 25.0, RATE)
+    return study(over, parts, false_alarm=0.01, sensors=Places(parts, {}, given))
+
+
+def test_the_nearest_sensor_is_that_with_the_highest_level() -> None:
+    bearings = (Bearing("left", ORDERS, "rotor"), Bearing("right", ORDERS, "rotor"))
+    channels = {"acc_right": _channel(1.0, 1), "acc_left": _channel(30.0, 2), "far": _channel(0.0, 3)}
+    found = _study(channels, bearings)
+    (rows,) = found.levels
+    assert [row.channel for row in rows] == ["acc_left", "acc_right", "far"]
+    assert [row.visible for row in rows] == [True, True, False]
+    apart = rows[0].value - rows[1].value
+    assert apart > 3.0
+    # equal bearings are not distinguished by their lines, but by the sensor
+    (words,) = found.sensors
+    assert words.startswith(f"nearest of the given sensors: acc_left, near left (by {apart:.0f} dB); ")
+    assert words.endswith("below the limit in far")
+    (row,) = found.as_data()["findings"]
+    assert row["nearest_sensor"] == words and row["levels"][0]["channel"] == "acc_left"
+
+
+def test_bearings_with_similar_lines_are_named_by_the_nearest_sensor() -> None:
+    """Orders that differ by 0.4 %, within the slip: both are named, the one at the clearest sensor first."""
+    other = {part: 1.004 * order for part, order in ORDERS.items()}
+    for near, far in (("left", "right"), ("right", "left")):
+        bearings = (Bearing("left", ORDERS, "rotor"), Bearing("right", other, "rotor"))
+        found = _study({f"acc {near}": _channel(30.0, 2), f"acc {far}": _channel(1.0, 1)}, bearings)
+        (finding,) = found.diagnosis.findings
+        assert finding.gears == (near,) and finding.bearings == (f"outer ring of {far}",)
+        words = f"of bearing {near} (or outer ring of {far}: this record cannot distinguish them)"
+        assert words in found.sentences[0]
+
+
+def test_a_bearing_is_not_named_if_only_the_sensor_of_another_one_shows_it() -> None:
+    bearings = (Bearing("left", ORDERS, "rotor"), Bearing("right", {"outer ring": 3.05}, "rotor"))
+    channels = {"ch1": _channel(30.0, 2), "ch2": _channel(0.0, 1)}
+    assert [f.gears for f in _study(channels, bearings).diagnosis.findings] == [("left",)]
+    found = _study(channels, bearings, ch1=("right",), ch2=("left",))
+    assert found.diagnosis.findings == ()
+    (*_, reason) = found.diagnosis.unreported
+    assert reason.startswith("outer ring of left in ch1: not visible in ch2, next to this bearing; ")
+    assert found.sentences[0].startswith("nothing found: of ")
+
+
+TRAIN = train_parts([(20, 40), (17, 60), (21, 43), (19, 44)])
+PARTS = TurningParts(
+    TRAIN.shafts,
+    TRAIN.meshes,
+    tuple(Bearing(f"b{k}", ORDERS, f"shaft {k // 2 + 1}") for k in range(10)),
+)
+
+
+def test_default_channels_of_a_result_are_near_every_bearing() -> None:
+    names = [f"bearing_force[b{k}]" for k in range(10)]
+    chosen = preferred(names, Places(PARTS))
+    assert chosen == names and len(chosen) <= MOST
+    assert Places(PARTS).remark(chosen, True) == []
+    # without the machine, six spread over the list
+    few = preferred(names)
+    assert few == [names[k * 10 // 6] for k in range(6)]
+    (remark,) = Places(PARTS).remark(few, True)
+    assert remark == "no tested channel is near b2, b4, b7, b9; --all-channels tests all"
+
+
+def test_default_channels_remain_six_if_they_are_near_everything() -> None:
+    names = [f"acceleration[shaft {k // 6 + 1}][{k}]" for k in range(30)]
+    assert preferred(names, Places(PARTS)) == preferred(names)
+
+
+def test_channels_without_known_places_have_no_remark() -> None:
+    assert Places(PARTS).remark(["acc 1", "acc 2"], False) == []
+
+
+def test_all_channels_are_those_of_vibration() -> None:
+    names = ["angle[a]", "mesh_force[m]", "signal[s]", "power[a]", "bearing_force[b]"]
+    assert every_quantity(names) == ["signal[s]", "bearing_force[b]", "mesh_force[m]"]
+
+
+def test_places_by_name_and_by_option() -> None:
+    mesh = Mesh("first", ("z1", "z2"), (20, 40), ("input", "output"))
+    shafts = (Shaft("input", Fraction(1)), Shaft("output", Fraction(1, 2)))
+    bearings = (Bearing("input_a", ORDERS, "input"), Bearing("input_b", ORDERS, "input"))
+    places = Places(TurningParts(shafts, (mesh,), bearings), {"input": "input", "output": "output"})
+    assert places.near("acc input") == {"first", "input_a", "input_b"}
+    assert places.near("bearing_force[input_a]") == {"first", "input_a"}  # the longer name counts
+    assert places.near("X_OUTPUT_z") == {"first"}
+    assert places.near("acc") == frozenset()
+    found = given_places(["*_1=input_b"], ["acc_1", "acc_2"], places)
+    assert found == {"acc_1": ("input_b",)}
+    for text, words in (
+        ("acc_1", "is not CHANNEL=PART"),
+        ("acc_1=inptu_a", "no bearing, mesh or shaft 'inptu_a'; did you mean input_a"),
+        ("ac_1=input_a", "no channel ac_1; did you mean acc_1"),
+    ):
+        with pytest.raises(SignalError, match=words.replace("?", r"\?")):
+            given_places([text], ["acc_1", "acc_2"], places)
