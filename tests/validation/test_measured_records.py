@@ -78,10 +78,11 @@ def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
 
 
 def test_a_fault_of_a_bearing_that_is_not_given_requires_its_own_sensor() -> None:
-    """Only the fan end is given, in the four records whose faults at the drive end have lines of its parts.
+    """Only the fan end is given, in four records whose faults at the drive end have lines of its parts.
 
-    Without the condition that the sensor at the fan end shows a fault of its bearing, all four name one. Lines
-    at its rolling element are in two of them, from impacts of the drive end at 3.593 per revolution.
+    Without the condition that the sensor at the fan end shows a fault of its bearing, all four name one. Two
+    have lines near its rolling element, 3.988: 3.593 impacts on the outer ring of the drive end, and its cage
+    with 3.593/9 = 0.399, 3.992 in all.
     """
     named = {}
     for record in motor_records():
