@@ -97,7 +97,8 @@ def family_evidence(
                 kind="bearing",
                 shaft=family.part,
                 gear=family.bearing,
-                value=family.strength,
+                # levels of averaged lines are not exact
+                value=max(family.strength, LEAST) if family.named else family.strength,
                 threshold=LEAST,
                 probability=float(min(1.0, family.probability * len(found.families))),
                 order=family.order * family.scale,

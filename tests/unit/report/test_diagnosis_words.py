@@ -14,8 +14,8 @@ from pitchpoint.analysis.turning_parts import train_parts
 from pitchpoint.report.diagnosis.words import nothing_found, outcome, sentence
 
 
-def _evidence(*, found: bool, explained: str = "") -> Evidence:
-    return Evidence("acc", "comb", "shaft 1", "", 9.0, 3.0, 1e-9, 4.0, 0.1, 0, found, 0.01, explained)
+def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Evidence:
+    return Evidence("acc", "comb", "shaft 1", "", value, 3.0, 1e-9, 4.0, 0.1, 0, found, 0.01, explained)
 
 
 @pytest.mark.parametrize(
@@ -27,10 +27,11 @@ def _evidence(*, found: bool, explained: str = "") -> Evidence:
     ],
 )
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:
-    evidence = tuple(_evidence(found=k < beyond) for k in range(5))
+    evidence = tuple(_evidence(found=k < beyond, value=9.0 if k < beyond else 2.0) for k in range(5))
     assert nothing_found(Diagnosis((), (), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
-    # what something explains has exceeded its limit as well
-    evidence = tuple(_evidence(found=False, explained="cage" if k < beyond else "") for k in range(5))
+    # what something explains has exceeded its limit as well; only some harmonics have not
+    levels = [9.0 if k < beyond else 2.0 for k in range(5)]
+    evidence = tuple(_evidence(found=False, explained="cage", value=level) for level in levels)
     assert nothing_found(Diagnosis((), (), evidence, {}, (), (), {}, 5, 0.01)) == f"nothing found: {words}"
 
 

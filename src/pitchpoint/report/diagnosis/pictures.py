@@ -44,11 +44,14 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
     unit, over = study.units.get(channel, ""), study.over
     spectrum = in_hertz(fine_spectrum(over.signals[channel], over.samples_per_turn), over.frequency)
     section.add(f"<p>{escape(_level(study, channel, unit))}</p>")
-    meshes = f", with the mesh lines of all gears and their harmonics up to {HARMONICS}"
-    marked = meshes if study.parts.meshes else ""
     section.add_figure(
         plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=_axis(study)),
-        f"Spectrum of {channel}{marked}.",
+        f"Spectrum of {channel}"
+        + (
+            f", with the mesh lines of all gears and their harmonics up to {HARMONICS}."
+            if study.parts.meshes
+            else "."
+        ),
     )
     turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
     # an average of one or two turns still contains the vibration of all other shafts
@@ -233,9 +236,13 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     """Add the spectrum of the squared envelope, as used by the bearing tests."""
     over, parts = study.over, study.parts
     try:
-        rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
-        low, high = envelope_band(rest, over.samples_per_turn, parts)
-        envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
+        if parts.meshes:
+            rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
+            low, high = envelope_band(rest, over.samples_per_turn, parts)
+            envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
+        else:
+            low, high = 0.0, 0.5 * over.samples_per_turn
+            envelope = band_envelope(over.signals[channel], over.samples_per_turn, whiten=True).envelope
         spectrum = in_hertz(fine_spectrum(envelope**2, over.samples_per_turn), over.frequency)
     except SignalError as reason:
         section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
@@ -255,7 +262,6 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]
     last = max((float(m.places[-1]) for m in marks if m.places.size), default=spectrum.highest)
     known = math.isfinite(over.frequency)
-    without = " without mesh lines" if study.parts.meshes else ""
     band = span(_rate(study, low), _rate(study, high)) if known else f"orders {low:.4g} to {high:.4g}"
     figure = plot_lines(
         spectrum,
@@ -267,7 +273,8 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     )
     section.add_figure(
         figure,
-        f"Spectrum of the squared envelope of {channel}{without}, band {band}, with the "
+        f"Spectrum of the squared envelope of {channel} "
+        f"{'without mesh lines' if parts.meshes else 'after whitening'}, band {band}, with the "
         f"frequencies of the bearing parts and their harmonics up to {BEARING_HARMONICS}: "
         f"{', '.join(shown)}.",
     )

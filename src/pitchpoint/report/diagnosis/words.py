@@ -37,7 +37,7 @@ LOST = "sample rate: above half of it, not testable: {}"
 def nothing_found(diagnosis: Diagnosis) -> str:
     """Sentence for a record without findings; it does not state that the machine is healthy."""
     tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
-    beyond = sum(e.found or bool(e.explained) for e in diagnosis.evidence)
+    beyond = sum(e.value > e.threshold for e in diagnosis.evidence)
     if beyond:
         which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
         return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
