@@ -41,7 +41,14 @@ def fundamental(e: Evidence, parts: TurningParts) -> float:
 
 
 def same_lines(one: float, other: float, turns: float) -> bool:
-    """Whether two orders are not separate in a record of a number of turns of the reference shaft.
+    """Whether two orders are not separate in a record.
+
+    Parameters
+    ----------
+    one, other
+        Orders [-].
+    turns
+        Revolutions of the reference shaft in the record [-].
 
     Examples
     --------

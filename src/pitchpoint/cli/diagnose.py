@@ -173,7 +173,7 @@ def _files_or_folder(paths: tuple[str, ...], *, join: bool) -> tuple[tuple[str, 
 def _diagnose_folder(
     request: Request, folder: str, target: Path | None, *, as_json: bool, quiet: bool
 ) -> int:
-    """Diagnose each file of a folder, and write one table; the exit code says whether all were diagnosed."""
+    """Diagnose each file of a folder, and write one table; the exit code is not 0 if some fail."""
     from pitchpoint.cli.failure import FAILED, OK
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.io.target import write_file

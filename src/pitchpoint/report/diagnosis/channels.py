@@ -170,7 +170,7 @@ def _of(quantities: Sequence[str], names: Sequence[str]) -> list[str]:
 
 
 def given_places(texts: Sequence[str], channels: Iterable[str], places: Places) -> dict[str, tuple[str, ...]]:
-    """Parts by channel of the options `--sensor CHANNEL=PART`; `*` in CHANNEL stands for any characters.
+    """Parts by channel of the options `--sensor CHANNEL=PART`; `*` in CHANNEL matches any characters.
 
     Raises
     ------
@@ -194,7 +194,7 @@ def given_places(texts: Sequence[str], channels: Iterable[str], places: Places) 
 
 
 def matching(pattern: str, names: Sequence[str], option: str) -> list[str]:
-    """Channels of a name, in which `*` stands for any characters.
+    """Channels of a name, in which `*` matches any characters.
 
     Raises
     ------

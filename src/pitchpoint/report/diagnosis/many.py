@@ -253,7 +253,7 @@ def _short(shaft: str, gears: Sequence[str], kind: str) -> str:
 
 
 def _strongest(study: Study) -> Evidence:
-    """Test of the first finding, else the one closest to a finding: observations are no damage."""
+    """Test of the first finding, else the one closest to a finding, which is not that of an observation."""
     found = study.diagnosis
     mine = evidence_of(found.findings[0], found) if found.findings else []
     if mine:

@@ -240,7 +240,7 @@ def read_record(
     channels
         Channels to which the record is reduced if not all of a measured file fit together.
     units
-        Unit by channel of a measured file, in whose name `*` stands for any characters.
+        Unit by channel of a measured file, in whose name `*` matches any characters.
 
     Raises
     ------
