@@ -75,21 +75,21 @@ def test_a_run_with_and_without_a_broken_tooth(
     assert all(finding["gears"] == ["pinion"] for finding in found["findings"])
 
 
-def test_all_channels_of_a_result_are_its_sensors_and_internal_quantities(
+def test_all_channels_of_a_result_are_those_of_vibration(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The default is the first quantity that the result has, here those of the mesh; units are those of the model."""
+    """By default the first quantity that the result has: the sensor, if there is one."""
     result = str(tmp_path / "run.h5")
-    channels = 'channels:\n  sensor: {type: observation, channel: "speed[shaft]"}\n'
-    assert run_command(["run", written(tmp_path, BROKEN_PAIR + channels), "-o", result, "-q"]) == 0
+    sensor = "sensors:\n  torque_meter: {type: observation, channel: 'mesh_force[stage]'}\n"
+    assert run_command(["run", written(tmp_path, BROKEN_PAIR + sensor), "-o", result, "-q"]) == 0
     capsys.readouterr()
 
     def tested(*more: str) -> set[str]:
         """Channels with tests."""
         return {row["channel"] for row in json_of(["diagnose", result, *more], capsys)["evidence"]}
 
-    assert tested() == {"signal[sensor]"}
+    assert tested() == {"signal[torque_meter]"}
     every = tested("--all-channels")
-    assert every > {"signal[sensor]", "mesh_force[stage]"} and "speed[shaft]" not in every
-    assert run_command(["diagnose", result, "--unit", "signal[sensor]=m/s"]) == 2
+    assert every > {"signal[torque_meter]", "mesh_force[stage]"} and "speed[shaft]" not in every
+    assert run_command(["diagnose", result, "--unit", "signal[torque_meter]=m/s"]) == 2
     assert "results have units; omit the option" in capsys.readouterr().err

@@ -102,8 +102,8 @@ def test_channels_without_known_places_have_no_remark() -> None:
 
 
 def test_all_channels_are_those_of_vibration() -> None:
-    names = ["angle[a]", "mesh_force[m]", "signal[s]", "power[a]", "bearing_force[b]"]
-    assert every_quantity(names) == ["signal[s]", "bearing_force[b]", "mesh_force[m]"]
+    names = ["angle[a]", "mesh_force[m]", "signal[s]", "power[a]", "bearing_force[b.fx]"]
+    assert every_quantity([*names, "bearing_force[b.direction]"]) == [names[2], names[4], names[1]]
 
 
 def test_places_by_name_and_by_option() -> None:

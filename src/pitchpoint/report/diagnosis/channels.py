@@ -165,8 +165,9 @@ def every_quantity(names: Sequence[str]) -> list[str]:
 
 
 def _of(quantities: Sequence[str], names: Sequence[str]) -> list[str]:
-    """Channels of quantities, ordered by quantity."""
-    return [name for quantity in quantities for name in names if name.partition("[")[0] == quantity]
+    """Channels of quantities, ordered by quantity; the direction of a force, an angle that jumps, is none."""
+    kept = [name for name in names if not name.endswith(".direction]")]
+    return [name for quantity in quantities for name in kept if name.partition("[")[0] == quantity]
 
 
 def given_places(texts: Sequence[str], channels: Iterable[str], places: Places) -> dict[str, tuple[str, ...]]:

@@ -13,6 +13,9 @@ from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import Places, each
 from pitchpoint.report.diagnosis.words import NOT_VISIBLE, evidence_in, unit_of
 
+LISTED = 3
+"""Maximum number of channels in a sentence."""
+
 
 @dataclass(frozen=True)
 class ChannelLevel:
@@ -151,9 +154,11 @@ def nearest_sensor(finding: Finding, rows: Sequence[ChannelLevel], places: Place
     at = f"{best.channel}{_beside(finding, best.channel, places)}"
     if apart >= 0.5:
         at += f" (by {'' if seen else 'more than '}{apart:.0f} {best.unit})"
-    listed = [f"{row.value:.0f} {row.unit} in {row.channel}" for row in seen]
+    listed = [f"{row.value:.0f} {row.unit} in {row.channel}" for row in seen[:LISTED]]
+    listed += [f"less in {len(seen) - LISTED} more"] * (len(seen) > LISTED)
     hidden = [row.channel for row in others if not row.visible]
-    listed += [f"below the limit in {', '.join(hidden)}"] * bool(hidden)
+    named = ", ".join(hidden) if len(hidden) <= LISTED else f"{len(hidden)} others"
+    listed += [f"below the limit in {named}"] * bool(hidden)
     text = f"nearest of the given sensors: {at}; {'; '.join(listed)}"
     return text + _elsewhere(finding, best.channel, [row.channel for row in others], places)
 
