@@ -163,7 +163,7 @@ class FolderDiagnosis:
             for row in self.rows
         ]
         summary.add(plain_table(HEAD, rows_html(cells, 3), words=3))
-        for row in self.rows:
+        for row in (row for row in self.rows if not row.failed):
             items = "".join(f"<li>{escape(text)}</li>" for text in row.sentences)
             details.add(f'<h3>{escape(row.file)}</h3><ul class="notes">{items}</ul>')
         notes = Section("notes", "Notes")
