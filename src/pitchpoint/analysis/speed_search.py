@@ -21,6 +21,8 @@ LIMIT = float(np.log(1e6))
 """Largest contribution of one line: that of a probability of 1 in 1 000 000, too little for a single line."""
 CHANCE = 1e-4
 """Probability of noise alone below which lines determine the speed."""
+BEYOND = 1.1
+"""Searched range over the tolerance: nominal speeds are rounded, and so are their tolerances."""
 FEWEST = 3
 """Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be mains or other machines."""
 
@@ -93,7 +95,7 @@ def speed_from_lines(
     >>> round(found.frequency, 3), found.what, found.tolerance
     (29.7, 'mesh', 0.0)
     """
-    nominal, reach = positive(frequency, "frequency"), float(tolerance)
+    nominal, reach = positive(frequency, "frequency"), BEYOND * float(tolerance)
     if reach <= 0.0:
         return FoundSpeed(nominal, 0.0)
     meshes = sorted({parts.mesh_order(mesh) for mesh in parts.meshes})

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint diagnose` on measured records whose state is known, beside the plain method.
+
+Source of the motor records: Case Western Reserve University, Bearing Data Center; bearing 6205-2RS JEM at the drive
+end. Which are diagnosable with standard means: W. A. Smith, R. B. Randall, Mechanical Systems and Signal Processing
+64-65 (2015) 100-131. Source of the gearbox records: gearbox simulator, 32 teeth against 80, one tooth broken or none,
+https://openei.org. Frames do not matter: one channel, one number of revolutions. Every count is exact: the records are
+files, and the diagnosis has no chance in it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from pitchpoint.report.diagnosis.request import Request, diagnose_file
+from tests.support.measured_sets import OFFSETS, MotorRecord, gearbox_records, motor_records, needs_measured
+from tests.support.plain_baseline import plain_baseline
+
+pytestmark = needs_measured
+BEARING = "DE:6205-2RS JEM"
+ORDERS = {"outer ring": 3.5848, "inner ring": 5.4152, "rolling element": 4.7135}
+
+
+def named(record: MotorRecord, speed: str) -> set[str]:
+    """Parts of the bearing that are named."""
+    found = diagnose_file(
+        Request(
+            file=str(record.file),
+            channels=(record.channel,),
+            speeds=(speed,),
+            sample_rate=12_000.0,
+            bearings=(BEARING,),
+        )
+    )
+    assert all(finding.kind == "bearing" for finding in found.diagnosis.findings)
+    return {finding.shaft for finding in found.diagnosis.findings}
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+def test_bearings_of_a_motor_at_any_speed_within_two_percent(offset: float) -> None:
+    counts: Counter[str] = Counter()
+    for record in motor_records():
+        parts = named(record, f"{record.speed * (1.0 + offset)}rpm")
+        if record.diagnosable:
+            counts["diagnosable"] += 1
+            counts["right"] += parts == {record.part}
+        else:
+            # of the others nothing, or what is damaged
+            counts["others"] += 1
+            counts["named although damaged otherwise"] += bool(parts - {record.part})
+            counts["right although hard"] += parts == {record.part} != {""}
+    assert counts["diagnosable"] == counts["right"] == 10
+    assert counts["others"] == 9 and counts["named although damaged otherwise"] == 0
+    assert counts["right although hard"] == 1  # the ball of 0.021 in at no load
+
+
+def test_the_speed_is_that_of_the_file() -> None:
+    """Shaft lines against the speed that was measured with the record, in whole rpm.
+
+    Tolerance: of the last digit of the file, 1 rpm, and 1 rpm for the change of the speed within the record.
+    """
+    from scipy.io import loadmat
+
+    for record in motor_records():
+        (measured,) = (float(v.item()) for k, v in loadmat(record.file).items() if k.endswith("RPM"))
+        found = diagnose_file(
+            Request(
+                file=str(record.file),
+                channels=(record.channel,),
+                speeds=(f"{1.015 * record.speed}rpm",),
+                sample_rate=12_000.0,
+                bearings=(BEARING,),
+            )
+        )
+        assert 60.0 * found.over.frequency == pytest.approx(measured, abs=2.5), record.file.name
+
+
+@pytest.mark.parametrize(("offset", "count"), [(0.0, 10), (0.008, 10), (-0.008, 10), (0.02, 9), (-0.02, 9)])
+def test_the_plain_method_names_the_same_parts(offset: float, count: int) -> None:
+    from scipy.io import loadmat
+
+    right = 0
+    for record in motor_records():
+        x = loadmat(record.file)[record.channel].ravel().astype(np.float64)
+        part = plain_baseline(x, 12_000.0, record.speed * (1.0 + offset) / 60.0, ORDERS)
+        if record.diagnosable:
+            right += part == record.part
+        else:
+            assert part in ("", record.part)
+    assert right == count
+
+
+@pytest.mark.parametrize("speed", ("30Hz", "29.4Hz"))
+def test_a_gearbox_is_not_accused_without_reference(speed: str) -> None:
+    """Raised orders and sidebands are observed in sound and broken records alike, and neither is accused."""
+    records = gearbox_records()
+    assert len(records) == 10
+    for file, _ in records:
+        found = diagnose_file(
+            Request(file=str(file), train="32/80", speeds=(speed,), sample_rate=12_800.0)
+        ).diagnosis
+        assert found.findings == ()
+        assert {one.kind for one in found.observations} >= {"modulation", "once per turn"}
