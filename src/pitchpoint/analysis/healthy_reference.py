@@ -272,7 +272,8 @@ def _moderated(variance: Array, nu: int) -> tuple[Array, float]:
     logs = np.log(variance) - digamma(0.5 * nu) + np.log(0.5 * nu)
     beyond = float(logs.var(ddof=1) - polygamma(1, 0.5 * nu))
     if beyond <= 1e-6:
-        return np.full(variance.size, np.exp(logs.mean())), np.inf
+        # equal scatter of all features
+        return np.full(variance.size, variance.mean()), float(nu * variance.size)
     prior = 2.0 * _trigamma_inverse(beyond)
     common = float(np.exp(logs.mean() + digamma(0.5 * prior) - np.log(0.5 * prior)))
     return (prior * common + nu * variance) / (prior + nu), prior + nu

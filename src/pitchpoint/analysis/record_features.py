@@ -126,10 +126,7 @@ def record_features(
         found[Feature(channel, "shape", "", "kurtosis")] = 10.0 * float(np.log10(whole.kurtosis))
         found[Feature(channel, "shape", "", "crest factor")] = 20.0 * float(np.log10(whole.crest_factor))
         spectrum = fine_spectrum(x, rate)
-        powers = chain(
-            _bands(spectrum, parts, hertz),
-            () if tolerance else _lines(spectrum, parts),
-        )
+        powers = chain(_bands(spectrum, parts, hertz), () if tolerance else _lines(spectrum, parts))
         for (kind, part, detail), power in powers:
             level = 10.0 * float(np.log10(max(power, LEAST * whole.rms**2)))
             found[Feature(channel, kind, part, detail)] = level
@@ -186,8 +183,9 @@ def _bands(
         low = step ** (number - 0.5)
         number += 1
         if (high - low) / hertz >= BAND_LINES * spectrum.resolution:
-            unit = "" if hertz == 1.0 else " Hz"
-            yield ("band", f"{low:.3g} to {high:.3g}{unit}", ""), _between(spectrum, summed, low / hertz, high / hertz)
+            ends = " to ".join(f"{float(f'{end:.3g}'):g}" for end in (low, high))
+            name = f"orders {ends}" if hertz == 1.0 else f"{ends} Hz"
+            yield ("band", name, ""), _between(spectrum, summed, low / hertz, high / hertz)
 
 
 def _averages(
