@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measured records in `shared/data/measured` next to the repository or above it, and what is damaged in them."""
+"""Measured records in `shared/data/measured` next to the repository or above it, and what is damaged in
+them."""
 
 from __future__ import annotations
 
@@ -31,8 +32,8 @@ class MotorRecord:
     part
         Damaged part of the bearing 6205 at the drive end; empty for the healthy motor.
     diagnosable
-        Whether the damage is visible with standard means (W. A. Smith, R. B. Randall, MSSP 64-65, 2015, 100-131):
-        the outer ring with 0.014 in and the balls are not.
+        Whether the damage is visible with standard means (W. A. Smith, R. B. Randall, MSSP 64-65, 2015,
+        100-131): the outer ring with 0.014 in and the balls are not.
     """
 
     file: Path

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plain method against which the diagnosis of bearings is measured: envelope spectrum of the whitened signal."""
+"""The plain method against which the diagnosis of bearings is measured: envelope spectrum of the whitened
+signal."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ LEAST = 15.0
 def plain_baseline(
     values: np.ndarray, rate: float, speed: float, orders: Mapping[str, float], search: float = 0.022
 ) -> str:
-    """Part with the highest mean level of three harmonics at any speed within the search; empty below the limit."""
+    """Part with the highest mean level of three harmonics at any speed within the search; empty below the
+    limit."""
     lines = np.fft.rfft(values - np.mean(values))
     white = np.fft.irfft(lines / np.maximum(np.abs(lines), 1e-30), values.size)
     square = np.abs(hilbert(white)) ** 2

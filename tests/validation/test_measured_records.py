@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pitchpoint diagnose` on measured records whose state is known, beside the plain method.
 
-Source of the motor records: Case Western Reserve University, Bearing Data Center; bearing 6205-2RS JEM at the drive
-end. Which are diagnosable with standard means: W. A. Smith, R. B. Randall, Mechanical Systems and Signal Processing
-64-65 (2015) 100-131. Source of the gearbox records: gearbox simulator, 32 teeth against 80, one tooth broken or none,
-https://openei.org. Frames do not matter: one channel, one number of revolutions. Every count is exact: the records are
-files, and the diagnosis has no chance in it.
+Source of the motor records: Case Western Reserve University, Bearing Data Center; bearing 6205-2RS JEM at
+the drive end. Which are diagnosable with standard means: W. A. Smith, R. B. Randall, Mechanical Systems and
+Signal Processing 64-65 (2015) 100-131. Source of the gearbox records: gearbox simulator, 32 teeth against
+80, one tooth broken or none, https://openei.org. Frames do not matter: one channel, one number of
+revolutions. Every count is exact: the records are files, and the diagnosis has no chance in it.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def test_the_plain_method_names_the_same_parts(offset: float, count: int) -> Non
     assert right == count
 
 
-@pytest.mark.parametrize("speed", ("30Hz", "29.4Hz"))
+@pytest.mark.parametrize("speed", ["30Hz", "29.4Hz"])
 def test_a_gearbox_is_not_accused_without_reference(speed: str) -> None:
     """Raised orders and sidebands are observed in sound and broken records alike, and neither is accused."""
     records = gearbox_records()

@@ -14,7 +14,7 @@ from pitchpoint.analysis.sampled import Array, SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
 
 LEAST = 12.0
-"""Level above the surroundings that the least of the first three harmonics of a damaged part must have [dB]."""
+"""Minimum level of the first three harmonics of a damaged part above the surroundings [dB]."""
 PARTLY = "only some of its harmonics"
 """Why a part is not named although lines of it are significant."""
 
@@ -57,14 +57,14 @@ def family_evidence(
 
     Notes
     -----
-    Squared envelope of the whitened signal [1]_, and `fault_families`. Without gears no sidebands of meshes need to be
-    removed, and the whole band serves. Valid for steady speed or signals over the angle.
+    Squared envelope of the whitened signal [1]_, and `fault_families`. Without gears no sidebands of meshes
+    need to be removed, and the whole band serves. Valid for steady speed or signals over the angle.
 
     References
     ----------
-    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum pre-whitening for
-       the diagnosis of bearing faults under variable speed conditions, Mechanical Systems and Signal Processing 36(2),
-       2013, 370-384.
+    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
+       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
+       and Signal Processing 36(2), 2013, 370-384.
     """
     if values.size < MIN_SAMPLES:
         return [], [

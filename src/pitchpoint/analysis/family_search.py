@@ -30,8 +30,8 @@ AVERAGES = (1, 3, 9, 27)
 BACKGROUND = 128
 """Minimum number of lines of the running median."""
 SPREAD, STRONG = 4.0, 3.0
-"""How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts whose
-sharpness varies with the load have weak higher harmonics."""
+"""How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts
+whose sharpness varies with the load have weak higher harmonics."""
 MIN_EVENTS = 16.0
 SEPARATE = 2.5
 """Distance of lines of the record from which they are separate with a Hann window."""
@@ -120,7 +120,7 @@ class FaultFamily:
 
     @property
     def level(self) -> Array:
-        """Levels of the lines [dB], shape (n,); of averaged lines those of single lines as probable in noise."""
+        """Levels of the lines [dB], shape (n,); of averaged lines those of equally probable single ones."""
         if self.average == 1:
             return self.prominence
         likelihood = -np.log(np.maximum(self.line_probability, 1e-300)) / np.log(2.0)

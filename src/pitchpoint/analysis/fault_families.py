@@ -75,7 +75,8 @@ def fault_families(
         Maximum relative deviation of the orders of a bearing due to slip [-].
     prominence
         Minimum level of each of the first three harmonics, five of a cage, above the local median [dB]; for
-        averaged lines the level of the same probability. A level may be 4 dB lower if their mean is 3 dB higher.
+        averaged lines the level of the same probability. A level may be 4 dB lower if their mean is 3 dB
+        higher.
     false_alarm
         Probability that noise alone leads to any detection [-].
 

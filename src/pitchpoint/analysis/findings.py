@@ -19,8 +19,9 @@ from pitchpoint.analysis.turning_parts import TurningParts
 ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.5
 """Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
 impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis of its residual, 3 for noise. The
-tooth-to-tooth differences of a gear of 11 teeth have five harmonics, whose random phases agree by chance about once in
-a hundred cases. The residuals of sound gears of real machines reach 3.7 (docs/diagnosis.md, measured records)."""
+tooth-to-tooth differences of a gear of 11 teeth have five harmonics, whose random phases agree by chance
+about once in a hundred cases. The residuals of sound gears of real machines reach 3.7 (docs/diagnosis.md,
+measured records)."""
 
 
 @dataclass(frozen=True)
@@ -209,8 +210,9 @@ def findings_of(
         lowest = [e for e in mine if e.kind == "low order"]
         if lowest:
             observed.append(_finding("once per turn", shaft.name, (), lowest[0]))
-    ordered = (tuple(sorted(some, key=lambda finding: finding.probability)) for some in (found, observed))
-    return (*ordered, spread)
+    for some in (found, observed):
+        some.sort(key=lambda finding: finding.probability)
+    return tuple(found), tuple(observed), spread
 
 
 def _finding(

@@ -22,8 +22,8 @@ ZONES = {
     "group 2 flexible": (2.3e-3, 4.5e-3, 7.1e-3),
     "small": (0.71e-3, 1.8e-3, 4.5e-3),
 }
-"""Limits of the zones A/B, B/C and C/D [m/s] by group and support: ISO 20816-3:2022 group 1 above 300 kW, group 2 from
-15 kW; small machines up to 15 kW: ISO 10816-1:1995, class I."""
+"""Limits of the zones A/B, B/C and C/D [m/s] by group and support: ISO 20816-3:2022 group 1 above 300 kW,
+group 2 from 15 kW; small machines up to 15 kW: ISO 10816-1:1995, class I."""
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ def vibration_severity(
 
     Notes
     -----
-    By Parseval's theorem from the lines of the whole record between 10 and 1000 Hz, or half the sample rate if that is
-    lower; acceleration is divided by 2πf. Zones by [1]_: A new machines, B unrestricted operation, C limited operation,
-    D damage is likely. Valid for vibration of non-rotating parts.
+    By Parseval's theorem from the lines of the whole record between 10 and 1000 Hz, or half the sample rate
+    if that is lower; acceleration is divided by 2πf. Zones by [1]_: A new machines, B unrestricted
+    operation, C limited operation, D damage is likely. Valid for vibration of non-rotating parts.
 
     References
     ----------
@@ -103,7 +103,7 @@ def vibration_severity(
 
 
 def velocity_factor(unit: str, frequency: float) -> float | None:
-    """Velocity [m/s] per unit of a line; None if the unit is not one of vibration, or the frequency is unknown.
+    """Velocity [m/s] per unit of a line; None for other units, or without a frequency.
 
     Parameters
     ----------

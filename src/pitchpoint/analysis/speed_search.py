@@ -24,7 +24,8 @@ CHANCE = 1e-4
 BEYOND = 1.1
 """Searched range over the tolerance: nominal speeds are rounded, and so are their tolerances."""
 FEWEST = 3
-"""Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be mains or other machines."""
+"""Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be mains or other
+machines."""
 
 
 @dataclass(frozen=True)
@@ -75,14 +76,15 @@ def speed_from_lines(
 
     Notes
     -----
-    For a line with the power P over noise of the mean power N, noise alone has exp(-P/N); the sum of the negative
-    logarithms over all lines and channels is compared with its gamma distribution [1]_ times the number of
-    independent speeds within the tolerance. Each term is limited, which only lowers the sum. Mesh lines are tried
-    first, then shaft harmonics. Valid for a steady speed.
+    For a line with the power P over noise of the mean power N, noise alone has exp(-P/N); the sum of the
+    negative logarithms over all lines and channels is compared with its gamma distribution [1]_ times the
+    number of independent speeds within the tolerance. Each term is limited, which only lowers the sum. Mesh
+    lines are tried first, then shaft harmonics. Valid for a steady speed.
 
     References
     ----------
-    .. [1] R. A. Fisher, Statistical Methods for Research Workers, 4th edition, Oliver and Boyd, 1932, section 21.1.
+    .. [1] R. A. Fisher, Statistical Methods for Research Workers, 4th edition, Oliver and Boyd, 1932,
+    section 21.1.
 
     Examples
     --------

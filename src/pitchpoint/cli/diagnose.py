@@ -36,7 +36,8 @@ PAGE_ENDINGS = (".html", ".htm")
     "speeds",
     multiple=True,
     metavar="[SHAFT=]QUANTITY[±TOL]",
-    help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; tolerance "
+    help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; "
+    "tolerance "
     "without ±: 2 %. Lines of the record determine it more closely. Default: a speed that the file states.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
@@ -48,15 +49,18 @@ PAGE_ENDINGS = (".html", ".htm")
     "bearings",
     multiple=True,
     metavar="NAME:BEARING[@SHAFT]",
-    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter of elements, "
-    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as left:BPFO=3.58,BPFI=5.42.",
+    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter "
+    "of elements, "
+    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as "
+    "left:BPFO=3.58,BPFI=5.42.",
 )
 @click.option(
     "--shaft",
     "shafts",
     multiple=True,
     metavar="NAME=RATIO[@SHAFT]",
-    help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as fan=120/280@motor.",
+    help="Shaft driven by a belt or by unknown gears: revolutions per revolution of SHAFT, such as "
+    "fan=120/280@motor.",
 )
 @quantity(
     "--slip",
@@ -96,9 +100,10 @@ PAGE_ENDINGS = (".html", ".htm")
 def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> None:
     """Look for damaged gears, shafts and bearings in FILES: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
-    The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with bearings is
-    enough. The speed follows from an angle or tacho channel of the file, or from --speed and lines near it. Several
-    files are one record with the channels of all; they were recorded together with one sample rate.
+    The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with
+    bearings is enough. The speed follows from an angle or tacho channel of the file, or from --speed and
+    lines near it. Several files are one record with the channels of all; they were recorded together with
+    one sample rate.
     """
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.cli.diagnose_trend import check_folders, show_trend

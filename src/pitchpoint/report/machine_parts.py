@@ -45,8 +45,9 @@ def parts_of(
     Raises
     ------
     ModelError
-        If the reference does not rotate, no rotating body has gears, or all meshes are those of planets.
+        If the reference does not rotate, or all meshes are those of planets.
     """
+    from pitchpoint.model.rings import ring_bodies
     from pitchpoint.report.frequencies import frequencies_of
 
     rows = frequencies_of(model, spins)
@@ -54,8 +55,9 @@ def parts_of(
     if not base:
         raise ModelError([Message(f"bodies.{reference}", "does not rotate, so it cannot define orders")])
     remarks, orders = [], {}
+    carried_by = {body for bearing in model.rolling_bearings.values() for body in ring_bodies(bearing)}
     for body, row in rows["shafts"].items():
-        if not row["gears"] or not row["speed"]:
+        if not row["speed"] or not (row["gears"] or body in carried_by or body == reference):
             continue
         order = Fraction(abs(row["speed"]) / base).limit_denominator(LARGEST)
         if abs(float(order) * base / abs(row["speed"]) - 1.0) > EXACT:
@@ -76,8 +78,6 @@ def parts_of(
         )
     if carried:
         remarks.append(f"meshes on carriers are not supported: {', '.join(carried)} omitted")
-    if not orders:
-        raise ModelError([Message("bodies", "carry no rotating gears; there is nothing to diagnose")])
     groups: dict[Fraction, list[str]] = {}
     for body, order in orders.items():
         groups.setdefault(order, []).append(body)

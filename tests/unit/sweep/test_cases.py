@@ -32,9 +32,10 @@ def test_threads_change_no_bit_and_no_order(model: Model) -> None:
     assert [r.index for r in four] == list(range(6))
     assert [dict(r.values) for r in four] == cases
     for a, b in zip(one, four, strict=True):
-        assert (a.status, a.steps, a.channels) == (b.status, b.steps, b.channels)
+        assert (a.status, a.steps) == (b.status, b.steps)
+        np.testing.assert_equal(a.channels, b.channels)  # nan where a statistic does not exist
     alone = run_case(model, cases[3], "steady")
-    assert alone.channels == four[3].channels
+    np.testing.assert_equal(alone.channels, four[3].channels)
     assert four[2].numbers[TORQUE] == (100.0, "N m")
 
 

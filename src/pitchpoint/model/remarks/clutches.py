@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.clutch import Clutch
     from pitchpoint.model.model import Model
 
-OF_LAW = {"bristles": ("wind_up", "holding", "damping_time"), "smooth": ("slip_speed",)}
-"""Keys of a clutch that only one law reads."""
+OF_BRISTLES = ("wind_up", "holding", "damping_time")
+"""Keys of a clutch that only its bristles read; `slip_speed` also limits their events."""
 FASTEST = 300.0
 """Slip speed up to which the capacity is evaluated [rad/s]."""
 
@@ -41,12 +41,11 @@ def idle_clutches(model: Model) -> Iterator[Message]:
 
 
 def _keys(clutch: Clutch, at: str) -> Iterator[Message]:
-    """Keys of the other law, and a Stribeck curve with only one of its two values."""
+    """Keys of bristles without bristles, and a Stribeck curve with only one of its two values."""
     usual = defaults_of(type(clutch))
-    for law, keys in OF_LAW.items():
-        for key in keys:
-            if law != clutch.law and getattr(clutch, key) != usual[key]:
-                yield remark(f"{at}.{key}", f"has no effect with law: {clutch.law}", f"write law: {law}")
+    for key in OF_BRISTLES:
+        if clutch.law != "bristles" and getattr(clutch, key) != usual[key]:
+            yield remark(f"{at}.{key}", f"has no effect with law: {clutch.law}", "write law: bristles")
     if clutch.static_ratio > 1.0 and clutch.stribeck_speed == 0.0:
         yield remark(
             f"{at}.static_ratio",

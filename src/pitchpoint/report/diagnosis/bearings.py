@@ -93,7 +93,8 @@ def _of_orders(text: str, what: str) -> dict[str, float]:
             order = math.nan
         if not part or not 0.0 < order < 1e4:
             raise SignalError(
-                f"--bearing: {text!r}: {field.strip()!r} is not a fault order; write {', '.join(_FAULTS)} with the "
+                f"--bearing: {text!r}: {field.strip()!r} is not a fault order; write {', '.join(_FAULTS)} "
+                "with the "
                 "events per revolution of the shaft, such as BPFO=3.58"
             )
         found[part] = times * order
@@ -127,7 +128,8 @@ def _of_designation(text: str, what: str) -> tuple[dict[str, float], str]:
     except GeometryError as error:
         raise SignalError(f"--bearing: {text!r}: {error}; or write it as in {EXAMPLES}") from None
     orders = _orders(found.elements, found.element_diameter, found.pitch_diameter, found.contact_angle)
-    size = f"{found.elements} elements of {1e3 * found.element_diameter:.4g} mm on {1e3 * found.pitch_diameter:.4g} mm"
+    ball, pitch = (1e3 * size for size in (found.element_diameter, found.pitch_diameter))
+    size = f"{found.elements} elements of {ball:.4g} mm on {pitch:.4g} mm"
     return orders, f"{size}, {found.source or 'estimated from the load ratings of ' + found.designation}"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -79,7 +80,8 @@ def machine_of(request: Request, record: Record) -> Machine:
 
 
 def _of_options(request: Request, record: Record) -> Machine:
-    """Machine of tooth numbers, belts and speeds; without tooth numbers it has one shaft, or those of belts."""
+    """Machine of tooth numbers, belts and speeds; without tooth numbers it has one shaft, or those of
+    belts."""
     given = [given_speed(text) for text in request.speeds]
     where, source = request.tacho or request.angle or "", ""
     if not given and not where and record.speed is not None:
@@ -92,7 +94,8 @@ def _of_options(request: Request, record: Record) -> Machine:
     else:
         if not (request.bearings or request.shafts or request.speeds or where or record.fault_orders):
             raise SignalError(
-                f"{request.file}: does not describe the machine; give --speed, and --bearing or --train with the "
+                f"{request.file}: does not describe the machine; give --speed, and --bearing or --train "
+                "with the "
                 "tooth counts, such as --train 32/96-48/80, or --model MODEL.yaml"
             )
         first = next((speed.shaft for speed in given if speed.shaft), "") or _at(request) or "shaft 1"
@@ -108,7 +111,7 @@ def _of_options(request: Request, record: Record) -> Machine:
         orders = ",".join(f"{fault}={order!r}" for fault, order in record.fault_orders.items())
         one = given_bearing(f"bearing:{orders}", parts, names)
         parts = replace(parts, bearings=(one.bearing,))
-        sources = (f"bearing: fault orders of the file, {orders}",)
+        sources: tuple[str, ...] = (f"bearing: fault orders of the file, {orders}",)
     else:
         sources = ()
     return Machine(parts, reference, frequency, tolerance, names, sources=sources, speed_source=source)
@@ -133,7 +136,7 @@ def _stages(train: str) -> list[tuple[int, int]]:
 
 
 def _with_shafts(
-    parts: TurningParts, names: dict[str, str], options: tuple[str, ...]
+    parts: TurningParts, names: dict[str, str], options: Sequence[str]
 ) -> tuple[TurningParts, dict[str, str]]:
     """Add shafts driven by belts or by gears of unknown tooth numbers."""
     for text in options:
@@ -141,7 +144,8 @@ def _with_shafts(
         ratio = _ratio(match[2]) if match else None
         if match is None or ratio is None:
             raise SignalError(
-                f"--shaft: {text!r} is not NAME=RATIO@SHAFT; write it as in fan=120/280@motor, the revolutions of fan "
+                f"--shaft: {text!r} is not NAME=RATIO@SHAFT; write it as in fan=120/280@motor, the "
+                "revolutions of fan "
                 "per revolution of motor"
             )
         name, driver = match[1].strip(), (match[3] or parts.shafts[0].name).strip()
@@ -183,7 +187,8 @@ def _reference_speed(
         apart = abs(speed / frequency - 1.0)
         if apart > one.tolerance + tolerance:
             raise SignalError(
-                f"--speed: the speeds differ by {100.0 * apart:.2g} % from the ratios of the machine (limit: their "
+                f"--speed: the speeds differ by {100.0 * apart:.2g} % from the ratios of the machine "
+                "(limit: their "
                 f"tolerances, {100.0 * (one.tolerance + tolerance):.2g} %); give one of them"
             )
         if one.tolerance < tolerance:
@@ -246,7 +251,8 @@ def _stated(record: Record) -> str:
 
 
 def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], float, list[str]]:
-    """Speeds of all bodies [rad/s] from options or a scenario, and their tolerance; empty if neither gives any."""
+    """Speeds of all bodies [rad/s] from options or a scenario, and their tolerance; empty if neither gives
+    any."""
     from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
 
     given = [given_speed(text) for text in request.speeds]

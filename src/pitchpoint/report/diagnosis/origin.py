@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.core.errors import split_notes
 from pitchpoint.report.diagnosis.record import Record
 
@@ -71,7 +72,8 @@ def origin(
     notes = record.about.get("notes", "")
     rows += [("note in the file", note, "file") for note in split_notes(notes)]
     assumed = "shafts with fixed axes; teeth of equal pitch"
-    slip = "; bearing slip below 1 %" if found.parts.bearings else ""
+    most = SLIP if request.slip is None else request.slip
+    slip = f"; bearing slip below {100.0 * most:.2g} %" if found.parts.bearings else ""
     rows.append(("assumptions", assumed + slip, "–"))
     return tuple(rows)
 

@@ -162,7 +162,8 @@ def at_speed(
         )
     elif found.tolerance > 0.0:
         remarks.append(
-            f"speed: no mesh or shaft lines determine it within ±{100.0 * found.tolerance:.2g} % of {frequency:.6g} "
+            f"speed: no mesh or shaft lines determine it within ±{100.0 * found.tolerance:.2g} % of "
+            f"{frequency:.6g} "
             "Hz; shafts and gears are not tested, bearings over the whole range"
         )
     per_turn = sample_rate / found.frequency

@@ -11,8 +11,8 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.core.errors import UnitError
 
 TOLERANCE = 0.02
-"""Relative tolerance of a speed without a stated one: nominal speeds deviate by the slip of the motor and by the
-accuracy of drives and displays."""
+"""Relative tolerance of a speed without a stated one: nominal speeds deviate by the slip of the motor and by
+the accuracy of drives and displays."""
 LARGEST = 0.1
 """Largest relative tolerance: beyond it harmonics of neighbouring numbers overlap."""
 _SIGN = re.compile(r"\s*(?:±|\+/-|\+-)\s*")

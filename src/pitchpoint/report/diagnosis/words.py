@@ -96,15 +96,18 @@ def observation(
         )
         ratio = e.amplitude / max(float(mesh.amplitude.max(initial=0.0)), 1e-300)
         return (
-            f"modulation of the mesh of {_gears(finding.gears).removeprefix('gear ')} once per turn of {shaft}: "
-            f"sideband {e.sideband:+d} at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % of the "
+            f"modulation of the mesh of {_gears(finding.gears).removeprefix('gear ')} once per turn of "
+            f"{shaft}: "
+            f"sideband {e.sideband:+d} at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % "
+            "of the "
             "largest mesh line; runout, eccentricity or misalignment"
         )
     if finding.kind == "once per turn":
         e = max((e for e in mine if e.kind == "low order" and e.found), key=lambda e: e.value)
         return (
             f"raised lowest orders of {shaft}: line at {_rate(e.order, frequency)} in {e.channel}"
-            f"{_level(e, frequency, unit)}, {e.value:.0f} dB above its surroundings; unbalance, misalignment or a "
+            f"{_level(e, frequency, unit)}, {e.value:.0f} dB above its surroundings; unbalance, "
+            "misalignment or a "
             "bent shaft"
         )
     e = max((e for e in mine if e.kind == "comb" and e.found), key=lambda e: e.value)
