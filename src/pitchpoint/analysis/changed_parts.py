@@ -15,7 +15,7 @@ RESIDUALS = ("residual", "residual shape")
 BEYOND = 3.0
 """Rise of a residual beyond that of the whole signal over its spread."""
 TIMES = 4.0
-"""Rise of the power of a residual over that of any other gear: averages contain at least eight revolutions."""
+"""Rise of the power of a residual over that of any other gear: averages have at least eight revolutions."""
 
 
 def changed_parts(features: Sequence[Feature], found: Deviations, chance: float = 0.01) -> list[int]:
@@ -38,11 +38,11 @@ def changed_parts(features: Sequence[Feature], found: Deviations, chance: float 
     Notes
     -----
     Features of single parts are residuals of gears and lines of bearing parts. One has risen if its one-sided
-    probability, times their number (Bonferroni) [1]_, is at most `chance`. A gear is named if the power of its
-    residual has risen by four times as much as that of any other gear in the channel, and not merely as the whole
-    signal, or if only its residual has become more peaked: impacts of a gear remain in the averages of others,
-    divided by the number of revolutions. A bearing part is named if its lines have risen most of all in the channel.
-    Valid for features that scatter like Gaussian variables.
+    probability, times their number (Bonferroni) [1]_, is at most `chance`. A gear is named if the power of
+    its residual has risen by four times as much as that of any other gear in the channel, and not merely as
+    the whole signal, or if only its residual has become more peaked: impacts of a gear remain in the averages
+    of others, divided by the number of revolutions. A bearing part is named if its lines have risen most of
+    all in the channel. Valid for features that scatter like Gaussian variables.
 
     References
     ----------

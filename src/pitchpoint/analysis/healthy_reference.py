@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Comparison of a record with few healthy records of the same machine: deviations, a distance and its limit.
 
-Derivation: docs/theory/signals.md, "Comparison with healthy records".
+Equations: docs/theory/signals.md, "Statistical tests".
 """
 
 from __future__ import annotations
@@ -135,8 +135,8 @@ def deviations(
     count, columns = design.shape
     if np.linalg.matrix_rank(design) < columns:
         raise SignalError(
-            f"operating points: {count} healthy records do not determine {columns - 1} slopes; omit the operating "
-            "points, or add healthy records at others"
+            f"operating points: {count} healthy records do not determine {columns - 1} slopes; omit the "
+            "operating points, or add healthy records at others"
         )
     slopes = np.linalg.lstsq(design, y[:-1], rcond=None)[0]
     expected = new @ slopes
@@ -252,8 +252,8 @@ def _checked(
     at = np.empty(0) if point is None else np.atleast_1d(np.asarray(point, dtype=np.float64))
     if x.ndim != 2 or x.shape[0] != y.shape[0] or at.shape != x.shape[1:]:
         raise SignalError(
-            f"operating points: shapes {x.shape} and {at.shape} (limit ({y.shape[0]}, c) and (c,)); give the points "
-            "of all records"
+            f"operating points: shapes {x.shape} and {at.shape} (limit ({y.shape[0]}, c) and (c,)); "
+            "give the points of all records"
         )
     every, where = np.vstack([y, own]), np.vstack([x, at])
     if not (np.isfinite(every).all() and np.isfinite(where).all()):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Angle of a shaft from the phase of a mesh line: slow changes of a nearly constant speed, without a tacho."""
+"""Angle of a shaft from the phase of a mesh line: drift of a nearly constant speed, without a tacho."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Named features of one record: levels of lines, bands and synchronous averages, for comparison with other records."""
+"""Named features of one record to compare it with others: levels of lines, bands and synchronous averages."""
 
 from __future__ import annotations
 
@@ -83,8 +83,9 @@ def record_features(
     Returns
     -------
     dict
-        Values by feature [dB]: 10 lg of powers in the squared unit of the signal, of kurtosis, and of squared crest
-        factors; for bearings the mean level of three lines of the squared envelope above the local median.
+        Values by feature [dB]: 10 lg of powers in the squared unit of the signal, of kurtosis, and of squared
+        crest factors; for bearings the mean level of three lines of the squared envelope above the local
+        median.
 
     Raises
     ------
@@ -93,11 +94,12 @@ def record_features(
 
     Notes
     -----
-    Power of a line: sum of the Hann-windowed spectrum within one line of the record, over the noise bandwidth of the
-    window, so that a level does not depend on the position between two lines [1]_. Bands are thirds of octaves with
-    limits at 10^(k/10) times 10^(1/20) [2]_. Residual: synchronous average without mesh harmonics and the two
-    lowest orders. Logarithms, because the scatter of powers of healthy machines is proportional to their
-    values. Valid for records of at least eight revolutions of a gear; features that a record cannot show are omitted.
+    Power of a line: sum of the Hann-windowed spectrum within one line of the record, over the noise bandwidth
+    of the window, so that a level does not depend on the position between two lines [1]_. Bands are thirds of
+    octaves with limits at 10^(k/10) times 10^(1/20) [2]_. Residual: synchronous average without mesh
+    harmonics and the two lowest orders. Logarithms, because the scatter of powers of healthy machines is
+    proportional to their values. Valid for records of at least eight revolutions of a gear; features that a
+    record cannot show are omitted.
 
     References
     ----------
@@ -111,7 +113,8 @@ def record_features(
 
     >>> from pitchpoint.analysis.turning_parts import train_parts
     >>> turned = np.arange(40_000) / 400.0
-    >>> signal = 2.0 * np.cos(2 * np.pi * 20 * turned) + 0.01 * np.random.default_rng(1).standard_normal(turned.size)
+    >>> noise = 0.01 * np.random.default_rng(1).standard_normal(turned.size)
+    >>> signal = 2.0 * np.cos(2 * np.pi * 20 * turned) + noise
     >>> found = record_features({"a": signal}, 400.0, train_parts([(20, 31)]))
     >>> round(found[Feature("a", "mesh", "mesh 1", "harmonic 1")], 2), round(found[Feature("a", "level")], 2)
     (3.01, 3.01)
@@ -162,12 +165,16 @@ def _lines(spectrum: FineSpectrum, parts: TurningParts) -> Iterator[tuple[tuple[
 
 def _power(spectrum: FineSpectrum, summed: Array, place: float) -> float:
     """Power of a line: half its squared amplitude."""
-    return _between(spectrum, summed, place - REACH * spectrum.resolution, place + REACH * spectrum.resolution)
+    return _between(
+        spectrum, summed, place - REACH * spectrum.resolution, place + REACH * spectrum.resolution
+    )
 
 
 def _between(spectrum: FineSpectrum, summed: Array, low: float, high: float) -> float:
-    """Power between two orders, from the sums of squared amplitudes with a Hann window of noise bandwidth 1.5."""
-    first, last = np.clip(np.rint(np.array([low, high]) / spectrum.step), 0, spectrum.amplitude.size - 1).astype(int)
+    """Power between two orders, from sums of squared amplitudes, noise bandwidth of a Hann window 1.5."""
+    first, last = np.clip(
+        np.rint(np.array([low, high]) / spectrum.step), 0, spectrum.amplitude.size - 1
+    ).astype(int)
     return float(summed[last + 1] - summed[first]) * 0.5 * spectrum.step / (1.5 * spectrum.resolution)
 
 
@@ -206,7 +213,10 @@ def _averages(
         who = " and ".join(gears)
         yield ("residual", who, "rms"), 10.0 * float(np.log10(power))
         if power > LEAST * rms**2:
-            yield ("residual shape", who, "kurtosis"), 10.0 * float(np.log10(standardised_moment(residual, 4)))
+            yield (
+                ("residual shape", who, "kurtosis"),
+                10.0 * float(np.log10(standardised_moment(residual, 4))),
+            )
 
 
 def _whole_orders(parts: TurningParts, shaft: Shaft, samples: int) -> list[int]:

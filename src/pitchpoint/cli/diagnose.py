@@ -86,10 +86,12 @@ PAGE_ENDINGS = (".html", ".htm")
     "references",
     multiple=True,
     metavar="FILE|FOLDER",
-    help="Healthy records of the same machine with which the record is compared: files, folders or 'PATTERN*'; may be "
-    "repeated. A folder in place of FILES gives the trend of its records.",
+    help="Healthy records of the same machine to compare the record with: files, folders or 'PATTERN*'; "
+    "may be repeated. A folder in place of FILES gives the trend of its records.",
 )
-@click.option("--load", metavar="LOAD", help="Load of the record, such as 40%, for interpolation of healthy records.")
+@click.option(
+    "--load", metavar="LOAD", help="Load of the record, such as 40%, for interpolation of healthy records."
+)
 @click.option(
     "--load-from",
     metavar="PATTERN",
@@ -105,8 +107,8 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     lines near it. Several files are one record with the channels of all; they were recorded together with
     one sample rate.
     """
-    from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.cli.diagnose_trend import check_folders, show_trend
+    from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
     check_folders(files, options["references"])

@@ -26,7 +26,9 @@ def check_folders(files: Sequence[str], references: Sequence[str]) -> None:
     if len(files) > 1:
         raise click.UsageError(f"{folders[0]}: is a folder; give it alone, for the trend of its records")
     if not references:
-        raise click.UsageError(f"{folders[0]}: the trend of a folder requires --reference with healthy records")
+        raise click.UsageError(
+            f"{folders[0]}: the trend of a folder requires --reference with healthy records"
+        )
 
 
 def print_change(change: Change) -> None:

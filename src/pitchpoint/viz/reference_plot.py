@@ -21,7 +21,13 @@ ACROSS = 120
 
 
 def plot_distances(
-    names: Sequence[str], distances: Array, healthy: Sequence[bool], limit: float, left: int | None = None
+    names: Sequence[str],
+    distances: Array,
+    healthy: Sequence[bool],
+    limit: float,
+    *,
+    trend: bool = False,
+    left: int | None = None,
 ) -> go.Figure:
     """Plot of the distances of records from healthy ones, with the limit.
 
@@ -35,15 +41,22 @@ def plot_distances(
         Whether each record is one of the healthy ones.
     limit
         Limit of the distance [-].
+    trend
+        Whether the records are in the order of time.
     left
         Number of the record at which a trend left the healthy range; None if it did not.
     """
     figure = theme.figure("record", "distance", height=360)
     number = np.arange(len(names))
     own = np.asarray(healthy, dtype=bool)
-    if left is not None:
+    if trend:
         figure.add_scatter(
-            x=number, y=distances, mode="lines", line={"color": theme.GREY, "width": 1}, showlegend=False, hoverinfo="skip"
+            x=number,
+            y=distances,
+            mode="lines",
+            line={"color": theme.GREY, "width": 1},
+            showlegend=False,
+            hoverinfo="skip",
         )
     looks = (
         ("healthy, compared with the others", own, theme.GREEN, "circle"),
@@ -125,6 +138,9 @@ def plot_band_changes(
     ticks = [d * 10.0**k for k in range(-3, 7) for d in (1.0, 2.0, 5.0)]
     ticks = [tick for tick in ticks if low <= tick <= high]
     figure.update_xaxes(
-        type="log", range=np.log10([low, high]).tolist(), tickvals=ticks, ticktext=[f"{tick:g}" for tick in ticks]
+        type="log",
+        range=np.log10([low, high]).tolist(),
+        tickvals=ticks,
+        ticktext=[f"{tick:g}" for tick in ticks],
     )
     return figure

@@ -32,8 +32,12 @@ def test_levels_of_lines_are_those_of_the_tones() -> None:
     level = {(f.kind, f.part, f.detail): value for f, value in found.items()}
     assert level["mesh", "mesh 1", "harmonic 1"] == pytest.approx(10 * np.log10(2.0), abs=0.01)
     # sidebands have 0.1 and 0.05 of the amplitude 2 of the mesh
-    assert level["sidebands", "mesh 1", "of shaft 1, harmonic 1"] == pytest.approx(10 * np.log10(0.04), abs=0.02)
-    assert level["sidebands", "mesh 1", "of shaft 2, harmonic 1"] == pytest.approx(10 * np.log10(0.01), abs=0.05)
+    assert level["sidebands", "mesh 1", "of shaft 1, harmonic 1"] == pytest.approx(
+        10 * np.log10(0.04), abs=0.02
+    )
+    assert level["sidebands", "mesh 1", "of shaft 2, harmonic 1"] == pytest.approx(
+        10 * np.log10(0.01), abs=0.05
+    )
     assert level["shaft", "shaft 1", "order 1"] == pytest.approx(10 * np.log10(0.045), abs=0.01)
     assert level["mesh", "mesh 1", "harmonic 2"] < -60.0
 
@@ -52,7 +56,11 @@ def test_bands_of_white_noise_have_its_density() -> None:
 
 def test_a_damaged_tooth_changes_the_residual_of_its_gear_only() -> None:
     sound, broken = (
-        {f.part: v for f, v in record_features({"a": x}, RATE, PARTS).items() if f.kind.startswith("residual")}
+        {
+            f.part: v
+            for f, v in record_features({"a": x}, RATE, PARTS).items()
+            if f.kind.startswith("residual")
+        }
         for x in (rig(TURNED) + 0.3 * NOISE, rig(TURNED, knock=2.0) + 0.3 * NOISE)
     )
     change = {part: broken[part] - sound[part] for part in sound}

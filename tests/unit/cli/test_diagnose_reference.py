@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint diagnose --reference`: one record and a folder compared with healthy records of a simulated rig."""
+"""`pitchpoint diagnose --reference`: one record and a folder compared with healthy ones of a rig."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MACHINE = ["--train", "32/95", "--speed", "10Hz"]
 
 
 def record(path: Path, load: float, seed: int, fault: float = 0.0, name: str = "acc") -> str:
-    """Three seconds of a pair 32/95 whose mesh grows by 6 dB with the load, with a damaged tooth of the pinion."""
+    """Three seconds of a pair 32/95 whose mesh grows by 6 dB with the load, with a damaged tooth of Z1."""
     rng = np.random.default_rng(seed)
     turned = (10.0 + rng.uniform(-0.02, 0.02)) * np.arange(int(3 * RATE)) / RATE
     size = 10.0 ** ((6.0 * load / 100.0 + rng.normal(0.0, 0.2)) / 20.0)
@@ -31,7 +31,7 @@ def record(path: Path, load: float, seed: int, fault: float = 0.0, name: str = "
 
 @pytest.fixture(scope="module")
 def rig(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Five healthy records at loads of 20 to 100 %, and a history in which a tooth breaks after the third record."""
+    """Five healthy records at loads of 20 to 100 %, and a history: a tooth breaks after the third record."""
     folder = tmp_path_factory.mktemp("rig")
     (folder / "healthy").mkdir()
     (folder / "history").mkdir()
@@ -67,7 +67,9 @@ def test_a_damaged_tooth_is_named_by_its_residual_at_a_load_between_the_healthy_
     assert "Largest deviations from healthy records" in said
 
 
-def test_without_loads_their_effect_is_part_of_the_spread(rig: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_loads_their_effect_is_part_of_the_spread(
+    rig: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     file = record(rig / "light.mat", 0.0, 77)
     arguments = ["diagnose", file, *MACHINE, "--reference", str(rig / "healthy")]
     plain = json_of(arguments, capsys)["change"]
@@ -84,7 +86,10 @@ def test_one_healthy_record_gives_differences_without_a_rate(
     rig: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # channels that are named after the number of the record
-    file, sound = record(rig / "X105.mat", 60, 5, 2.0, "X105_DE"), record(rig / "X097.mat", 60, 6, 0.0, "X097_DE")
+    file, sound = (
+        record(rig / "X105.mat", 60, 5, 2.0, "X105_DE"),
+        record(rig / "X097.mat", 60, 6, 0.0, "X097_DE"),
+    )
     found = json_of(["diagnose", file, *MACHINE, "--reference", sound], capsys)["change"]
     assert found["limit"] is None and found["distance"] is None and not found["differs"]
     assert "without a limit, and without a rate of false alarms" in found["sentences"][1]
@@ -145,7 +150,11 @@ def test_what_cannot_be_compared_is_refused(
 def test_tables_and_names_of_folders(tmp_path: Path) -> None:
     for name in ("r10.csv", "r2.csv", "r1.csv.gz", "notes.md", ".hidden.csv"):
         (tmp_path / name).touch()
-    assert [f.name for f in record_files([str(tmp_path)], None, "--reference")] == ["r1.csv.gz", "r2.csv", "r10.csv"]
+    assert [f.name for f in record_files([str(tmp_path)], None, "--reference")] == [
+        "r1.csv.gz",
+        "r2.csv",
+        "r10.csv",
+    ]
     table = tmp_path / "records.csv"
     table.write_text("file, load, time\nr10.csv, 1.5 kN, 3\nr2.csv, -2 kN, 12\n", encoding="utf-8")
     found = record_files([str(tmp_path)], None, "--reference")

@@ -23,9 +23,9 @@ LISTED = 20
 HEAD = ("channel", "feature", "healthy [dB]", "deviation [dB]", "spread [dB]", "by chance")
 ABOUT = (
     "Distance: root mean square of deviation over spread of all features. Spread: standard deviation of the "
-    "difference of a further healthy record, from the scatter of the healthy ones. The limit is the largest distance "
-    "of a healthy record from the others. Healthy records of one session do not contain the changes between sessions, "
-    "such as temperature and the mounting of machine and sensors: these are changes, too."
+    "difference of a further healthy record, from the scatter of the healthy ones. The limit is the largest "
+    "distance of a healthy record from the others. Healthy records of one session do not contain the changes "
+    "between sessions, such as temperature and the mounting of machine and sensors: these are changes, too."
 )
 
 
@@ -34,8 +34,8 @@ def change_section(change: Change) -> Section:
     section = Section("reference", "Comparison with healthy records")
     for text in change_sentences(change):
         section.add(f"<p><b>{escape(text[:1].upper() + text[1:])}.</b></p>")
-    section.add(f"<p>{ABOUT}</p>")
     if change.limits is not None:
+        section.add(f"<p>{ABOUT}</p>")
         names = [one.file.name for one in change.healthy] + [change.file.file.name]
         distances = np.r_[change.limits.distances, change.found.distance]
         healthy = [True] * len(change.healthy) + [False]
@@ -71,7 +71,7 @@ def trend_page(trend: Trend, source: str) -> str:
     healthy = [_is_healthy(trend, change) for change in changes]
     distances = np.array([change.found.distance for change in changes])
     section.add_figure(
-        plot_distances(names, distances, healthy, trend.limits.limit, trend.left),
+        plot_distances(names, distances, healthy, trend.limits.limit, trend=True, left=trend.left),
         "Distance of every record from the healthy ones.",
     )
     section.add(plain_table(TREND_HEAD, rows_html(trend_rows(trend), 2)))
@@ -89,7 +89,7 @@ TREND_HEAD = ("record", "state", "load", "speed [Hz]", "distance", "limit")
 
 def trend_rows(trend: Trend) -> list[tuple[str, ...]]:
     """Rows of record, state, load, speed, distance, limit."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for change in trend.changes:
         above = change.found.distance > trend.limits.limit
         file, hertz = change.file.file, change.file.frequency
@@ -109,7 +109,7 @@ def trend_rows(trend: Trend) -> list[tuple[str, ...]]:
 def deviation_rows(change: Change, count: int) -> list[tuple[str, ...]]:
     """Rows of the largest deviations: channel, feature, healthy value, deviation, spread, probability."""
     found = change.found
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for k in change.largest[:count]:
         known = np.isfinite(found.spread[k])
         rows.append(
@@ -133,7 +133,12 @@ def _is_healthy(trend: Trend, change: Change) -> bool:
 def _add_bands(section: Section, change: Change) -> None:
     """Deviations of the bands of all channels."""
     bands = [(k, f) for k, f in enumerate(change.features) if f.kind == "band"]
-    limits = {f.part: tuple(float(text) for text in f.part.removesuffix(" Hz").removeprefix("orders ").split(" to ")) for _, f in bands}
+    limits = {
+        f.part: tuple(
+            float(text) for text in f.part.removesuffix(" Hz").removeprefix("orders ").split(" to ")
+        )
+        for _, f in bands
+    }
     order = sorted(limits, key=lambda part: limits[part])
     if not order:
         return

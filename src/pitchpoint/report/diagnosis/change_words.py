@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 NAMED, SINGLE = 4, 0.01
 """Number of features in a sentence, and their largest probability."""
 UNKNOWN = (
-    "{} does not show how much healthy records differ from each other: differences without a limit, and without a "
-    "rate of false alarms"
+    "{} does not show how much healthy records differ from each other: differences without a limit, and "
+    "without a rate of false alarms"
 )
 
 
@@ -57,13 +57,16 @@ def change_sentences(change: Change) -> list[str]:
     ratio = f"distance {found.distance:.2f}, limit {limits.limit:.2f}"
     if not change.differs:
         return [
-            f"within the range of {records}{over}: {ratio}; {chance} of healthy records are as far from the others"
+            f"within the range of {records}{over}: {ratio}; {chance} of healthy records are as far "
+            "from the others"
         ]
     listed = largest_features(change)
     what = _listed(change, listed) if listed else "many features by little"
     first = f"differs from {records}{over}: {what} ({ratio}, p ≤ {chance})"
     by = change.by_channel
-    each = [f"distance by channel: {', '.join(f'{name} {value:.2f}' for name, value in by.items())}"] * (len(by) > 1)
+    each = [f"distance by channel: {', '.join(f'{name} {value:.2f}' for name, value in by.items())}"] * (
+        len(by) > 1
+    )
     parts = [_part(change, k) for k in change.named]
     return [first, *each, *(parts or ["a change, not a named part: no feature of a single part stands out"])]
 
@@ -80,8 +83,8 @@ def trend_sentences(trend: Trend) -> list[str]:
         return [f"no two consecutive records are above the limit ({rate}){single}"]
     first, second = changes[trend.left], changes[trend.left + 1]
     text = (
-        f"left the healthy range at {first.file.file.name}, record {trend.left + 1} of {len(changes)}: distances "
-        f"{first.found.distance:.2f} and {second.found.distance:.2f} ({rate})"
+        f"left the healthy range at {first.file.file.name}, record {trend.left + 1} of {len(changes)}: "
+        f"distances {first.found.distance:.2f} and {second.found.distance:.2f} ({rate})"
     )
     later = changes[trend.left :]
     back = [change for change in later if change.found.distance <= limit]
@@ -90,7 +93,7 @@ def trend_sentences(trend: Trend) -> list[str]:
 
 
 def largest_features(change: Change, count: int = NAMED) -> list[int]:
-    """Most significant features, the first of each kind and channel; without a spread, the largest deviations."""
+    """Most significant features, one of each kind and channel; without a spread the largest deviations."""
     known = not math.isnan(change.found.freedom) and change.found.freedom > 0.0
     found: dict[tuple[str, str], int] = {}
     for k in change.largest:
@@ -104,8 +107,8 @@ def largest_features(change: Change, count: int = NAMED) -> list[int]:
 def _listed(change: Change, numbers: list[int]) -> str:
     """Features with their deviations."""
     return ", ".join(
-        f"{feature_words(change.features[k])} {change.found.deviation[k]:+.1f} dB in {change.features[k].channel}"
-        for k in numbers
+        f"{feature_words(feature)} {change.found.deviation[k]:+.1f} dB in {feature.channel}"
+        for k, feature in ((k, change.features[k]) for k in numbers)
     )
 
 
@@ -114,7 +117,11 @@ def _part(change: Change, k: int) -> str:
     feature, by = change.features[k], f"{change.found.deviation[k]:+.1f} dB in {change.features[k].channel}"
     if feature.kind == "bearing":
         return f"named: {feature.part}, whose lines in the envelope spectrum rise most ({by})"
-    what = "residual rises more than that" if feature.kind == "residual" else f"residual rises in {feature.detail}, unlike those"
+    what = (
+        "residual rises more than that"
+        if feature.kind == "residual"
+        else f"residual rises in {feature.detail}, unlike those"
+    )
     return f"named: {feature.part}, whose {what} of the other gears ({by})"
 
 

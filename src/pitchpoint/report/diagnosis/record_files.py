@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files of healthy records and of trends: folders and patterns, order, loads from a table or from file names."""
+"""Files of healthy records and of trends: folders and patterns, order, loads from a table or file names."""
 
 from __future__ import annotations
 
@@ -70,7 +70,9 @@ def record_files(given: Sequence[str], pattern: str | None, option: str) -> list
     for text in given:
         paths = _expanded(text)
         if not paths:
-            problems.append(f"{option}: {text!r} has no records; name files, a folder, or a pattern such as 'day1/*.csv'")
+            problems.append(
+                f"{option}: {text!r} has no records; name files, a folder, or a pattern such as 'day1/*.csv'"
+            )
         for path in paths:
             found.setdefault(str(Path(path).resolve()), record_file(path, pattern))
     if problems:
@@ -142,10 +144,14 @@ def _table(folder: Path) -> dict[str, dict[str, str]]:
             reader.fieldnames = heads
             rows = [{key: (value or "").strip() for key, value in row.items() if key} for row in reader]
     except (UnicodeDecodeError, csv.Error) as error:
-        raise SignalError(f"{path}: is not a CSV table ({error}); write columns file, load, speed, time") from error
+        raise SignalError(
+            f"{path}: is not a CSV table ({error}); write columns file, load, speed, time"
+        ) from error
     other = [head for head in heads if head not in COLUMNS]
     if "file" not in heads or other:
-        told = f"column {other[0]!r} is unknown, {hint(other[0], COLUMNS)}" if other else "has no column 'file'"
+        told = (
+            f"column {other[0]!r} is unknown, {hint(other[0], COLUMNS)}" if other else "has no column 'file'"
+        )
         raise SignalError(f"{path}: {told} (limit {', '.join(COLUMNS)}); correct the first line")
     return {row["file"]: row for row in rows if row.get("file")}
 
@@ -163,5 +169,7 @@ def _load(text: str, where: str) -> tuple[float, str]:
     """Load and its unit."""
     found = _LOAD.fullmatch(text)
     if not found:
-        raise SignalError(f"{where}: load {text!r} is not a number with a unit; write it as in 40% or 250 N m")
+        raise SignalError(
+            f"{where}: load {text!r} is not a number with a unit; write it as in 40% or 250 N m"
+        )
     return float(found[1]), found[2]
