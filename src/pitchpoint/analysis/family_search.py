@@ -66,6 +66,23 @@ class BearingPart:
 
 
 @dataclass(frozen=True)
+class LevelLimits:
+    """Limits of the lines of a part.
+
+    Attributes
+    ----------
+    line, weak
+        Probability in noise of a line at the limit of all lines, and at that of a single weak line [-].
+    mean
+        Minimum mean level with a weak line [dB].
+    """
+
+    line: float
+    weak: float
+    mean: float
+
+
+@dataclass(frozen=True)
 class FaultFamily:
     """Evidence of one part of a bearing.
 
@@ -126,11 +143,11 @@ class FaultFamily:
         likelihood = -np.log(np.maximum(self.line_probability, 1e-300)) / np.log(2.0)
         return np.asarray(10.0 * np.log10(np.maximum(likelihood, 1e-3)))
 
-    def is_clear(self, prominence: float, chance: float) -> bool:
+    def is_clear(self, limits: LevelLimits, chance: float) -> bool:
         """Whether all lines are prominent, or one is less so than the others, and not by chance."""
-        level = self.level
-        every = level.min() >= prominence
-        most = level.min() >= prominence - SPREAD and level.mean() >= prominence + STRONG
+        every = np.all(self.line_probability <= limits.line)
+        strong = np.all(self.line_probability <= limits.weak) and self.level.mean() >= limits.mean
+        most = strong and self.part != "cage"  # its impacts, if any, are not sharp
         return bool(every or most) and self.probability <= chance
 
     @property
@@ -177,7 +194,10 @@ class FamilySearch:
         self.step = self.spectra[1].resolution
         self.available = {m: np.ones(s.frequency.size, dtype=bool) for m, s in self.spectra.items()}
         self.highest = float(self.spectra[1].frequency[-1])
-        self.line_limit = float(prominence_probability(10.0 ** (0.1 * prominence), count))
+        line, weak = prominence_probability(
+            10.0 ** (0.1 * np.array([prominence, prominence - SPREAD])), count
+        )
+        self.limits = LevelLimits(float(line), float(weak), prominence + STRONG)
 
     def testable(self, parts: TurningParts, within: float) -> tuple[list[BearingPart], list[str]]:
         """Parts with enough events and harmonics, and notes on the others."""
@@ -210,7 +230,7 @@ class FamilySearch:
         if order * self.turns < MIN_EVENTS:
             return float("nan")
         lines = self.family(BearingPart("", "shaft", order), (1.0 - tolerance, 1.0 + tolerance), 0.0)
-        if not np.all(lines.line_probability <= self.line_limit):
+        if not np.all(lines.line_probability <= self.limits.line):
             return float("nan")
         for shaft in parts.shafts:
             step = float(shaft.order) * lines.scale
@@ -231,7 +251,7 @@ class FamilySearch:
             trials += np.unique(np.where(chosen, places, -1), axis=1).shape[1]
             at = int(np.argmin(chance))
             # averaged only as far as necessary: a wide mean has the same maximum at many scales
-            if best[0] > self.line_limit:
+            if best[0] > self.limits.line:
                 best = min(best, (float(chance[at]), m, at))
         _, m, at = best
         _, each, chosen = self._chances(m, places[:, at : at + 1], needed)

@@ -139,7 +139,7 @@ def fault_families(
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))
     first = trials = {part: search.family(part, span, slip) for part in tested}
     found: dict[BearingPart, FaultFamily] = {}
-    while clear := {part: t for part, t in trials.items() if t.is_clear(prominence, chance)}:
+    while clear := {part: t for part, t in trials.items() if t.is_clear(search.limits, chance)}:
         own = [t for t in clear.values() if not any(search.explains(o, t) for o in clear.values())]
         best = min(own or clear.values(), key=lambda t: (t.line_probability.max(), -t.prominence.min()))
         alike = {part: t for part, t in clear.items() if t is best or search.alike(best, t)}
@@ -155,7 +155,7 @@ def fault_families(
             # a damaged one modulates at the speed of its cage, and random slip may hide its own lines
             for cage in [p for p in found if (p.bearing, p.name) == (part.bearing, "cage")]:
                 found[cage] = replace(found[cage], same_lines=(*found[cage].same_lines, t.name))
-        seemed = first[part].is_clear(prominence, chance)
+        seemed = first[part].is_clear(search.limits, chance)
         same = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
         rest.append(replace(t, same_lines=tuple(same)))
     rest.sort(key=lambda t: t.probability)

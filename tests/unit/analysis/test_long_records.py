@@ -61,7 +61,7 @@ def test_a_text_file_is_never_in_memory_as_lines(monkeypatch: pytest.MonkeyPatch
     numbers = sum(c.values.nbytes for c in record.columns)
     assert numbers == 2 * 8 * 200_000
     assert peak < 2.0 * numbers + 40 * text._BLOCK
-    assert record.rate == 1000.0
+    assert [one.value for one in record.rates] == [1000.0]
     assert record.columns[0].values[12_345] == 12_345 % 97 + 0.1 * (12_345 % 10) + 0.05
 
 

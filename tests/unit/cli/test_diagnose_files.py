@@ -274,7 +274,7 @@ def test_one_file_for_each_channel_with_the_speed_in_it(
     assert [(one["kind"], one["gears"]) for one in found["findings"]] == [("local fault", ["Z1"])]
     assert {row["channel"] for row in found["evidence"]} == {"ch0", "ch1"}
     origin = {row[0]: row[1:] for row in found["origin"]}
-    assert origin["speed"][1] == "file, variable Shaft_RPM, refined by the mesh lines"
+    assert origin["speed"][1] == "file, variable Shaft_RPM ±2 %, refined by the mesh lines"
     assert origin["sample rate"] == ["6400 Hz", "file, Header.SampFreq"] and "ch1.mat" in origin["file"][0]
     assert any(text.startswith("speed of the input from the file") for text in found["remarks"])
     found = json_of(["diagnose", paths[0], *TRAIN, "--speed", "2=3.3684Hz"], capsys)

@@ -70,7 +70,7 @@ def machine_of(request: Request, record: Record) -> Machine:
     Raises
     ------
     SignalError
-        If an option cannot be read, or nothing says what rotates.
+        If an option cannot be read, or nothing describes what rotates.
     ModelError
         If the model has no such scenario or nothing that rotates.
     """

@@ -46,7 +46,12 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
     section.add(f"<p>{escape(_level(study, channel, unit))}</p>")
     section.add_figure(
         plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=_axis(study)),
-        f"Spectrum of {channel}, with the mesh lines of all gears and their harmonics up to {HARMONICS}.",
+        f"Spectrum of {channel}"
+        + (
+            f", with the mesh lines of all gears and their harmonics up to {HARMONICS}."
+            if study.parts.meshes
+            else "."
+        ),
     )
     turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
     # an average of one or two turns still contains the vibration of all other shafts
@@ -231,9 +236,13 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     """Add the spectrum of the squared envelope, as used by the bearing tests."""
     over, parts = study.over, study.parts
     try:
-        rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
-        low, high = envelope_band(rest, over.samples_per_turn, parts)
-        envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
+        if parts.meshes:
+            rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
+            low, high = envelope_band(rest, over.samples_per_turn, parts)
+            envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
+        else:
+            low, high = 0.0, 0.5 * over.samples_per_turn
+            envelope = band_envelope(over.signals[channel], over.samples_per_turn, whiten=True).envelope
         spectrum = in_hertz(fine_spectrum(envelope**2, over.samples_per_turn), over.frequency)
     except SignalError as reason:
         section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
@@ -264,7 +273,8 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     )
     section.add_figure(
         figure,
-        f"Spectrum of the squared envelope of {channel} without mesh lines, band {band}, with the "
+        f"Spectrum of the squared envelope of {channel} "
+        f"{'without mesh lines' if parts.meshes else 'after whitening'}, band {band}, with the "
         f"frequencies of the bearing parts and their harmonics up to {BEARING_HARMONICS}: "
         f"{', '.join(shown)}.",
     )
