@@ -27,7 +27,8 @@ LOADS = (0, 20, 40, 60, 80)
 def features_of(file: Path) -> Described:
     """A record by its features, with the load of its name."""
     request = Request(file=str(file), train="32/80", speeds=("30Hz",), sample_rate=12_800.0)
-    return described(record_file(str(file), "30hz{load}"), prepare(request), request)
+    made = prepare(request)
+    return described(record_file(str(file), "30hz{load}"), made.over, made.machine.parts, None)
 
 
 @pytest.fixture(scope="module")

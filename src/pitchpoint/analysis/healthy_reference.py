@@ -161,7 +161,7 @@ def healthy_range(healthy: ArrayLike, points: ArrayLike | None = None) -> Health
     Parameters
     ----------
     healthy, points
-        As in `deviations`.
+        As in `deviations`, shapes (n, m) and (n, c).
 
     Returns
     -------
@@ -219,7 +219,7 @@ def left_at(distances: ArrayLike, limit: float, consecutive: int = 2) -> int | N
 
     Notes
     -----
-    A run rule [1]_: a single record above a limit with a false-alarm rate of some percent is no evidence.
+    A run rule [1]_: a single record above a limit with a false-alarm rate of some percent is not evidence.
     Valid for records in the order in which they were made.
 
     References

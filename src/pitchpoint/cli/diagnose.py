@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -129,6 +130,10 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
         show_trend(request, target, as_json, quiet)
         return
     found = diagnose_file(request)
+    if request.references:
+        from pitchpoint.report.diagnosis.reference import compare
+
+        found = replace(found, change=compare(request, found))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page

@@ -15,10 +15,11 @@ from pitchpoint.analysis.mesh_angle import mesh_angle
 from pitchpoint.analysis.record_features import Feature, record_features
 from pitchpoint.analysis.sampled import Array, SignalError
 from pitchpoint.analysis.shaft_tests import SLIP
+from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.diagnosis.record import over_angle
+from pitchpoint.report.diagnosis.record import OverAngle, over_angle
 from pitchpoint.report.diagnosis.record_files import RecordFile
-from pitchpoint.report.diagnosis.request import Prepared, Request, prepare
+from pitchpoint.report.diagnosis.request import Request, prepare
 
 SAME_SPEED = 0.02
 """Relative range of the speed within which records have the same operating point."""
@@ -43,9 +44,8 @@ class Described:
     frequency: float
 
 
-def described(file: RecordFile, prepared: Prepared, request: Request) -> Described:
+def described(file: RecordFile, over: OverAngle, parts: TurningParts, slip: float | None) -> Described:
     """Features of a record; its angle follows the clearest mesh line if it is not measured."""
-    over, parts = prepared.over, prepared.machine.parts
     if over.lines:
         angle = mesh_angle(over.signals, over.samples_per_turn, parts)
         if angle is not None:
@@ -58,7 +58,7 @@ def described(file: RecordFile, prepared: Prepared, request: Request) -> Describ
         parts,
         frequency=1.0 if math.isnan(over.frequency) else over.frequency,
         tolerance=over.tolerance,
-        slip=SLIP if request.slip is None else request.slip,
+        slip=SLIP if slip is None else slip,
     )
     return Described(file, features, over.frequency)
 
@@ -70,7 +70,8 @@ def read_described(request: Request, files: Sequence[RecordFile]) -> list[Descri
         speeds = (file.speed,) if file.speed and not request.speeds else request.speeds
         own = replace(request, file=file.path, more=(), speeds=speeds)
         try:
-            found.append(described(file, prepare(own), own))
+            made = prepare(own)
+            found.append(described(file, made.over, made.machine.parts, request.slip))
         except PitchpointError as error:
             problems.append(str(error) if file.path in str(error) else f"{file.path}: {error}")
     if problems:

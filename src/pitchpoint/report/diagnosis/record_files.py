@@ -23,7 +23,7 @@ _LOAD = re.compile(rf"\s*({_NUMBER}(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 @dataclass(frozen=True)
 class RecordFile:
-    """A file with what is said about it.
+    """A file with its operating point.
 
     Attributes
     ----------
@@ -149,10 +149,10 @@ def _table(folder: Path) -> dict[str, dict[str, str]]:
         ) from error
     other = [head for head in heads if head not in COLUMNS]
     if "file" not in heads or other:
-        told = (
+        problem = (
             f"column {other[0]!r} is unknown, {hint(other[0], COLUMNS)}" if other else "has no column 'file'"
         )
-        raise SignalError(f"{path}: {told} (limit {', '.join(COLUMNS)}); correct the first line")
+        raise SignalError(f"{path}: {problem} (limit {', '.join(COLUMNS)}); correct the first line")
     return {row["file"]: row for row in rows if row.get("file")}
 
 

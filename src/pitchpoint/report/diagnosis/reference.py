@@ -29,7 +29,8 @@ from pitchpoint.report.diagnosis.described_record import (
     read_described,
 )
 from pitchpoint.report.diagnosis.record_files import RecordFile, record_file, record_files
-from pitchpoint.report.diagnosis.request import Prepared, Request
+from pitchpoint.report.diagnosis.request import Request
+from pitchpoint.report.diagnosis.study import Study
 
 
 @dataclass(frozen=True)
@@ -169,15 +170,15 @@ class Trend:
         }
 
 
-def compare(request: Request, prepared: Prepared) -> Change:
+def compare(request: Request, study: Study) -> Change:
     """Compare a record with the healthy records of a request.
 
     Parameters
     ----------
     request
         Options of the command.
-    prepared
-        The record.
+    study
+        Diagnosis of the record.
 
     Raises
     ------
@@ -192,7 +193,7 @@ def compare(request: Request, prepared: Prepared) -> Change:
         raise SignalError(f"--reference: {request.file} is compared with itself; name other records")
     healthy = read_described(request, records)
     notes = [f"{one.name} is one of the healthy records; it is compared with the others" for one in own]
-    return change_of(described(file, prepared, request), healthy, notes)
+    return change_of(described(file, study.over, study.parts, request.slip), healthy, notes)
 
 
 def trend(request: Request) -> Trend:
@@ -252,7 +253,7 @@ def change_of(
         If they have no feature in common.
     """
     matched = [matched_features(one, record) for one in healthy]
-    values, told = [found for found, _ in matched], [*notes, *dict.fromkeys(t for _, t in matched if t)]
+    values, remarks = [found for found, _ in matched], [*notes, *dict.fromkeys(t for _, t in matched if t)]
     common = [f for f in record.features if all(f in one for one in values)]
     if not common:
         raise SignalError(
@@ -260,15 +261,15 @@ def change_of(
             "machine; give records of the same sensors"
         )
     lost = len({f for one in (record.features, *values) for f in one}) - len(common)
-    told += [f"{lost} of {lost + len(common)} features are not in all records; they are not compared"] * bool(
-        lost
-    )
+    remarks += [
+        f"{lost} of {lost + len(common)} features are not in all records; they are not compared"
+    ] * bool(lost)
     names, points, more = operating_points(record, healthy, every or healthy)
     y = np.array([[one[f] for f in common] for one in values])
     own = np.array([record.features[f] for f in common])
     found = deviations(y, own, points[:-1], points[-1])
     limits = healthy_range(y, points[:-1])
-    change = Change(record, tuple(healthy), tuple(common), found, limits, names, notes=(*told, *more))
+    change = Change(record, tuple(healthy), tuple(common), found, limits, names, notes=(*remarks, *more))
     return replace(change, named=tuple(changed_parts(common, found))) if change.differs else change
 
 

@@ -83,7 +83,7 @@ class Prepared:
 
 
 def diagnose_file(request: Request) -> Study:
-    """Read a file and its machine, and run the diagnosis; with healthy records, also compare it with them.
+    """Read a file and its machine, and run the diagnosis.
 
     Raises
     ------
@@ -106,16 +106,10 @@ def diagnose_file(request: Request) -> Study:
     except SignalError as error:
         source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
         raise SignalError("; ".join([str(error), *other, *source])) from error
-    change = None
-    if request.references:
-        from pitchpoint.report.diagnosis.reference import compare
-
-        change = compare(request, prepared)
     return replace(
         found,
         file=request.file + (f" and {len(request.more)} more" if request.more else ""),
         origin=origin(request, record, machine, found, prepared.noise),
-        change=change,
     )
 
 
