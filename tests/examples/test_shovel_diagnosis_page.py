@@ -28,7 +28,7 @@ def test_the_page_names_the_third_shaft_and_its_gears(
     printed = capsys.readouterr().out
     text = html.unescape(page.read_text(encoding="utf-8"))
     assert re.search(r"A local fault on gear [^(]*Z5[^(]* \(shaft third or third_right, 0.29557 Hz\)", text)
-    assert "by chance: less than 0.001 %, over all 10 tests" in text
+    assert "by noise alone: less than 0.001 %, over all 10 tests" in text
     # Z4 and Z5 turn together: nothing is said about a tooth of one of them, but where on the shaft it is
     assert re.search(r"\d+° after t = 3 s", text) and "pitches" not in text
     assert "FM4" in printed

@@ -276,7 +276,7 @@ def test_one_file_for_each_channel_with_the_speed_in_it(
     origin = {row[0]: row[1:] for row in found["origin"]}
     assert origin["speed"][1] == "file, variable Shaft_RPM ±2 %, refined by the mesh lines"
     assert origin["sample rate"] == ["6400 Hz", "file, Header.SampFreq"] and "ch1.mat" in origin["file"][0]
-    assert any(text.startswith("speed of the input from the file") for text in found["remarks"])
+    assert any(text.startswith("speed of shaft 1 from the file") for text in found["remarks"])
     found = json_of(["diagnose", paths[0], *TRAIN, "--speed", "2=3.3684Hz"], capsys)
     assert "--speed 2=3.3684Hz" in str(found["origin"]) and not any("no shaft" in t for t in found["remarks"])
     said = told([paths[0], *TRAIN, "--speed", "620rpm"], capsys)
