@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,15 +13,13 @@ from pitchpoint.cli.options import common, output, quantity
 from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from pitchpoint.report.diagnosis.study import Study
 
 PAGE_ENDINGS = (".html", ".htm")
 
 
 @click.command()
-@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
+@click.argument("files", nargs=-1, required=True, type=click.Path(exists=True))
 @click.option(
     "--model",
     type=click.Path(exists=True, dir_okay=False),
@@ -82,6 +82,22 @@ PAGE_ENDINGS = (".html", ".htm")
     help="Add white noise this far below the signal; default: 20 for simulations, none for measurements.",
 )
 @quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
+@click.option(
+    "--reference",
+    "references",
+    multiple=True,
+    metavar="FILE|FOLDER",
+    help="Healthy records of the same machine to compare the record with: files, folders or 'PATTERN*'; "
+    "may be repeated. A folder in place of FILES gives the trend of its records.",
+)
+@click.option(
+    "--load", metavar="LOAD", help="Load of the record, such as 40%, for interpolation of healthy records."
+)
+@click.option(
+    "--load-from",
+    metavar="PATTERN",
+    help="Part of the file names with the load, such as 'test{load}pc'; default: column load of records.csv.",
+)
 @output("HTML page with plots of the evidence.")
 @common
 def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> None:
@@ -92,9 +108,11 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     lines near it. Several files are one record with the channels of all; they were recorded together with
     one sample rate.
     """
+    from pitchpoint.cli.diagnose_trend import check_folders, show_trend
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
+    check_folders(files, options["references"])
     target = _page_target(options.pop("output"), [*files, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
         raise click.UsageError("--pulses requires --tacho CHANNEL")
@@ -107,7 +125,15 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
     for text in options["speeds"]:
         say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
-    found = diagnose_file(Request(file=files[0], more=files[1:], **options))
+    request = Request(file=files[0], more=files[1:], **options)
+    if Path(files[0]).is_dir():
+        show_trend(request, target, as_json, quiet)
+        return
+    found = diagnose_file(request)
+    if request.references:
+        from pitchpoint.report.diagnosis.reference import compare
+
+        found = replace(found, change=compare(request, found))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page
@@ -139,6 +165,7 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
 
 def _print(found: Study, quiet: bool) -> None:
     """Print findings and tests."""
+    from pitchpoint.cli.diagnose_trend import print_change
     from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):
@@ -150,6 +177,8 @@ def _print(found: Study, quiet: bool) -> None:
         show("observed, as on sound machines; no verdict from one record:")
     for text in found.observed:
         show(f"  {text}")
+    if found.change is not None:
+        print_change(found.change)
     show()
     rows = [
         [
@@ -167,4 +196,5 @@ def _print(found: Study, quiet: bool) -> None:
     table("Tests", heads, rows)
     if quiet:
         return
-    show_notes((*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks))
+    notes = found.change.notes if found.change is not None else ()
+    show_notes((*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks, *notes))

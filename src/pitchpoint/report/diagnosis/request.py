@@ -47,10 +47,74 @@ class Request:
     slip: float | None = None
     more: Sequence[str] = ()
     """Further files, recorded together with the first one."""
+    references: Sequence[str] = ()
+    """Files, folders or patterns of healthy records."""
+    load: str | None = None
+    load_from: str | None = None
+    """Load of the record, and a pattern for file names with the load."""
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """Channels of a file over the angle of the reference shaft, and the machine.
+
+    Attributes
+    ----------
+    record
+        Evaluated part of the file.
+    machine
+        The machine and what is known of its speed.
+    over
+        Channels over the angle.
+    noise, remarks
+        Sentences about added noise, and about omitted channels.
+    """
+
+    record: Record
+    machine: Machine
+    over: OverAngle
+    noise: list[str]
+    remarks: list[str]
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of the channels; empty if unknown."""
+        return {name: self.record.units.get(name, "") for name in self.over.signals}
 
 
 def diagnose_file(request: Request) -> Study:
     """Read a file and its machine, and run the diagnosis.
+
+    Raises
+    ------
+    PitchpointError
+        If the file, the machine or an option cannot be used.
+    """
+    prepared = prepare(request)
+    record, machine, over = prepared.record, prepared.machine, prepared.over
+    other = _other_speed(record, machine)
+    remarks = [f"channels: {', '.join(over.signals)}", *prepared.noise, *machine.remarks, *other]
+    try:
+        found = study(
+            over,
+            machine.parts,
+            false_alarm=request.false_alarm,
+            remarks=[*remarks, *prepared.remarks],
+            units=prepared.units,
+            slip=SLIP if request.slip is None else request.slip,
+        )
+    except SignalError as error:
+        source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
+        raise SignalError("; ".join([str(error), *other, *source])) from error
+    return replace(
+        found,
+        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
+        origin=origin(request, record, machine, found, prepared.noise),
+    )
+
+
+def prepare(request: Request) -> Prepared:
+    """Read a file and its machine, and resample its channels over the angle of the reference shaft.
 
     Raises
     ------
@@ -75,26 +139,7 @@ def diagnose_file(request: Request) -> Study:
     signals = {name: values[part] for name, values in signals.items()}
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
-    other = _other_speed(record, machine)
-    remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
-    units = {name: record.units.get(name, "") for name in signals}
-    try:
-        found = study(
-            over,
-            machine.parts,
-            false_alarm=request.false_alarm,
-            remarks=remarks,
-            units=units,
-            slip=SLIP if request.slip is None else request.slip,
-        )
-    except SignalError as error:
-        source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
-        raise SignalError("; ".join([str(error), *other, *source])) from error
-    return replace(
-        found,
-        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
-        origin=origin(request, record, machine, found, noise),
-    )
+    return Prepared(record, machine, over, noise, remarks)
 
 
 def _other_speed(record: Record, machine: Machine) -> list[str]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from shlex import quote
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from pitchpoint.report.diagnosis.words import (
     observation,
     sentence,
 )
+
+if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis.reference import Change
 
 Array = NDArray[np.float64]
 
@@ -69,6 +72,8 @@ class Study:
         Rows of quantity, value, origin.
     units
         Unit of each channel, if known.
+    change
+        Comparison with healthy records, if there are any.
     """
 
     diagnosis: Diagnosis
@@ -82,6 +87,7 @@ class Study:
     file: str = ""
     origin: tuple[tuple[str, str, str], ...] = ()
     units: Mapping[str, str] = field(default_factory=dict)
+    change: Change | None = None
 
     def as_data(self) -> dict[str, Any]:
         """Complete result as plain data."""
@@ -142,6 +148,7 @@ class Study:
             "not_tested": list(found.untested),
             "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
+            "change": None if self.change is None else self.change.as_data(),
         }
 
 
