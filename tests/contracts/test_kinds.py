@@ -25,6 +25,7 @@ TABLES = {"records", "names", "pools", "laws"}
 #: Words that are names of kinds and mean something else in these files, with what they mean.
 OTHERWISE = {
     "report/bearing_loads.py": {"force": "dimension"},
+    "report/diagnosis/change_words.py": {"bearing": "class of evidence"},
     "report/diagnosis/levels.py": {"bearing": "class of evidence"},
     "report/diagnosis/many.py": {"bearing": "class of evidence"},
     "report/diagnosis/origin.py": {"bearing": "option"},

@@ -30,6 +30,7 @@ NO_TOOL = {
     "gear_indicators.na4": "takes several averages",
     "gear_indicators.nb4": "takes several averages",
     "gear_indicators.running_kurtosis": "takes several records",
+    "healthy_reference.deviations": "takes features of several records; the command diagnose --reference",
     "line_tests.fine_spectrum": "a step of diagnose",
     "load_sharing.share_along_path": "of a mesh cycle, not of a record",
     "mean_turns.mean_turn": "a step of diagnose",

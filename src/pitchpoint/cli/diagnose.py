@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,13 +13,9 @@ from pitchpoint.cli.options import common, output, pairs, quantity
 from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from pitchpoint.report.diagnosis.request import Request
     from pitchpoint.report.diagnosis.study import Study
 
 PAGE_ENDINGS = (".html", ".htm")
-TABLE_ENDINGS = (".csv", ".json")
 
 
 @click.command()
@@ -106,6 +104,22 @@ TABLE_ENDINGS = (".csv", ".json")
     help="Add white noise this far below the signal; default: 20 for simulations, none for measurements.",
 )
 @quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
+@click.option(
+    "--reference",
+    "references",
+    multiple=True,
+    metavar="FILE|FOLDER",
+    help="Healthy records of the same machine to compare the record with: files, folders or 'PATTERN*'; "
+    "may be repeated. A folder in place of FILES gives the trend of its records.",
+)
+@click.option(
+    "--load", metavar="LOAD", help="Load of the record, such as 40%, for interpolation of healthy records."
+)
+@click.option(
+    "--load-from",
+    metavar="PATTERN",
+    help="Part of the file names with the load, such as 'test{load}pc'; default: column load of records.csv.",
+)
 @output("HTML page with plots of the evidence; of a folder, table (HTML, CSV or JSON) with a row per file.")
 @common
 def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) -> int | None:
@@ -114,13 +128,17 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     The machine follows from the model of a result, --model, --train, --bearing and --shaft; one shaft with
     bearings is enough. The speed follows from an angle or tacho channel of the file, or from --speed and
     lines near it. Several files are one record with the channels of all; they were recorded together with
-    one sample rate. A folder is diagnosed file by file, with one table as result.
+    one sample rate. A folder is diagnosed file by file, with one table as result; with --reference, its
+    trend.
     """
+    from pitchpoint.cli.diagnose_folder import TABLE_ENDINGS, diagnose_records, files_or_folder
+    from pitchpoint.cli.diagnose_trend import show_trend
     from pitchpoint.cli.settings import say_bare_option
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
-    files, folder = _files_or_folder(files, join=options.pop("join"))
-    endings = PAGE_ENDINGS if folder is None else (*PAGE_ENDINGS, *TABLE_ENDINGS)
+    files, folder = files_or_folder(files, join=options.pop("join"))
+    trend = folder is not None and bool(options["references"])
+    endings = PAGE_ENDINGS if folder is None or trend else (*PAGE_ENDINGS, *TABLE_ENDINGS)
     target = _target(options.pop("output"), [*files, options["model"]], endings)
     if options["all_channels"] and options["channels"]:
         raise click.UsageError("--all-channels and --channel both choose channels; omit one of them")
@@ -136,10 +154,17 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     for text in options["speeds"]:
         say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
     options["units"] = pairs(options["units"], "--unit")
-    request = Request(file=files[0] if files else "", more=files[1:], **options)
+    request = Request(file=files[0] if folder is None else folder, more=files[1:], **options)
+    if trend:
+        show_trend(request, target, as_json, quiet)
+        return None
     if folder is not None:
-        return _diagnose_folder(request, folder, target, as_json=as_json, quiet=quiet)
+        return diagnose_records(request, folder, target, as_json=as_json, quiet=quiet)
     found = diagnose_file(request)
+    if request.references:
+        from pitchpoint.report.diagnosis.reference import compare
+
+        found = replace(found, change=compare(request, found))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page
@@ -154,49 +179,9 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     return None
 
 
-def _files_or_folder(paths: tuple[str, ...], *, join: bool) -> tuple[tuple[str, ...], str | None]:
-    """Files of one record, or a folder with one record per file."""
-    import os
-
-    from pitchpoint.io.measured.folder import records_in
-
-    folders = [path for path in paths if os.path.isdir(path)]
-    if folders and len(paths) > 1:
-        raise click.UsageError(f"{folders[0]} is a folder; give one folder, or files")
-    if not join:
-        return (() if folders else paths), (folders[0] if folders else None)
-    if not folders:
-        raise click.UsageError("--join requires a folder; several files are one record without it")
-    return tuple(records_in(folders[0])[0]), None
-
-
-def _diagnose_folder(
-    request: Request, folder: str, target: Path | None, *, as_json: bool, quiet: bool
-) -> int:
-    """Diagnose each file of a folder, and write one table; the exit code is not 0 if some fail."""
-    from pitchpoint.cli.failure import FAILED, OK
-    from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.io.target import write_file
-    from pitchpoint.report.diagnosis.many import HEAD, diagnose_folder
-
-    with ProgressDisplay("diagnosis", "files", quiet=quiet) as progress:
-        found = diagnose_folder(request, folder, progress)
-    if target is not None:
-        ending = target.suffix.lower()
-        made = {".csv": found.csv_text, ".json": found.json_text}.get(ending, found.page)
-        write_file(target, made())
-    if as_json:
-        emit_json(found.as_data())
-    else:
-        table(folder, HEAD, [row.cells() for row in found.rows])
-        if not quiet:
-            show_notes(found.notes)
-            show(f"table written to {target}") if target is not None else None
-    return FAILED if found.failed else OK
-
-
 def _target(path: str | None, inputs: list[str | None], endings: tuple[str, ...]) -> Path | None:
     """Check the name of the page or table before anything is computed."""
+    from pitchpoint.cli.diagnose_folder import TABLE_ENDINGS
     from pitchpoint.core.errors import Message
     from pitchpoint.io.target import OutputError, check_target
 
@@ -211,6 +196,7 @@ def _target(path: str | None, inputs: list[str | None], endings: tuple[str, ...]
 
 def _print(found: Study, quiet: bool) -> None:
     """Print findings and tests."""
+    from pitchpoint.cli.diagnose_trend import print_change
     from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):
@@ -222,6 +208,8 @@ def _print(found: Study, quiet: bool) -> None:
         show("observed, as on sound machines; no verdict from one record:")
     for text in found.observed:
         show(f"  {text}")
+    if found.change is not None:
+        print_change(found.change)
     show()
     rated = [row.sentence for row in found.severity if not row.is_verdict]
     for text in (*rated, *[""] * bool(rated)):
@@ -242,4 +230,5 @@ def _print(found: Study, quiet: bool) -> None:
     table("Tests", heads, rows)
     if quiet:
         return
-    show_notes((*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks))
+    notes = found.change.notes if found.change is not None else ()
+    show_notes((*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks, *notes))

@@ -14,7 +14,8 @@ DOCUMENTS = frozenset(
     ".toml .xml .py .m .sh .bat .ipynb .log .zip .tar .7z .part".split()
 )
 """Endings of files that are not records."""
-NAMED = ("readme", "license", "licence")
+NAMED = ("readme", "license", "licence", "records")
+"""Names without ending of files about the records."""
 
 
 def records_in(folder: str) -> tuple[list[str], list[str]]:

@@ -8,6 +8,8 @@ from pathlib import Path
 
 from pitchpoint import __version__
 from pitchpoint.report.diagnosis import tables
+from pitchpoint.report.diagnosis.change_page import change_section
+from pitchpoint.report.diagnosis.change_words import change_sentences
 from pitchpoint.report.diagnosis.pictures import add_channel
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.words import percent
@@ -39,7 +41,8 @@ def diagnosis_page(study: Study) -> str:
     study
         Result of `diagnose_file`.
     """
-    sections = [_answer(study), _assumed(study)]
+    compared = [] if study.change is None else [change_section(study.change)]
+    sections = [_answer(study), *compared, _assumed(study)]
     for number, channel in enumerate(shown_channels(study)):
         section = Section(f"channel-{number + 1}", f"Channel {channel}")
         add_channel(section, study, channel)
@@ -72,6 +75,9 @@ def _answer(study: Study) -> Section:
         section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
         for detail in study.details(number):
             section.add(f"<p>{escape(_capital(detail))}.</p>")
+    if study.change is not None:
+        words = change_sentences(study.change)[0]
+        section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
     if not study.diagnosis.findings:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis

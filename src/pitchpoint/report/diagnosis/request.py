@@ -51,8 +51,48 @@ class Request:
     """Further files, recorded together with the first one."""
     all_channels: bool = False
     sensors: Sequence[str] = ()
+    """Parts next to channels."""
     units: Mapping[str, str] = field(default_factory=dict)
     machine_group: str = ""
+    references: Sequence[str] = ()
+    """Files, folders or patterns of healthy records."""
+    load: str | None = None
+    load_from: str | None = None
+    """Load of the record, and a pattern for file names with the load."""
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """Channels of a file over the angle of the reference shaft, and the machine.
+
+    Attributes
+    ----------
+    record
+        Evaluated part of the file.
+    machine
+        The machine and what is known of its speed.
+    places
+        Where the channels are.
+    over
+        Channels over the angle.
+    on_housing
+        Channels over time whose vibration severity is rated.
+    noise, remarks
+        Sentences about added noise, and about omitted channels.
+    """
+
+    record: Record
+    machine: Machine
+    places: Places
+    over: OverAngle
+    on_housing: dict[str, Array]
+    noise: list[str]
+    remarks: list[str]
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of the channels; empty if unknown."""
+        return {name: self.record.units.get(name, "") for name in self.over.signals}
 
 
 def diagnose_file(request: Request) -> Study:
@@ -63,9 +103,44 @@ def diagnose_file(request: Request) -> Study:
     PitchpointError
         If the file, the machine or an option cannot be used.
     """
+    group = machine_group(request.machine_group) if request.machine_group else ""
+    prepared = prepare(request)
+    record, machine, over = prepared.record, prepared.machine, prepared.over
+    other = _other_speed(record, machine)
+    remarks = [f"channels: {', '.join(over.signals)}", *prepared.noise, *machine.remarks, *other]
+    try:
+        found = study(
+            over,
+            machine.parts,
+            false_alarm=request.false_alarm,
+            remarks=[*remarks, *prepared.remarks],
+            units=prepared.units,
+            slip=SLIP if request.slip is None else request.slip,
+            sensors=prepared.places,
+        )
+    except SignalError as error:
+        source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
+        raise SignalError("; ".join([str(error), *other, *source])) from error
+    slowest = over.frequency * min(float(shaft.order) for shaft in machine.parts.shafts)
+    rated = severities(prepared.on_housing, record.time, prepared.units, slowest, group)
+    found = found.with_severity(*rated)
+    return replace(
+        found,
+        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
+        origin=origin(request, record, machine, found, prepared.noise),
+    )
+
+
+def prepare(request: Request) -> Prepared:
+    """Read a file and its machine, and resample its channels over the angle of the reference shaft.
+
+    Raises
+    ------
+    PitchpointError
+        If the file, the machine or an option cannot be used.
+    """
     from pitchpoint.report.diagnosis.record import read_record
 
-    group = machine_group(request.machine_group) if request.machine_group else ""
     channels = [*request.channels, *(t.partition("@")[0] for t in (request.tacho, request.angle) if t)]
     record = read_record(
         (request.file, *request.more),
@@ -92,30 +167,8 @@ def diagnose_file(request: Request) -> Study:
     on_housing = _on_housing(record, signals)
     signals, noise = _noisy(request, record, signals)
     over = _over_angle(request, record, machine, signals)
-    other = _other_speed(record, machine)
     remarks += places.remark(signals, bool(record.model_text) and not request.all_channels)
-    remarks = [f"channels: {', '.join(signals)}", *noise, *machine.remarks, *other, *remarks]
-    units = {name: record.units.get(name, "") for name in signals}
-    try:
-        found = study(
-            over,
-            machine.parts,
-            false_alarm=request.false_alarm,
-            remarks=remarks,
-            units=units,
-            slip=SLIP if request.slip is None else request.slip,
-            sensors=places,
-        )
-    except SignalError as error:
-        source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
-        raise SignalError("; ".join([str(error), *other, *source])) from error
-    slowest = over.frequency * min(float(shaft.order) for shaft in machine.parts.shafts)
-    found = found.with_severity(*severities(on_housing, record.time, units, slowest, group))
-    return replace(
-        found,
-        file=request.file + (f" and {len(request.more)} more" if request.more else ""),
-        origin=origin(request, record, machine, found, noise),
-    )
+    return Prepared(record, machine, places, over, on_housing, noise, remarks)
 
 
 def _other_speed(record: Record, machine: Machine) -> list[str]:

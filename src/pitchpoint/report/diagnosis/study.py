@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from shlex import quote
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from pitchpoint.report.diagnosis.words import (
     observation,
     sentence,
 )
+
+if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis.reference import Change
 
 Array = NDArray[np.float64]
 
@@ -70,6 +73,8 @@ class Study:
         One sentence about the nearest sensor per finding; empty with one channel.
     severity
         Vibration severity of the channels of acceleration or velocity.
+    change
+        Comparison with healthy records, if there are any.
     """
 
     diagnosis: Diagnosis
@@ -86,6 +91,7 @@ class Study:
     levels: tuple[tuple[ChannelLevel, ...], ...] = ()
     sensors: tuple[str, ...] = ()
     severity: tuple[ChannelSeverity, ...] = ()
+    change: Change | None = None
 
     def with_severity(self, rows: tuple[ChannelSeverity, ...], remarks: Sequence[str]) -> Study:
         """Add the vibration severity, with a verdict in zones C and D."""
@@ -174,6 +180,7 @@ class Study:
             "not_tested": list(found.untested),
             "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
+            "change": None if self.change is None else self.change.as_data(),
         }
 
 

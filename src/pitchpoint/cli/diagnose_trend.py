@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Output of `pitchpoint diagnose` about healthy records: comparison of one record, trend of a folder."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pitchpoint.cli.output import emit_json, show, show_notes, table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pitchpoint.report.diagnosis.reference import Change
+    from pitchpoint.report.diagnosis.request import Request
+
+LISTED = 10
+
+
+def print_change(change: Change) -> None:
+    """Print the comparison of a record with healthy ones."""
+    from pitchpoint.report.diagnosis.change_page import HEAD, deviation_rows
+    from pitchpoint.report.diagnosis.change_words import change_sentences
+
+    show()
+    for text in change_sentences(change):
+        show(text)
+    show()
+    table("Largest deviations from healthy records", HEAD, deviation_rows(change, LISTED))
+
+
+def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool) -> None:
+    """Compute, write and print the trend of a folder."""
+    from pitchpoint.report.diagnosis.change_page import TREND_HEAD, trend_page, trend_rows
+    from pitchpoint.report.diagnosis.change_words import trend_sentences
+    from pitchpoint.report.diagnosis.reference import trend
+
+    found = trend(request)
+    if target is not None:
+        from pitchpoint.io.target import write_file
+
+        write_file(target, trend_page(found, request.file))
+    if as_json:
+        emit_json(found.as_data())
+        return
+    for text in trend_sentences(found):
+        show(text)
+    show()
+    table("Records", TREND_HEAD, trend_rows(found))
+    if not quiet:
+        show_notes(found.notes)
+        if target is not None:
+            show(f"report written to {target}")
