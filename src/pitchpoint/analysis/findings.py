@@ -16,7 +16,7 @@ from pitchpoint.analysis.shaft_tests import SLIP, ShaftView
 from pitchpoint.analysis.tooth_energy import peaked_as_trains
 from pitchpoint.analysis.turning_parts import TurningParts
 
-ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.5
+ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.0
 """Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
 impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis of its residual, 3 for noise. The
 tooth-to-tooth differences of a gear of 11 teeth have five harmonics, whose random phases agree by chance

@@ -24,7 +24,7 @@ NOT_HEALTHY = (
 OF_GEARS = (
     "Lines below 1 % of the rms of the channel and sidebands below 3 % of their mesh line are never "
     "reported, because every machine has them. A local fault must raise all orders of its shaft and act at "
-    "one angle of the synchronous average: the kurtosis of its residual must exceed 4.5 and the limit in the "
+    "one angle of the synchronous average: the kurtosis of its residual must exceed 4 and the limit in the "
     "table of indicators."
 )
 OF_BEARINGS = (
