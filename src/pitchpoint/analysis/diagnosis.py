@@ -205,23 +205,13 @@ def diagnose(
     named = {note.subject for note in untested}
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested += [note for note in unseen if note.subject not in named]
-    few = [
-        Note(f"too few revolutions of {{}}; needs about {MIN_TURNS:g}", f"{shaft} ({count:.2g})")
-        for shaft, count in turns.items()
-        if count < MIN_TURNS
-    ]
+    few = _too_few(turns)
     tests = sum(1 for row in raw if row[4].lines > 0) + len(families)
     if not tests and speed_tolerance == 0.0:
         reasons = grouped([*few, *untested]) or ["use a longer one, or a higher sample rate"]
         raise SignalError("record: is too short for any test; " + "; ".join(reasons))
-    every = (_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
-    evidence = tuple(
-        replace(e, explained=PASSING)
-        if (e.channel, f"{e.shaft} of {e.gear}") in modulated and e.value > e.threshold
-        else e
-        for e in every
-    )
-    evidence, explained = explain(evidence, channels, parts, tests)
+    every = [_evidence(row, tests, allowed) for row in raw if row[4].lines > 0]
+    evidence, explained = explain(_without_passing(every, modulated), channels, parts, tests)
     revolutions = min(as_signal(x).size for x in signals.values()) / rate
     evidence = across_channels((*evidence, *families), parts, revolutions)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
@@ -231,6 +221,22 @@ def diagnose(
     )
     return Diagnosis(
         findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed
+    )
+
+
+def _too_few(turns: Mapping[str, float]) -> list[Note]:
+    """Remarks on shafts with too few revolutions."""
+    why = f"too few revolutions of {{}}; needs about {MIN_TURNS:g}"
+    return [Note(why, f"{shaft} ({count:.2g})") for shaft, count in turns.items() if count < MIN_TURNS]
+
+
+def _without_passing(every: list[Evidence], modulated: set[tuple[str, str]]) -> tuple[Evidence, ...]:
+    """Evidence in which lines of meshes modulated by ball passage are marked as explained."""
+    return tuple(
+        replace(e, explained=PASSING)
+        if (e.channel, f"{e.shaft} of {e.gear}") in modulated and e.value > e.threshold
+        else e
+        for e in every
     )
 
 

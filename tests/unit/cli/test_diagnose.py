@@ -93,3 +93,14 @@ def test_all_channels_of_a_result_are_those_of_vibration(
     assert every > {"signal[torque_meter]", "mesh_force[stage]"} and "speed[shaft]" not in every
     assert run_command(["diagnose", result, "--unit", "signal[torque_meter]=m/s"]) == 2
     assert "results have units; omit the option" in capsys.readouterr().err
+
+
+def test_an_unknown_designation_names_the_nearest_and_the_options(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The keys of a model file do not help with an option."""
+    options = ["--train", "32/95", "--speed", "10Hz", "--bearing", "left:6025@2"]
+    assert run_command(["diagnose", rig_file(tmp_path), *options]) == 2
+    said = capsys.readouterr().err
+    assert "6025 is not in the table of bearings" in said and "did you mean" in said
+    assert "BPFO=3.58" in said and "radial_static_load_rating" not in said

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
-from pitchpoint.core.errors import GeometryError, UnitError
+from pitchpoint.core.errors import GeometryError, Message, UnitError
+from pitchpoint.core.nearest import nearest
 from pitchpoint.report.machine_parts import BEARING_PARTS
 
 EXAMPLES = (
@@ -121,12 +122,17 @@ def _of_elements(text: str, what: str) -> dict[str, float]:
 
 def _of_designation(text: str, what: str) -> tuple[dict[str, float], str]:
     """Orders of a bearing of the tables, and their source."""
+    from pitchpoint.geometry.bearings.designation import catalogue
     from pitchpoint.geometry.bearings.published import rolling_elements
 
     try:
         found = rolling_elements(what)
     except GeometryError as error:
-        raise SignalError(f"--bearing: {text!r}: {error}; or write it as in {EXAMPLES}") from None
+        # its remedy is for model files
+        near = nearest(what.upper(), catalogue(), 2)
+        meant = f"did you mean {' or '.join(near)}? " if near else ""
+        problem = Message("", error.problem.text, what, remedy=f"{meant}write it as in {EXAMPLES}")
+        raise SignalError(f"--bearing: {text!r}: {problem}") from None
     orders = _orders(found.elements, found.element_diameter, found.pitch_diameter, found.contact_angle)
     ball, pitch = (1e3 * size for size in (found.element_diameter, found.pitch_diameter))
     size = f"{found.elements} elements of {ball:.4g} mm on {pitch:.4g} mm"
