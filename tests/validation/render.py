@@ -2,13 +2,16 @@
 """One page with every published case: quantity, published value, ours, error, tolerance.
 
 Runs the tests of this folder and reads the numbers from their passing assertions, so the page cannot say
-anything that is not tested. Usage: ``python tests/validation/render.py --output validation.md``.
+anything that is not tested. Usage: ``python tests/validation/render.py --output validation.md``. The results
+are kept case by case in ``build/validation.jsonl``: with ``--resume`` a run that was stopped goes on where it
+ended.
 """
 
 from __future__ import annotations
 
 import argparse
 import ast
+import json
 import platform
 import re
 import sys
@@ -23,6 +26,7 @@ import pytest
 
 HERE = Path(__file__).parent
 MAX_ROWS = 12
+KEPT = HERE.parents[1] / "build" / "validation.jsonl"
 _NUMBER = r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?"
 # pytest shortens numbers in the first line of an explanation; those of the comparison below it are whole
 _COMPARED = re.compile(rf"^\s*Obtained: ({_NUMBER})\s+Expected: ({_NUMBER}) ± ({_NUMBER})\s*$", re.MULTILINE)
@@ -32,8 +36,21 @@ _COMPARED = re.compile(rf"^\s*Obtained: ({_NUMBER})\s+Expected: ({_NUMBER}) ± (
 class Collector:
     """Gathers outcomes and compared numbers while pytest runs."""
 
+    kept: Path
     outcomes: dict[str, str] = field(default_factory=dict)
     rows: dict[str, list[tuple[str, float, float, float]]] = field(default_factory=dict)
+
+    def read(self) -> None:
+        """Read the results of an earlier run; its last line is left out if it was cut off."""
+        for line in self.kept.read_text(encoding="utf-8").splitlines(keepends=True):
+            if line.endswith("\n"):
+                name, outcome, rows = json.loads(line)
+                self.outcomes[name] = outcome
+                self.rows[name] = [tuple(row) for row in rows]
+
+    def pytest_collection_modifyitems(self, items: list[Any]) -> None:
+        """Leave out the cases that passed in the earlier run."""
+        items[:] = [item for item in items if self.outcomes.get(item.nodeid) != "passed"]
 
     def pytest_assertion_pass(self, item: Any, orig: str, expl: str) -> None:
         """Keep the numbers of an assertion of the form ours == approx(published)."""
@@ -49,11 +66,19 @@ class Collector:
         """Keep the outcome of a test."""
         if report.when == "call" or report.outcome != "passed":
             self.outcomes[report.nodeid] = report.outcome
+            with self.kept.open("a", encoding="utf-8") as file:
+                row = [report.nodeid, report.outcome, self.rows.get(report.nodeid, [])]
+                file.write(json.dumps(row) + "\n")
 
 
-def run(folder: Path) -> Collector:
-    """Run the tests of a folder and collect what they compare."""
-    collector = Collector()
+def run(folder: Path, kept: Path, *, resume: bool = False) -> Collector:
+    """Run the tests of a folder, collect what they compare and keep it in a file."""
+    collector = Collector(kept)
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    if resume and kept.exists():
+        collector.read()
+    else:
+        kept.write_text("", encoding="utf-8")
     # assertions are rewritten anew, with the hook, beside the usual cache
     sys.pycache_prefix = tempfile.mkdtemp()
     options = ["-q", "-p", "no:cacheprovider", "-o", "enable_assertion_pass_hook=true", "-n", "0"]
@@ -116,8 +141,10 @@ def main() -> int:
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--output", type=Path, required=True)
-    target = parser.parse_args().output
-    collector = run(HERE)
+    parser.add_argument("--resume", action="store_true", help="continue a run that was stopped")
+    arguments = parser.parse_args()
+    target = arguments.output
+    collector = run(HERE, KEPT, resume=arguments.resume)
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(page(collector), encoding="utf-8")
     print(f"{target} written")
