@@ -56,6 +56,8 @@ class Evidence:
         Cause that explains the test, such as a bearing part with the same lines; empty if there is none.
     alike
         Parts of bearings with the same lines, which this record does not distinguish.
+    detectors
+        Detector with the highest level of a bearing part above its limit, then others that name the part.
     """
 
     channel: str
@@ -72,6 +74,7 @@ class Evidence:
     allowed: float = 0.0
     explained: str = ""
     alike: tuple[str, ...] = ()
+    detectors: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -228,7 +231,8 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
     found, spread = [], []
     orders = _orders(parts)
     tests = [e for e in evidence if e.kind == "bearing" and e.found]
-    for e in sorted(tests, key=lambda e: (e.probability, e.threshold - e.value)):
+    # lines of an outer ring are harmonics of its cage: the cage explains them only if no ring is found
+    for e in sorted(tests, key=lambda e: (e.shaft == "cage", e.probability, e.threshold - e.value)):
         if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in reported):
             continue
         own = orders[e.gear, e.shaft]

@@ -202,7 +202,7 @@ def _levels(power: Array, count: int, average: int, top: int, step: float) -> Li
     """Prominence from the powers of the lines."""
     mean = _averaged(power, average)
     kept = slice(0, top + 1 - OMITTED)
-    median = np.maximum(_running_median(mean, count)[kept], np.finfo(np.float64).tiny)
+    median = np.maximum(running_median(mean, count)[kept], np.finfo(np.float64).tiny)
     mean = mean[kept]
     return LineProminence(
         frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
@@ -324,8 +324,28 @@ def _averaged(power: Array, count: int) -> Array:
     return mean
 
 
-def _running_median(power: Array, count: int) -> Array:
-    """Median over `count` lines at places between which it is interpolated; at the ends of the last ones."""
+def running_median(power: Array, count: int) -> Array:
+    """Median over `count` lines at places between which it is interpolated; at the ends of the last ones.
+
+    Parameters
+    ----------
+    power
+        Values of the lines, shape (n,), any unit.
+    count
+        Number of lines, at most n [-].
+
+    Returns
+    -------
+    NDArray
+        Shape (n,), in the unit of `power`.
+
+    Examples
+    --------
+    A single high line has no effect:
+
+    >>> running_median(np.array([1.0, 1.0, 9.0, 1.0, 1.0]), 3).tolist()
+    [1.0, 1.0, 1.0, 1.0, 1.0]
+    """
     starts = np.unique(
         np.append(np.arange(0, power.size - count, max(1, count // PLACES)), power.size - count)
     )

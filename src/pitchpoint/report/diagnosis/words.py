@@ -223,6 +223,7 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
             "sideband": e.sideband,
             "found": e.found,
             "explained_by": e.explained,
+            "detectors": list(e.detectors),
             "result": outcome(e, diagnosis),
         }
         for e in diagnosis.evidence
@@ -275,7 +276,9 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
     if e.kind == "sidebands":
         return f"{line} {limit}, sideband {e.sideband:+d} of the mesh of {e.gear}"
     if e.kind == "bearing":
-        return f"{line} {limit}, in the envelope spectrum"
+        by, *others = e.detectors or ("",)
+        also = f", also by {', '.join(others)}" if others else ""
+        return f"{line} {limit}, in the envelope spectrum{f' by {by}' if by else ''}{also}"
     return f"{line} {limit}"
 
 

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lines of envelope spectra in which the families of damaged bearing parts are searched."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.analysis.line_prominence import (
+    OMITTED,
+    LineProminence,
+    line_prominences,
+    running_median,
+)
+from pitchpoint.analysis.sampled import Array
+from pitchpoint.analysis.spectral_coherence import LONGEST, spectral_coherence
+from pitchpoint.analysis.turning_parts import TurningParts
+
+SPARE = 2
+"""Further harmonics, which replace those that coincide with lines of a clearer part."""
+HIGHEST_HARMONIC = 5 + SPARE
+"""Highest compared harmonic, that of a cage."""
+AVERAGES = (1, 3, 9, 27)
+"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
+BACKGROUND = 128
+"""Minimum number of lines of the running median."""
+MAD = 1.4826
+"""Standard deviation over the median of the absolute deviations, for normal values."""
+
+
+def envelope_lines(values: Array, rate: float, parts: TurningParts) -> dict[int, LineProminence]:
+    """Lines of a squared envelope over the angle, by number of averaged lines, at orders of bearing faults.
+
+    Parameters
+    ----------
+    values
+        Squared envelope, shape (n,), any unit.
+    rate
+        Samples per revolution of the reference shaft [-].
+    parts
+        Shafts and bearings.
+
+    Notes
+    -----
+    The running median covers 128 lines or one order, whichever is more. Valid as `line_prominences`.
+    """
+    turns = values.size / rate
+    count = background(turns)
+    averages = [m for m in AVERAGES if 8 * m <= count]
+    return line_prominences(
+        values, rate, averages, width=count / turns, highest=min(_highest(parts), 0.5 * rate)
+    )
+
+
+def background(turns: float) -> int:
+    """Number of lines of the running median: 128, or those of one order if they are more.
+
+    Examples
+    --------
+    >>> background(50.0), background(300.4)
+    (128, 300)
+    """
+    return max(BACKGROUND, round(turns))
+
+
+def coherence_lines(values: Array, rate: float, parts: TurningParts) -> dict[int, LineProminence]:
+    """Lines of the enhanced envelope spectrum, by number of averaged lines, at orders of bearing faults.
+
+    Parameters
+    ----------
+    values
+        Signal over the angle, shape (n,), any unit.
+    rate
+        Samples per revolution of the reference shaft [-].
+    parts
+        Shafts and bearings.
+
+    Notes
+    -----
+    The mean of the coherence over many carriers is normal: the probability of a line follows from its
+    distance from the running median in standard deviations, those of the median absolute deviation [1]_, and
+    its level is that of an equally probable line of an envelope spectrum. Valid as `spectral_coherence`.
+
+    References
+    ----------
+    .. [1] F. R. Hampel, The influence curve and its role in robust estimation, Journal of the American
+       Statistical Association 69, 1974, 383-393.
+    """
+    from scipy.stats import norm
+
+    found = spectral_coherence(
+        values, rate, highest_cyclic=min(_highest(parts), 0.24 * rate), segment=min(values.size, LONGEST)
+    )
+    step = float(found.cyclic_frequency[0])
+    count = background(1.0 / step)
+    lines = {}
+    for m in (m for m in AVERAGES if 8 * m <= count):
+        mean = np.convolve(found.enhanced, np.full(m, 1.0 / m), mode="same")
+        median = running_median(mean, count)
+        spread = np.maximum(MAD * running_median(np.abs(mean - median), count), np.finfo(np.float64).tiny)
+        chance = np.maximum(norm.sf((mean - median) / spread), 1e-300)
+        kept = slice(OMITTED - 1, None)
+        lines[m] = LineProminence(
+            frequency=found.cyclic_frequency[kept],
+            amplitude=mean[kept],
+            background=median[kept],
+            prominence=10.0 * np.log10(np.maximum(-np.log2(chance[kept]), 1e-3)),
+            probability=chance[kept],
+            resolution=step,
+        )
+    return lines
+
+
+def _highest(parts: TurningParts) -> float:
+    """Highest order at which lines of bearing parts are compared, with reserve for slip and sidebands."""
+    orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
+    return 1.2 * HIGHEST_HARMONIC * max(orders, default=1.0) + 2.0
