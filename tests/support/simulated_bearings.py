@@ -35,9 +35,7 @@ class BearingMachine:
     @property
     def parts(self) -> TurningParts:
         """Rotor with its bearing."""
-        return TurningParts(
-            (Shaft("rotor", Fraction(1)),), (), (Bearing("bearing", self.orders, "rotor"),)
-        )
+        return TurningParts((Shaft("rotor", Fraction(1)),), (), (Bearing("bearing", self.orders, "rotor"),))
 
     def record(self, part: str, level: float, seed: int, seconds: float = 6.0) -> np.ndarray:
         """Acceleration with a damaged part, its impacts `level` dB above noise and tones together."""

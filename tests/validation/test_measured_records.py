@@ -48,13 +48,11 @@ def test_bearings_of_a_motor_at_any_speed_within_two_percent(offset: float) -> N
             counts["diagnosable"] += 1
             counts["right"] += parts == {record.part}
         else:
-            # of the others nothing, or what is damaged
+            # of the others nothing: the clearest, the ball of 0.021 in at no load, has 13 dB
             counts["others"] += 1
-            counts["named although damaged otherwise"] += bool(parts - {record.part})
-            counts["right although hard"] += parts == {record.part} != {""}
+            counts["named"] += bool(parts)
     assert counts["diagnosable"] == counts["right"] == 10
-    assert counts["others"] == 9 and counts["named although damaged otherwise"] == 0
-    assert counts["right although hard"] == 1  # the ball of 0.021 in at no load
+    assert counts["others"] == 9 and counts["named"] == 0
 
 
 def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
@@ -78,22 +76,20 @@ def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
 
 
 def test_a_fault_of_a_bearing_that_is_not_given_requires_its_own_sensor() -> None:
-    """Only the fan end is given, in four records whose faults at the drive end have lines of its parts.
+    """Only the fan end is given, in records whose faults at the drive end have lines of its parts.
 
-    Without the condition that the sensor at the fan end shows a fault of its bearing, all four name one. Two
-    have lines near its rolling element, 3.988: 3.593 impacts on the outer ring of the drive end, and its cage
-    with 3.593/9 = 0.399, 3.992 in all.
+    One of them names a part: 3.593 impacts on the outer ring of the drive end, and its cage with 3.593/9 =
+    0.399, are 3.992 in all, near the rolling element of the fan end, 3.988.
     """
-    named = {}
+    named, hidden = {}, set()
     for record in motor_records():
-        if record.file.stem in ("IR014_2", "IR021_0", "OR021@6_0", "OR021@6_2"):
-            file = str(record.file)
-            request = Request(file=file, sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
-            found = diagnose_file(request).diagnosis
-            named[record.file.stem] = [finding.shaft for finding in found.findings]
-            assert any("not visible in " in text for text in found.unreported)
-    ball = ["rolling element"]
-    assert named == {"IR014_2": [], "IR021_0": [], "OR021@6_0": ball, "OR021@6_2": ball}
+        request = Request(file=str(record.file), sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
+        found = diagnose_file(request).diagnosis
+        named[record.file.stem] = [finding.shaft for finding in found.findings]
+        if any("not visible in " in text for text in found.unreported):
+            hidden.add(record.file.stem)
+    assert {stem: parts for stem, parts in named.items() if parts} == {"OR021@6_2": ["rolling element"]}
+    assert hidden == {"IR014_2", "OR021@6_2"}
 
 
 def test_the_speed_is_that_of_the_file() -> None:

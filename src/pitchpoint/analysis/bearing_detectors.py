@@ -25,8 +25,8 @@ from pitchpoint.analysis.whitening import limited_tones
 COHERENCE = "spectral coherence"
 LIMITS = {
     "cepstral whitening": 16.0,
-    "median whitening": 17.0,
-    "kurtogram band": 19.0,
+    "median whitening": 18.0,
+    "kurtogram band": 20.0,
     COHERENCE: 27.0,
 }
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""
@@ -51,14 +51,19 @@ class PartLevels:
     families: Mapping[str, FaultFamily]
 
     @property
-    def best(self) -> str:
-        """Detector whose level is highest above its limit, or least below."""
-        return max(self.families, key=lambda name: self.families[name].strength - LIMITS[name])
+    def by(self) -> tuple[str, ...]:
+        """Detectors that name the part; if none does, that whose level is nearest to its limit.
+
+        In the order of `LIMITS`: levels of the first one are compared between channels.
+        """
+        named = tuple(name for name, family in self.families.items() if family.named)
+        below = {name: LIMITS[name] - family.strength for name, family in self.families.items()}
+        return named or (min(below, key=lambda name: below[name]),)
 
     @property
-    def by(self) -> tuple[str, ...]:
-        """Detectors that name the part."""
-        return tuple(name for name, family in self.families.items() if family.named)
+    def named(self) -> bool:
+        """Whether a detector names the part."""
+        return any(family.named for family in self.families.values())
 
 
 def detector_lines(values: Array, rate: float, parts: TurningParts) -> dict[str, dict[int, LineProminence]]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from pitchpoint.analysis.bearing_detectors import LIMITS, PartLevels, part_levels
 from pitchpoint.analysis.bearing_tests import MIN_SAMPLES, alike
+from pitchpoint.analysis.family_search import SPREAD
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array, SignalError
@@ -54,9 +55,9 @@ def family_evidence(
 
     Notes
     -----
-    `bearing_detectors` [1]_. The evidence of a part is that of the detector whose level is highest above its
-    limit. Without gears no sidebands of meshes need to be removed, and the whole band serves. Valid for
-    steady speed or signals over the angle.
+    `bearing_detectors` [1]_. The evidence of a part is that of the first detector that names it, else of the
+    one whose level is nearest to its limit. Without gears no sidebands of meshes need to be removed, and the
+    whole band serves. Valid for steady speed or signals over the angle.
 
     References
     ----------
@@ -79,30 +80,30 @@ def family_evidence(
 
 
 def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evidence:
-    """Evidence of one part, by the detector with the highest level above its limit."""
-    named, best = part.by, part.best
-    family, limit = part.families[best], LIMITS[best]
-    explained = ""
-    if not named and family.same_lines:
+    """Evidence of one part, by the first detector that names it, else by that nearest to its limit."""
+    family, limit = part.families[part.by[0]], LIMITS[part.by[0]]
+    explained, alike = "", set()
+    if part.named:
+        alike = {name for by in part.by for name in part.families[by].same_lines}
+    elif family.same_lines:
         explained = " and ".join(family.same_lines)
-    elif not named and family.probability < allowed:
+    elif family.probability < allowed and family.strength < limit - SPREAD:
         explained = PARTLY
-    alike = {name for by in named for name in part.families[by].same_lines}
     return Evidence(
         channel=channel,
         kind="bearing",
         shaft=part.part,
         gear=part.bearing,
         # levels of averaged lines are not exact
-        value=max(family.strength, limit) if named else family.strength,
+        value=max(family.strength, limit) if part.named else family.strength,
         threshold=limit,
         probability=float(min(1.0, family.probability * tests)),
         order=family.order * family.scale,
         amplitude=0.0,
         sideband=0,
-        found=bool(named),
+        found=part.named,
         allowed=allowed,
         explained=explained,
         alike=tuple(sorted(alike)),
-        detectors=(best, *(name for name in named if name != best)),
+        detectors=part.by,
     )

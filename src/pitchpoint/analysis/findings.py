@@ -57,7 +57,7 @@ class Evidence:
     alike
         Parts of bearings with the same lines, which this record does not distinguish.
     detectors
-        Detector with the highest level of a bearing part above its limit, then others that name the part.
+        Detector of the value of a bearing part, then others that name the part; empty for other tests.
     """
 
     channel: str
@@ -232,7 +232,7 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
     orders = _orders(parts)
     tests = [e for e in evidence if e.kind == "bearing" and e.found]
     # lines of an outer ring are harmonics of its cage: the cage explains them only if no ring is found
-    for e in sorted(tests, key=lambda e: (e.shaft == "cage", e.probability, e.threshold - e.value)):
+    for e in sorted(tests, key=lambda e: (e.shaft == "cage", *_least_clear_last(e))):
         if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in reported):
             continue
         own = orders[e.gear, e.shaft]
@@ -245,6 +245,12 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
         reported.append(e)
         found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability, e.alike))
     return found, spread
+
+
+def _least_clear_last(e: Evidence) -> tuple[float, float]:
+    """Order of bearing parts: by the level above the limit of the detector, else by the probability."""
+    below = e.threshold - e.value
+    return (below, e.probability) if e.detectors else (e.probability, below)
 
 
 def _orders(parts: TurningParts) -> dict[tuple[str, str], float]:
