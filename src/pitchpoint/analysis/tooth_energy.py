@@ -93,7 +93,7 @@ def tooth_energy(residual: ArrayLike, *, teeth: int) -> ToothEnergy:
 
 
 def share_of_finer(residual: ArrayLike, *, coarse: int, fine: int) -> float:
-    """Energy of an event within one pitch of a fine gear over that within one pitch of a coarse gear.
+    """Energy of an event within two pitches of a fine gear over that within one pitch of a coarse gear.
 
     Parameters
     ----------
@@ -105,8 +105,8 @@ def share_of_finer(residual: ArrayLike, *, coarse: int, fine: int) -> float:
     Returns
     -------
     float
-        Share [-]: `coarse`/`fine` for an event with constant energy over one pitch of the coarse gear, 1 for
-        an impact.
+        Share [-]: 2 `coarse`/`fine` for an event with constant energy over one pitch of the coarse gear, 1
+        for an event of the fine gear or an impact.
 
     Raises
     ------
@@ -115,7 +115,7 @@ def share_of_finer(residual: ArrayLike, *, coarse: int, fine: int) -> float:
 
     Notes
     -----
-    A damaged tooth changes the force while it is in contact, about one pitch of its gear [1]_. The energy
+    A damaged tooth changes the force while it is in contact, one to two pitches of its gear [1]_. The energy
     outside the event, the median over the windows of each width, is subtracted. An impact is shorter than
     either pitch and does not distinguish the gears. Valid for total contact ratios up to two and numbers of
     teeth that differ by a factor of four.
@@ -131,28 +131,27 @@ def share_of_finer(residual: ArrayLike, *, coarse: int, fine: int) -> float:
     >>> turn = np.zeros(960)
     >>> turn[80:160] = 1.0
     >>> round(share_of_finer(turn, coarse=12, fine=80), 3)
-    0.15
+    0.3
     """
     x = as_signal(residual, "residual", 8)
-    wide, narrow = (_shares(x, whole(z, "teeth", 4)) for z in (coarse, fine))
+    wide, narrow = _shares(x, whole(coarse, "teeth", 4)), _shares(x, whole(fine, "teeth", 4), 2)
     base = float(np.median(wide))
     return float((narrow.max() - np.median(narrow)) / max(float(wide.max()) - base, 1e-300))
 
 
-def _shares(x: Array, z: int) -> Array:
-    """Shares of the energy in windows of one pitch of z teeth, moved in quarters of it, shape (4 z,)."""
+def _shares(x: Array, z: int, pitches: int = 1) -> Array:
+    """Shares of the energy in windows of one or more pitches of z teeth, moved in quarters, shape (4 z,)."""
     if x.size < 2 * z:
         raise SignalError(f"residual: has {x.size} samples (limit {2 * z}, two per tooth); use more samples")
     energy = x**2
     total = float(energy.sum())
     if total <= 0.0:
         raise SignalError("residual: is zero everywhere; there is nothing besides the mesh")
-    steps = STEPS_PER_TOOTH * z
-    edge = np.arange(steps + STEPS_PER_TOOTH + 1) * (x.size / steps)
+    steps, width = STEPS_PER_TOOTH * z, STEPS_PER_TOOTH * pitches
+    edge = np.arange(steps + width + 1) * (x.size / steps)
     running = np.concatenate([[0.0], np.cumsum(np.concatenate([energy, energy]))])
-    sums = np.interp(edge, np.arange(running.size), running)
-    share = np.diff(sums)[: steps + STEPS_PER_TOOTH]
-    found: Array = np.convolve(share, np.ones(STEPS_PER_TOOTH), mode="valid")[:steps] / total
+    share = np.diff(np.interp(edge, np.arange(running.size), running))
+    found: Array = np.convolve(share, np.ones(width), mode="valid")[:steps] / total
     return found
 
 
