@@ -44,6 +44,8 @@ class GearTurn:
         Angle of the shaft at the first sample [rad], and the zero of this angle in words.
     fm0
         FM0 [-]; NaN if the mean turn contains no mesh harmonic.
+    level
+        Gear in whose wavelet level the turn is averaged; empty for the whole signal.
     """
 
     channel: str
@@ -54,6 +56,7 @@ class GearTurn:
     zero: float
     since: str
     fm0: float
+    level: str = ""
 
     @property
     def angle(self) -> float:
@@ -119,7 +122,7 @@ def gear_turns(
             fm0 = gear_indicators(turn.average, teeth=teeth).fm0
         except SignalError:
             fm0 = math.nan
-        found.append(GearTurn(channel, shaft, tuple(gears), teeth, turn, zero, since, fm0))
+        found.append(GearTurn(channel, shaft, tuple(gears), teeth, turn, zero, since, fm0, level))
     return tuple(found)
 
 
@@ -163,7 +166,7 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
         f"FM4 {number(fm4, 3)} (1 % of noise of the same spectrum exceeds {number(limit, 3)}), "
         f"M6A {number(m6a, 3)} ({number(other, 3)})"
     )
-    where = f" in the level of {finding.level}" if finding.level else ""
+    where = f" in the wavelet level of {best.level}" if best.level else ""
     text = f"mean of {best.turn.averages} turns of {finding.shaft}{where}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
     # a finding without a gear has no tooth
