@@ -143,9 +143,9 @@ def diagnose(
     Notes
     -----
     A local fault raises all orders of its shaft [1]_: rank test of the orders without mesh orders against the
-    points between them, and test of the lowest orders in the wavelet levels of its meshes. Slow variations over the revolution raise single orders and sidebands [2]_: lines
-    against the adjacent points. The false alarm probability is shared between the tests after [3]_. Valid for
-    shafts with fixed axes.
+    points between them, and test of the lowest orders in the wavelet level of each mesh. Slow variations over
+    the revolution raise single orders and sidebands [2]_: lines against the adjacent points. The false alarm
+    probability is shared between the tests after [3]_. Valid for shafts with fixed axes.
 
     References
     ----------
@@ -281,7 +281,9 @@ def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh)
 def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
     """Remark on a test without usable lines."""
     _, kind, shaft, gear, _ = row
-    what = {"comb": "orders", "period": "period", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
+    what = {"comb": "orders", "period": "period", "low order": "lowest orders", "sidebands": "sidebands"}.get(
+        kind, shaft
+    )
     whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
     return Note(
         "no test of the {}: above the record's highest frequency, or too near to other lines",

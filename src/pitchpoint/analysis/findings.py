@@ -215,8 +215,8 @@ def findings_of(
 
     Notes
     -----
-    A comb or a period is a local fault if the mean revolution is peaked too [1]_, a period in its level. Lines at harmonics of a bearing finding
-    are attributed to the bearing. Valid for one record.
+    A comb or a period is a local fault if the mean revolution is peaked too [1]_, a period in its level.
+    Lines at harmonics of a bearing finding are attributed to the bearing. Valid for one record.
 
     References
     ----------

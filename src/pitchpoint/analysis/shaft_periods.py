@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """One event per revolution of a shaft, in the wavelet level of the mesh of each of its gears.
 
-A damaged tooth changes the force of its mesh while it is in contact, for about one tooth pitch. Such an event
-has its lines at the lowest orders of the shaft, up to about twice the number of teeth. A ranking of all orders
-up to half the sample rate (`ShaftView.comb`) misses them in a wide band: of 655 orders, 20 are raised. The
-approximation of a wavelet decomposition keeps the lowest orders and the shape of the event.
+A damaged tooth changes the force of its mesh while it is in contact, for about one tooth pitch. Such an
+event has its lines at the lowest orders of the shaft, up to about twice the number of teeth. A ranking of all
+orders up to half the sample rate (`ShaftView.comb`) misses them in a wide band: in the published record of a
+shovel gearbox, 20 of 655 orders are raised. The approximation of a wavelet decomposition keeps the lowest
+orders and the shape of the event.
 """
 
 from __future__ import annotations
@@ -142,7 +143,7 @@ def shaft_period(values: Array, samples_per_turn: float, view: ShaftView, teeth:
     Returns
     -------
     Measured
-        Test with the normal score of its probability; no lines if there are too few.
+        Test with the normal score of its probability, at least zero; no lines if there are too few.
 
     Notes
     -----
@@ -190,7 +191,7 @@ def shaft_period(values: Array, samples_per_turn: float, view: ShaftView, teeth:
     amplitude = float(np.sqrt(above.sum()))
     small = amplitude < SMALLEST_COMB * view.rms
     return Measured(
-        score=float(norm.isf(np.clip(probability, 1e-300, 1.0 - 1e-16))),
+        score=float(norm.isf(np.clip(probability, 1e-300, 0.5))),
         probability=1.0 if small else probability,
         order=view.order,
         amplitude=amplitude,

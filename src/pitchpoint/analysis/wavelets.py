@@ -142,7 +142,7 @@ def wavelet_levels(
     """
     import pywt
 
-    x = as_signal(values)
+    x = _writeable(as_signal(values))
     rate = positive(sample_rate, "sample_rate")
     family, count = _discrete(wavelet, levels, x.size, extension)
     mean = float(x.mean())
@@ -187,7 +187,7 @@ def approximation(values: Array, level: int, *, wavelet: str = "db5", extension:
     """
     import pywt
 
-    parts = pywt.wavedec(values, wavelet, mode=extension, level=level)
+    parts = pywt.wavedec(_writeable(values), wavelet, mode=extension, level=level)
     rest = [np.zeros_like(part) for part in parts[1:]]
     found: Array = pywt.waverec([parts[0], *rest], wavelet, mode=extension)[: values.size]
     return found
@@ -267,7 +267,7 @@ def wavelet_packets(
     """
     import pywt
 
-    x = as_signal(values)
+    x = _writeable(as_signal(values))
     rate = positive(sample_rate, "sample_rate")
     family, count = _discrete(wavelet, levels, x.size, extension)
     mean = float(x.mean())
@@ -316,6 +316,11 @@ def check_extension(name: str) -> None:
 
     if name not in pywt.Modes.modes:
         raise unknown("extension", name, pywt.Modes.modes)
+
+
+def _writeable(values: Array) -> Array:
+    """The samples, copied if they are read-only, as those of a file: PyWavelets rejects these."""
+    return np.require(values, requirements="W")
 
 
 def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[Any, int]:

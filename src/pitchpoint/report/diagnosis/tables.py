@@ -202,7 +202,7 @@ def _fault(e: Evidence) -> str:
     if e.kind == "sidebands":
         return f"modulation of the mesh of {e.gear} over a turn"
     if e.kind == "period":
-        return f"one event per turn, as long as a tooth mesh of {e.gear}"
+        return f"one event per turn, in the wavelet level of {e.gear}"
     return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 
