@@ -184,7 +184,7 @@ def preferred(names: Sequence[str], places: Places | None = None) -> list[str]:
     count = min(USUAL, len(found))
     # spread over the list, because neighbours are often from one shaft
     spread = [found[k * len(found) // count] for k in range(count)]
-    if places is None or len(spread) == len(found):
+    if places is None:
         return spread
     near = {name: places.singly(name) for name in every_quantity(names)}
     sensed = frozenset().union(*(near[name] for name in found))
