@@ -23,8 +23,8 @@ COMBS = ("comb", "period")
 COARSE, TIMES = 0.75, 4.0
 """Largest share of the energy in one pitch of the coarse gear that is within two pitches of a finer gear, for
 an event of the coarse gear; smallest ratio of the numbers of teeth. With simulated broken teeth of the finer
-gear the share is above 0.75 in 202 of 204 channels, with those of the coarse gear below it in 189 of 248
-(docs/diagnosis.md, diagnose)."""
+gear the share is above 0.75 in 203 of 204 channels, with those of the coarse gear below it in 197 of 248
+(docs/diagnosis.md, measured records)."""
 ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.0
 """Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
 impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis of its residual, 3 for noise. The

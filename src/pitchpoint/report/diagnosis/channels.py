@@ -204,11 +204,11 @@ def preferred(names: Sequence[str], places: Places | None = None) -> list[str]:
 def _nearest(
     names: Sequence[str], near: Mapping[str, frozenset[str]], wanted: AbstractSet[str], most: int
 ) -> list[str]:
-    """Few channels that are near to as many of the wanted parts as possible."""
+    """Few channels that are near to as many of the wanted parts as possible, radial ones first."""
     chosen: list[str] = []
     left = set(wanted)
     while left and len(chosen) < most:
-        best = max(names, key=lambda name: len(near[name] & left), default="")
+        best = max(names, key=lambda name: (len(near[name] & left), "axial" not in name), default="")
         if not best or not near[best] & left:
             break
         chosen.append(best)

@@ -279,8 +279,8 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
         mesh, _ = parts.gears_of(e.shaft)[e.gear]
         top = _rate(MESH_HARMONICS * parts.mesh_order(mesh), frequency)
         return (
-            f"one event per turn ({_rate(e.order, frequency)}) with lines up to {top}, {e.value:.1f} standard "
-            f"deviations above the noise next to them (limit {e.threshold:.1f})"
+            f"one event per turn ({_rate(e.order, frequency)}) with lines up to {top}, {e.value:.1f} "
+            f"standard deviations above the noise next to them (limit {e.threshold:.1f})"
         )
     line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
     limit = f"(limit {e.threshold:.0f} dB)"
