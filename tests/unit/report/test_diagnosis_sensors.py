@@ -116,7 +116,7 @@ INSIDE = [f"mesh_force[{side}]" for side in SIDES]
 
 def test_a_side_without_sensors_is_seen_by_internal_quantities() -> None:
     """Equal meshes of two sides have the same lines, but a sensor is near that of its own side only."""
-    places = Places(TWO_SIDES, BODIES, beside={body: (body.split()[0],) for body in BODIES})
+    places = Places(TWO_SIDES, BODIES, meshes_at={body: (body.split()[0],) for body in BODIES})
     assert places.singly(SENSED[0]) == {"left"} and places.near(SENSED[0]) == {"left or right"}
     chosen = preferred([*INSIDE, *SENSED], places)
     assert chosen == [*SENSED, "mesh_force[right]"]
@@ -130,7 +130,7 @@ def test_a_side_without_sensors_is_seen_by_internal_quantities() -> None:
 
 
 def test_a_side_with_a_sensor_needs_no_internal_quantity() -> None:
-    places = Places(TWO_SIDES, BODIES, beside={body: (body.split()[0],) for body in BODIES})
+    places = Places(TWO_SIDES, BODIES, meshes_at={body: (body.split()[0],) for body in BODIES})
     assert preferred([*INSIDE, *SENSED, "signal[right out x]"], places) == [*SENSED, "signal[right out x]"]
 
 

@@ -77,7 +77,7 @@ def test_a_short_event_is_shared_evenly_between_the_gears_of_a_shaft() -> None:
     words = place_sentence(finding, turns, 0.01)
     for gear, share in (("Z2", "1.2"), ("Z3", "8.3")):
         assert f"within the angle of one tooth of {gear} ({share} % if spread evenly; by chance" in words
-    assert words.endswith("; the event is too short to tell which of these gears has the fault")
+    assert words.endswith("; the event is too short to identify the gear")
     assert not one_gear(finding, turns) and "pitches" not in words
     # of the coarse gear alone, teeth are counted
     alone = replace(finding, gears=("Z3",)), turns[1:]

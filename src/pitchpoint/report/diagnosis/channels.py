@@ -37,7 +37,7 @@ class Places:
         Names of shafts by what the user may write.
     given
         Parts named by the user for a channel.
-    beside
+    meshes_at
         Meshes at each body of a model. Equal meshes of several sides of a machine are merged in `parts`, but
         a channel is near those of its side only.
     """
@@ -45,7 +45,7 @@ class Places:
     parts: TurningParts
     bodies: Mapping[str, str] = field(default_factory=dict)
     given: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def near(self, channel: str) -> frozenset[str]:
         """Meshes and bearings next to a channel; empty if unknown.
@@ -73,7 +73,7 @@ class Places:
         >>> mesh = Mesh("left or right", ("z1", "z2"), (20, 40), ("a or a2", "b or b2"))
         >>> shafts = (Shaft("a or a2", 1), Shaft("b or b2", 0.5))
         >>> bodies = {"a": "a or a2", "a2": "a or a2"}
-        >>> places = Places(TurningParts(shafts, (mesh,)), bodies, beside={"a": ("left",), "a2": ("right",)})
+        >>> places = Places(TurningParts(shafts, (mesh,)), bodies, meshes_at={"a": ("left",), "a2": ("right",)})
         >>> sorted(places.singly("force a2")), sorted(places.near("force a2"))
         (['right'], ['left or right'])
         """
@@ -82,8 +82,8 @@ class Places:
         for name in names:
             around = {single for part in self._around(name) for single in each(part)}
             meshes = {single for mesh in self.parts.meshes for single in each(mesh.name)}
-            if name in self.beside:
-                around = around - meshes | set(self.beside[name])
+            if name in self.meshes_at:
+                around = around - meshes | set(self.meshes_at[name])
             elif name in meshes:
                 around = {name}
             found |= around

@@ -48,7 +48,7 @@ class Machine:
         Source of the orders of each given bearing, in words.
     speed_source
         Number in the file that gives the speed, in words; empty if an option or the model gives it.
-    beside
+    meshes_at
         Names of the meshes at each body of a model.
     """
 
@@ -60,7 +60,7 @@ class Machine:
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
     speed_source: str = ""
-    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 SETTLED = 0.01
@@ -244,8 +244,8 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
     parts, names, more = parts_of(model, spins, reference)
     parts, names = _with_shafts(parts, names, request.shafts)
     frequency = known[reference] / math.tau
-    beside = meshes_at_bodies(model)
-    return Machine(parts, reference, frequency, tolerance, names, (*remarks, *more), beside=beside)
+    meshes_at = meshes_at_bodies(model)
+    return Machine(parts, reference, frequency, tolerance, names, (*remarks, *more), meshes_at=meshes_at)
 
 
 def _stated(record: Record) -> str:

@@ -24,7 +24,7 @@ GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
 """Values of the indicators for Gaussian noise [-]."""
 
 
-SHORT = "the event is too short to tell which of these gears has the fault"
+SHORT = "the event is too short to identify the gear"
 """Why several gears of a shaft are named."""
 
 
