@@ -73,7 +73,8 @@ class Places:
         >>> mesh = Mesh("left or right", ("z1", "z2"), (20, 40), ("a or a2", "b or b2"))
         >>> shafts = (Shaft("a or a2", 1), Shaft("b or b2", 0.5))
         >>> bodies = {"a": "a or a2", "a2": "a or a2"}
-        >>> places = Places(TurningParts(shafts, (mesh,)), bodies, meshes_at={"a": ("left",), "a2": ("right",)})
+        >>> parts, sides = TurningParts(shafts, (mesh,)), {"a": ("left",), "a2": ("right",)}
+        >>> places = Places(parts, bodies, meshes_at=sides)
         >>> sorted(places.singly("force a2")), sorted(places.near("force a2"))
         (['right'], ['left or right'])
         """
