@@ -180,6 +180,14 @@ def diagnose(
         x = as_signal(values, name, 64)
         if float(np.ptp(x)) == 0.0:
             raise SignalError(f"{name}: is constant; nothing can be read from it")
+        alone = bool(parts.bearings) and not parts.meshes
+        if alone:  # before the spectrum, which would be in the memory at the same time
+            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
+            rows, notes = family_evidence(
+                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
+            )
+            families += rows
+            untested += notes
         spectrum, rms = fine_spectrum(x, rate), float(x.std())
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         turns = {shaft: view.turns for shaft, view in mine.items()}
@@ -187,13 +195,7 @@ def diagnose(
         channels[name] = Channel(x, rate, mine, None)
         if speed_tolerance == 0.0:
             raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
-        if parts.bearings and not parts.meshes:
-            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
-            rows, notes = family_evidence(
-                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
-            )
-            families += rows
-            untested += notes
+        if alone:
             continue
         bearings, remarks, envelopes = bearing_evidence(x, rate, parts, slip + speed_tolerance)
         channels[name] = Channel(x, rate, mine, envelopes)

@@ -6,7 +6,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from pitchpoint.analysis.bearing_tests import MIN_SAMPLES, alike
-from pitchpoint.analysis.envelope import band_envelope
+from pitchpoint.analysis.envelope import whitened_square
+from pitchpoint.analysis.family_search import highest_order
 from pitchpoint.analysis.fault_families import fault_families
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.remarks import Note
@@ -15,6 +16,8 @@ from pitchpoint.analysis.turning_parts import TurningParts
 
 LEAST = 12.0
 """Minimum level of the first three harmonics of a damaged part above the surroundings [dB]."""
+BACKGROUND_ABOVE = 1.25
+"""Highest order of the squared envelope over that of the search: the background of its last lines."""
 PARTLY = "only some of its harmonics"
 """Why a part is not named although lines of it are significant."""
 
@@ -71,11 +74,11 @@ def family_evidence(
             Note(f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}")
         ]
     merged = replace(parts, bearings=tuple(alike(parts.bearings)))
-    envelope = band_envelope(values, samples_per_turn, whiten=True).envelope
+    square, rate = whitened_square(values, samples_per_turn, BACKGROUND_ABOVE * highest_order(merged))
     try:
         found = fault_families(
-            envelope**2,
-            samples_per_turn,
+            square,
+            rate,
             merged,
             tolerance=tolerance,
             slip=slip,

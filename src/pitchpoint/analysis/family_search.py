@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.line_prominence import OMITTED, line_prominences, prominence_probability
+from pitchpoint.analysis.line_prominence import OMITTED, levels_of, line_ratios, prominence_probability
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import TurningParts
 
@@ -175,6 +175,27 @@ class FaultFamily:
         return np.asarray(lines[lines > 0.0])
 
 
+def highest_order(parts: TurningParts) -> float:
+    """Highest order of the search for the parts of all bearings [-].
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing
+    >>> round(highest_order(TurningParts((), (), (Bearing("left", {"outer ring": 5.0}),))), 6)
+    44.0
+    """
+    orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
+    return 1.2 * (CAGE_HARMONICS + SPARE) * max(orders, default=1.0) + 2.0
+
+
+@dataclass(frozen=True)
+class _Levels:
+    """Levels above the local median [dB] and probabilities of all lines, shape (n,)."""
+
+    prominence: NDArray[np.float32]
+    probability: Array
+
+
 class FamilySearch:
     """Spectra with different averages, their lines that are not yet explained, and tests of families.
 
@@ -192,14 +213,16 @@ class FamilySearch:
 
     def __init__(self, values: Array, rate: float, parts: TurningParts, prominence: float) -> None:
         self.turns = values.size / rate
-        orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
-        top = min(1.2 * (CAGE_HARMONICS + SPARE) * max(orders, default=1.0) + 2.0, 0.5 * rate)
+        top = min(highest_order(parts), 0.5 * rate)
         count = max(BACKGROUND, round(self.turns))
         averages = [m for m in AVERAGES if 8 * m <= count]
-        self.spectra = line_prominences(values, rate, averages, width=count / self.turns, highest=top)
-        self.step = self.spectra[1].resolution
-        self.available = {m: np.ones(s.frequency.size, dtype=bool) for m, s in self.spectra.items()}
-        self.highest = float(self.spectra[1].frequency[-1])
+        self.spectra: dict[int, _Levels] = {}
+        width = count / self.turns
+        for m, power, median, self.step in line_ratios(values, rate, averages, width=width, highest=top):
+            chance = prominence_probability(power / median, round(width / self.step), m)
+            self.spectra[m] = _Levels(levels_of(power, median).astype(np.float32), chance)
+            self.highest = (OMITTED + power.size - 1) * self.step
+        self.available = {m: np.ones(s.probability.size, dtype=bool) for m, s in self.spectra.items()}
         line, weak = prominence_probability(
             10.0 ** (0.1 * np.array([prominence, prominence - SPREAD])), count
         )
@@ -328,11 +351,12 @@ class FamilySearch:
     def _at(self, orders: Array) -> Places:
         """Indices of the lines at given orders; outside the spectrum -1."""
         at = np.rint(orders / self.step).astype(np.int64) - OMITTED
-        return np.where((at >= 0) & (at < self.spectra[1].frequency.size), at, -1)
+        return np.where((at >= 0) & (at < self.spectra[1].probability.size), at, -1)
 
     def _levels(self, average: int, places: Places) -> Array:
         """Levels of lines above the local median [dB]; outside the spectrum NaN."""
-        return np.where(places >= 0, self.spectra[average].prominence[places], np.nan)
+        levels = self.spectra[average].prominence[places].astype(np.float64)
+        return np.where(places >= 0, levels, np.nan)
 
     def _probabilities(self, average: int, places: Places) -> tuple[NDArray[np.bool_], Array]:
         """Which lines are available, and their probabilities; 1 if they are not."""

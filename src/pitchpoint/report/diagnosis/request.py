@@ -161,7 +161,8 @@ def prepare(request: Request) -> Prepared:
     signals, remarks = usable(chosen) if request.channels else usable(chosen, record.time, units)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
-    part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
+    settled = record.time[0] + record.settle_time if record.settle_time else None
+    part = slice(None if settled is None else int(np.searchsorted(record.time, settled)), None)
     record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
     signals = {name: values[part] for name, values in signals.items()}
     on_housing = _on_housing(record, signals)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
+from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.pulse_trains import is_pulse_train
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
@@ -215,7 +216,8 @@ def study(
     where = sensors or Places(parts)
     turns = next(iter(over.signals.values())).size / over.samples_per_turn
     found, levels = at_sensors(found, parts, turns, where)
-    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
+    listed = over.signals if parts.meshes else {}
+    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in listed.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
         raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
@@ -278,10 +280,10 @@ def usable(
             remarks.append(f"{reason}; omitted")
             continue
         spread = float(np.ptp(x))
-        if spread <= 1e-12 * float(np.abs(x).max()):
+        if spread <= 1e-12 * max(float(x.max()), -float(x.min())):
             remarks.append(f"{name}: is constant; omitted")
             continue
-        if time is not None and is_pulse_train(x, time):
+        if time is not None and is_pulse_train(x[:LONG], time[:LONG]):
             word = quote(name)
             remarks.append(
                 f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "
