@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.analysis.sampled import Array, as_signal, positive
 
 PADDING, PADDING_OF_LONG = 4, 2
-"""Points per line of the record: a tone between two points loses less than 1 % of its amplitude, 4 % in a long
-record."""
+"""Points per line of the record: a tone between two points loses less than 1 % of its amplitude, 4 % in a
+long record."""
 BLOCK = 16
 """Lines of a comb that are ranked together: the noise may change from block to block."""
 LONG = 1 << 21

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.line_tests import LONG
-from pitchpoint.analysis.sampled import as_signal, positive
+from pitchpoint.analysis.sampled import Array, as_signal, positive
 
 BAND = (10.0, 1000.0)
 """Frequencies of the rms velocity [Hz]; from 2 Hz for machines slower than 600 rpm."""

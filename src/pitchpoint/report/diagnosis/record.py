@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import LONG, fine_spectrum
-from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, sample_rate_of, same_length
+from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length, sample_rate_of
 from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import matching

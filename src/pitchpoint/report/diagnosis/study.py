@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
-from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.pulse_trains import is_pulse_train
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import SignalError, as_signal
@@ -268,7 +267,7 @@ def usable(
 ) -> tuple[dict[str, Array], list[str]]:
     """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration. With the `units` of
+    With `time` [s], that of the first samples or of all, tacho channels are omitted, too: their harmonics are not vibration. With the `units` of
     simulated channels, so are those that only contain errors of the solution: in a machine with two
     symmetric sides, for example, the vibration along the axes of the shafts cancels.
     """
@@ -283,7 +282,7 @@ def usable(
         if spread <= 1e-12 * max(float(x.max()), -float(x.min())):
             remarks.append(f"{name}: is constant; omitted")
             continue
-        if time is not None and is_pulse_train(x[:LONG], time[:LONG]):
+        if time is not None and is_pulse_train(x[: time.size], time):
             word = quote(name)
             remarks.append(
                 f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "
