@@ -281,8 +281,7 @@ def test_squared_envelope_of_whitened_motors(motors) -> None:
     ring.
 
     First three harmonics above the running median. Limits, not fitted: the damaged ring is at least
-    20 dB above it, the sound one at least 10 dB lower in the mean, the healthy motor below 10 dB. A wrong
-    order of either ring by 2 % fails.
+    20 dB above it, the sound one at least 10 dB lower in the mean, the healthy motor below 10 dB.
     """
     for record, x, speed in motors:
         square = band_envelope(x, RATE, whiten=True).envelope ** 2
@@ -307,8 +306,8 @@ def test_enhanced_envelope_spectrum_of_motors(motors) -> None:
     """The enhanced envelope spectrum of Antoni, Xin and Hamzaoui 2017 on the records that Smith and Randall
     call diagnosable, over the threshold of stationary noise and within 1 % of slip.
 
-    Limits: 10 dB between the damaged ring and the other one, a factor of five between a damaged ring and those
-    of the healthy motor.
+    Limits: 10 dB between the damaged ring and the other one, a factor of five between a damaged ring and
+    those of the healthy motor.
     """
     own, healthy = [], []
     for record, x, speed in motors:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Diagnosis of shafts, gears and bearings from vibration signals, with a stated false alarm probability.
+"""Diagnosis of shafts, gears and bearings from vibration signals, with a stated false alarm probability in
+noise.
 
-Every piece of evidence is a test with the probability that a healthy machine fails it. All tests of a record
-together have the false alarm probability that the caller allows. A part without a finding is not declared
-healthy: tests that could not be performed are reported too.
+Every piece of evidence is a test with the probability that noise alone exceeds its limit. All tests of a
+record of noise together have the false alarm probability that the caller allows; machines are not noise, and
+no rate of false alarms is stated for them. A part without a finding is not declared healthy: tests that could
+not be performed are reported too.
 """
 
 from __future__ import annotations
@@ -86,7 +88,7 @@ class Diagnosis:
     tests
         Number of tests that share the false alarm probability [-].
     false_alarm
-        Probability that a healthy record has a finding [-].
+        Probability that a record of noise has a finding [-].
     """
 
     findings: tuple[Finding, ...]
@@ -121,7 +123,7 @@ def diagnose(
     parts
         Rotating parts of the machine.
     false_alarm
-        Probability that a healthy record has a finding [-].
+        Probability that a record of noise has a finding [-].
     sampled_per_turn
         Samples per revolution of the original record, if it was resampled [-].
     speed_tolerance

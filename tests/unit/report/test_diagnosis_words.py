@@ -67,7 +67,7 @@ def test_every_test_above_its_limit_has_a_reason() -> None:
         "below 1 % of the rms",
         "only some of its harmonics",
         "impacts not confirmed",
-        "possible by chance",
+        "possible by noise",
         "",
     ]
     seen = replace(every, findings=(), observations=(replace(shaft, kind="every order"),))

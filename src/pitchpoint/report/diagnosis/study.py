@@ -123,7 +123,7 @@ class Study:
                     "gears": list(finding.gears),
                     "bearings": list(finding.bearings),
                     "channel": finding.channel,
-                    "false_alarm": finding.probability,
+                    "by_noise": finding.probability,
                     "sentence": words,
                     "mean_turn": [
                         {"gears": list(turn.gears)}
@@ -176,7 +176,7 @@ class Study:
             "origin": [list(row) for row in self.origin],
             "reference_frequency": hertz,
             "tests": found.tests,
-            "allowed_false_alarm": found.false_alarm,
+            "false_alarm_in_noise": found.false_alarm,
             "not_tested": list(found.untested),
             "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
@@ -267,9 +267,10 @@ def usable(
 ) -> tuple[dict[str, Array], list[str]]:
     """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], that of the first samples or of all, tacho channels are omitted, too: their harmonics are not vibration. With the `units` of
-    simulated channels, so are those that only contain errors of the solution: in a machine with two
-    symmetric sides, for example, the vibration along the axes of the shafts cancels.
+    With `time` [s], that of all or of the first samples, tacho channels are omitted, too: their harmonics are
+    not vibration. With the `units` of simulated channels, so are those that only contain errors of the
+    solution: in a machine with two symmetric sides, for example, the vibration along the axes of the shafts
+    cancels.
     """
     kept, remarks, units = {}, [], units or {}
     for name, values in channels.items():

@@ -22,6 +22,10 @@ INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
 GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
 """Values of the indicators for Gaussian noise [-]."""
 
+SOUND = 5.6
+"""Kurtosis of the residual that sound gears of a measured gearbox reach at low load [-] (docs/diagnosis.md,
+measured records)."""
+
 
 @dataclass(frozen=True)
 class GearTurn:
@@ -77,7 +81,7 @@ class GearTurn:
             "tooth_energy": {
                 "share": energy.share,
                 "evenly_spread": 1.0 / self.teeth,
-                "false_alarm": energy.probability,
+                "by_noise": energy.probability,
             },
             "indicators": {"fm0": {"value": self.fm0}}
             | {
@@ -85,7 +89,7 @@ class GearTurn:
                     "value": value,
                     "gaussian": GAUSSIAN[name],
                     "limit_1_percent": limit,
-                    "by_chance": part,
+                    "by_noise": part,
                 }
                 for name, (value, limit, part) in self.turn.indicators.items()
             },
@@ -150,15 +154,21 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     where = f"one tooth of {' or '.join(best.gears)}" if finding.gears else f"a turn over {best.teeth}"
     share = (
         f"{100.0 * energy.share:.0f} % of the energy of its residual is within the angle of {where} "
-        f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
+        f"({100.0 / best.teeth:.2g} % if spread evenly; by noise: {percent(energy.probability)})"
     )
+    kurtosis = found["kurtosis"][0]
+    sound = (
+        f"; sound gears of a measured gearbox have a kurtosis of up to {SOUND} at low load, this one "
+        f"{number(kurtosis, 3)}: compare it with a healthy record (--reference)"
+    )
+    text, end = f"{text}; {share}", sound if kurtosis <= SOUND else ""
     if not best.stands_out(false_alarm):
-        return f"{text}; {share}: no single tooth can be identified"
+        return f"{text}: no single tooth can be identified{end}"
     if not one_gear(finding, turns):
-        return f"{text}; {share}, {degrees} after {best.since}"
+        return f"{text}, {degrees} after {best.since}{end}"
     return (
-        f"{text}; {share}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
-        f"{best.since}"
+        f"{text}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
+        f"{best.since}{end}"
     )
 
 
