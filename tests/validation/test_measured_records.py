@@ -179,8 +179,8 @@ def test_bearings_of_any_designation_are_not_named_in_parts_of_a_healthy_motor(b
 def test_parts_of_records_of_a_healthy_gearbox() -> None:
     """Parts of 2 s of each channel: 7 of 64 name a local fault, where 1 % is allowed in noise.
 
-    All are at 0 and 20 % load, where the sound gears have residuals with a kurtosis of up to 5.6, alike in both
-    halves of a part: no rate of false alarms can be stated for machines. Exact: no chance is involved.
+    All are at 0 and 20 % load, where the sound gears have residuals with a kurtosis of up to 5.6, alike in
+    both halves of a part: no rate of false alarms can be stated for machines. Exact: no chance is involved.
     """
     accused, total = [], 0
     for file, broken in gearbox_records():

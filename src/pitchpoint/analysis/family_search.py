@@ -26,7 +26,9 @@ SPARE = 2
 SIDEBANDS = 3
 """Sidebands on either side of the harmonics of a clearer part that are not evidence for others."""
 AVERAGES = (1, 3, 9, 27)
-"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
+"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic. In an
+average a single line counts up to its own limit: a widened line has several large ones, and sharp lines of
+other parts are anywhere within its width."""
 BACKGROUND = 128
 """Minimum number of lines of the running median."""
 SPREAD, STRONG = 4.0, 3.0
@@ -218,7 +220,10 @@ class FamilySearch:
         averages = [m for m in AVERAGES if 8 * m <= count]
         self.spectra: dict[int, _Levels] = {}
         width = count / self.turns
-        for m, power, median, self.step in line_ratios(values, rate, averages, width=width, highest=top):
+        most = 10.0 ** (0.1 * prominence)
+        for m, power, median, self.step in line_ratios(
+            values, rate, averages, width=width, highest=top, most=most
+        ):
             chance = prominence_probability(power / median, round(width / self.step), m)
             self.spectra[m] = _Levels(levels_of(power, median).astype(np.float32), chance)
             self.highest = (OMITTED + power.size - 1) * self.step

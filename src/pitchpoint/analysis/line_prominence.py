@@ -156,6 +156,7 @@ def line_ratios(
     *,
     width: float | None = None,
     highest: float | None = None,
+    most: float = np.inf,
 ) -> Iterator[tuple[int, Array, Array, float]]:
     """Powers of spectral lines and their medians, for several numbers of averaged lines in turn.
 
@@ -171,6 +172,9 @@ def line_ratios(
         Width of the running median [Hz]; default 128 lines.
     highest
         Highest frequency of the result [Hz]; default half the sample rate.
+    most
+        Power over its median with which a single line counts at most in the average of several [-]: a mean of
+        lines is then large only if several of them are, and not because of a single sharp one.
 
     Returns
     -------
@@ -219,7 +223,10 @@ def line_ratios(
         raise SignalError(
             f"values: {power.size} lines (limit {count}, those of the median); use a longer record"
         )
-    return ((m, *_with_median(power, count, m, top), step) for m in averages)
+    limited = power
+    if np.isfinite(most) and max(averages) > 1:
+        limited = np.minimum(power, most * _running_median(power, count))
+    return ((m, *_with_median(limited if m > 1 else power, count, m, top), step) for m in averages)
 
 
 def _count(width: float | None, step: float) -> int:
