@@ -234,9 +234,10 @@ class Arrays:
             return
         for name, value in self._attributes.items():
             if _owner(name) == _owner(found.place) and _parts(name)[2].lower() in _SCALES:
-                unit = f"{found.name!r}: '{value} m/s^2'" if isinstance(value, float) else ""
-                remedy = f"; give it with the unit, such as units={{{unit}}}" if unit else ""
-                self._notes.append(f"{found.name}: whole numbers; {name} = {value} is not used{remedy}")
+                unit = (
+                    f" (if it is the value of 1, give units={{{found.name!r}: '{value} m/s^2'}} or similar)"
+                )
+                self._notes.append(f"{found.name} has whole numbers, and {name} = {value} is not used{unit}")
 
     def _named(self) -> list[Found]:
         """Arrays with the names and units that texts in their structures give them."""
