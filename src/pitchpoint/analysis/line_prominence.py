@@ -135,7 +135,26 @@ def line_prominence(
 
 
 def levels_of(power: Array, median: Array) -> Array:
-    """Levels of powers above a median, shape (n,) each [dB].
+    """Levels of powers above a median.
+
+    Parameters
+    ----------
+    power, median
+        Powers and their medians, shape (n,) each, in one unit.
+
+    Returns
+    -------
+    NDArray
+        Levels [dB], shape (n,); at least -300 dB.
+
+    Notes
+    -----
+    10 lg(P/P_median) [1]_. Valid for medians above zero.
+
+    References
+    ----------
+    .. [1] IEC 60027-3:2002, Letter symbols to be used in electrical technology - Part 3: Logarithmic and
+       related quantities, and their units.
 
     Examples
     --------

@@ -280,7 +280,7 @@ def _strongest(study: Study) -> Evidence:
 
 
 def _message(error: BaseException, file: str) -> str:
-    """Message without the path of the file, which the row has; that of a bug says so."""
+    """Message without the path of the file, which the row has; an error of this program is named as such."""
     text = str(error).removeprefix(f"{file}: ") or type(error).__name__
     own = isinstance(error, PitchpointError | OSError | MemoryError)
     return text if own else f"internal error: {type(error).__name__}: {error}; diagnose this file alone"
