@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -48,6 +48,8 @@ class Machine:
         Source of the orders of each given bearing, in words.
     speed_source
         Number in the file that gives the speed, in words; empty if an option or the model gives it.
+    meshes_at
+        Names of the meshes at each body of a model.
     """
 
     parts: TurningParts
@@ -58,6 +60,7 @@ class Machine:
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
     speed_source: str = ""
+    meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 SETTLED = 0.01
@@ -216,7 +219,7 @@ def _model(request: Request, record: Record) -> Model | None:
 def _of_model(request: Request, record: Record, model: Model) -> Machine:
     """Rotating parts of a model; speeds from options or a scenario, arbitrary with an angle channel."""
     from pitchpoint.report.frequencies import turning_speeds
-    from pitchpoint.report.machine_parts import parts_of
+    from pitchpoint.report.machine_parts import meshes_at_bodies, parts_of
 
     where = request.tacho or request.angle or ""
     angles = (
@@ -240,7 +243,9 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
         raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
     parts, names, more = parts_of(model, spins, reference)
     parts, names = _with_shafts(parts, names, request.shafts)
-    return Machine(parts, reference, known[reference] / math.tau, tolerance, names, (*remarks, *more))
+    frequency = known[reference] / math.tau
+    meshes_at = meshes_at_bodies(model)
+    return Machine(parts, reference, frequency, tolerance, names, (*remarks, *more), meshes_at=meshes_at)
 
 
 def _stated(record: Record) -> str:

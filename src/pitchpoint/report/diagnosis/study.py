@@ -268,9 +268,9 @@ def usable(
     """Varying, finite channels, and remarks on the omitted ones.
 
     With `time` [s], that of all or of the first samples, tacho channels are omitted, too: their harmonics are
-    not vibration. With the `units` of simulated channels, so are those that only contain errors of the
-    solution: in a machine with two symmetric sides, for example, the vibration along the axes of the shafts
-    cancels.
+    not vibration. Internal quantities of simulations are none, even if they look like pulses. With the
+    `units` of simulated channels, so are those that only contain errors of the solution: in a machine with
+    two symmetric sides, for example, the vibration along the axes of the shafts cancels.
     """
     kept, remarks, units = {}, [], units or {}
     for name, values in channels.items():
@@ -283,7 +283,8 @@ def usable(
         if spread <= 1e-12 * max(float(x.max()), -float(x.min())):
             remarks.append(f"{name}: is constant; omitted")
             continue
-        if time is not None and is_pulse_train(x[: time.size], time):
+        measured = not units or name.startswith("signal[")
+        if time is not None and measured and is_pulse_train(x[: time.size], time):
             word = quote(name)
             remarks.append(
                 f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "
