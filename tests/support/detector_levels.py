@@ -26,7 +26,10 @@ MARGIN = 1.0
 
 @dataclass(frozen=True)
 class Levels:
-    """Levels of one part in one record [dB], by detector, the damaged part, and whether the part is named."""
+    """Levels of one part in one record [dB], by detector, the damaged part, and whether the part is named.
+
+    A part that a detector does not distinguish from the damaged one is named together with it: `alike`.
+    """
 
     machine: str
     record: str
@@ -34,11 +37,13 @@ class Levels:
     damaged: str
     levels: dict[str, float]
     named: bool
+    alike: bool
 
     @property
     def sound(self) -> bool:
         """Whether the part is not damaged; a cage has the lines of its damaged rolling elements, too."""
-        return self.part != self.damaged and (self.part, self.damaged) != ("cage", "rolling element")
+        with_balls = (self.part, self.damaged) == ("cage", "rolling element")
+        return self.part != self.damaged and not with_balls and not self.alike
 
 
 def levels_of(values: np.ndarray, rate: float, speed: float, parts: TurningParts) -> list[PartLevels]:
@@ -59,10 +64,9 @@ def rows(machine: str, record: str, damaged: str, found: list[PartLevels]) -> It
     """One row per part."""
     for part in found:
         levels = {name: family.strength for name, family in part.families.items()}
-        # parts with the same lines are named together
-        same = {name for by in part.families.values() if by.named for name in by.same_lines}
-        named = part.named and not any(name.startswith(damaged) for name in same if damaged)
-        yield Levels(machine, record, part.part, damaged, levels, named)
+        same = {name for family in part.families.values() if family.named for name in family.same_lines}
+        alike = bool(damaged) and any(name.startswith(damaged) for name in same)
+        yield Levels(machine, record, part.part, damaged, levels, part.named, alike)
 
 
 def of_motor(bearing: str = BEARINGS[1]) -> Iterator[Levels]:

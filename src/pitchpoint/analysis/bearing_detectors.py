@@ -9,15 +9,21 @@ docs/diagnosis.md, "Verdict of all detectors". A part is named if one detector n
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from pitchpoint.analysis.envelope import band_envelope
-from pitchpoint.analysis.family_lines import background, coherence_lines, envelope_lines
+from pitchpoint.analysis.envelope import band_envelope, square_in_parts
+from pitchpoint.analysis.family_lines import (
+    FamilyLines,
+    background,
+    coherence_lines,
+    envelope_lines,
+    highest_order,
+)
 from pitchpoint.analysis.family_search import FamilySearch, FaultFamily, LevelLimits
 from pitchpoint.analysis.fault_families import FaultFamilies, families_in
 from pitchpoint.analysis.kurtogram import kurtogram
-from pitchpoint.analysis.line_prominence import LineProminence
+from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.sampled import Array, SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.analysis.whitening import limited_tones
@@ -30,6 +36,8 @@ LIMITS = {
     COHERENCE: 27.0,
 }
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""
+ABOVE = 1.25
+"""Highest order of a squared envelope over that of the search: the background of its last lines."""
 WIDE, BLOCKS = 3.0, 8
 """Minimum width of the band of the kurtogram in highest fault orders, and blocks against single shocks."""
 
@@ -66,7 +74,7 @@ class PartLevels:
         return any(family.named for family in self.families.values())
 
 
-def detector_lines(values: Array, rate: float, parts: TurningParts) -> dict[str, dict[int, LineProminence]]:
+def detector_lines(values: Array, rate: float, parts: TurningParts) -> dict[str, FamilyLines]:
     """Lines of the envelope spectra of all detectors that the record allows, by detector.
 
     Parameters
@@ -99,37 +107,62 @@ def detector_lines(values: Array, rate: float, parts: TurningParts) -> dict[str,
     .. [3] J. Antoni, G. Xin, N. Hamzaoui, Fast computation of the spectral correlation, Mechanical Systems
        and Signal Processing 92, 2017, 248-277.
     """
-
-    def cepstral() -> dict[int, LineProminence]:
-        """Squared envelope of the signal after cepstrum pre-whitening."""
-        return envelope_lines(band_envelope(values, rate, whiten=True).envelope ** 2, rate, parts)
-
-    def median() -> dict[int, LineProminence]:
-        """Squared envelope of the signal divided by the running median of its spectrum."""
-        white = limited_tones(values, whiten=True)
-        return envelope_lines(band_envelope(white, rate).envelope ** 2, rate, parts)
-
-    def kurtogram_band() -> dict[int, LineProminence]:
-        """Squared envelope of the band of the largest kurtosis."""
-        highest = max(order for bearing in parts.bearings for order in bearing.orders.values())
-        band = kurtogram(toneless, rate, least_width=WIDE * highest, blocks=BLOCKS)
-        chosen = band.best_low, band.best_high
-        return envelope_lines(band_envelope(toneless, rate, band=chosen).envelope ** 2, rate, parts)
-
-    def coherence() -> dict[int, LineProminence]:
-        """Enhanced envelope spectrum."""
-        return coherence_lines(toneless, rate, parts)
-
-    lines = {}
-    toneless = limited_tones(values)
-    ways = (cepstral, median, kurtogram_band, coherence)
-    for number, (name, way) in enumerate(zip(LIMITS, ways, strict=True)):
+    found = {}
+    for number, (name, way) in enumerate(WAYS.items()):
         try:
-            lines[name] = way()
+            found[name] = way(values, rate, parts, LIMITS[name])
         except SignalError:
             if number == 0:
                 raise
-    return lines
+    return found
+
+
+def _after_cepstral_whitening(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Squared envelope of the signal after cepstrum pre-whitening."""
+    return _lines(values, rate, parts, level, lambda x: band_envelope(x, rate, whiten=True).envelope ** 2)
+
+
+def _after_median_whitening(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Squared envelope of the signal divided by the running median of its spectrum."""
+    return _lines(
+        values, rate, parts, level, lambda x: band_envelope(limited_tones(x, whiten=True), rate).envelope ** 2
+    )
+
+
+def _in_kurtogram_band(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Squared envelope of the band of the largest kurtosis, that in the middle of a long record."""
+    least = WIDE * max(order for bearing in parts.bearings for order in bearing.orders.values())
+    start = max(values.size - LONG, 0) // 2
+    middle = limited_tones(values[start : start + LONG])
+    found = kurtogram(middle, rate, least_width=least, blocks=BLOCKS)
+    band = found.best_low, found.best_high
+    return _lines(
+        values, rate, parts, level, lambda x: band_envelope(limited_tones(x), rate, band=band).envelope ** 2
+    )
+
+
+def _by_coherence(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Enhanced envelope spectrum of the signal without tones; in averages all levels count."""
+    toneless, _ = square_in_parts(values, rate, rate, limited_tones)
+    return coherence_lines(toneless, rate, parts)
+
+
+def _lines(
+    values: Array, rate: float, parts: TurningParts, level: float, square: Callable[[Array], Array]
+) -> FamilyLines:
+    """Lines of a squared envelope, of a long record at a lower rate."""
+    squared, lower = square_in_parts(values, rate, ABOVE * highest_order(parts), square)
+    return envelope_lines(squared, lower, parts, level)
+
+
+WAYS = dict(
+    zip(
+        LIMITS,
+        (_after_cepstral_whitening, _after_median_whitening, _in_kurtogram_band, _by_coherence),
+        strict=True,
+    )
+)
+"""Function of each detector from signal, samples per revolution, parts and limit to the lines."""
 
 
 def part_levels(
@@ -176,13 +209,13 @@ def part_levels(
     share = false_alarm / len(lines)
     found: dict[str, FaultFamilies] = {}
     turns = values.size / rate
-    for name, spectra in lines.items():
+    for name, one in lines.items():
         limits = (
             LevelLimits.of_probability(LIMITS[name])
             if name == COHERENCE
             else LevelLimits.of_envelope(LIMITS[name], background(turns))
         )
-        search = FamilySearch(spectra, turns, limits)
+        search = FamilySearch(one, turns, limits)
         try:
             found[name] = families_in(search, parts, tolerance, slip, share)
         except SignalError:

@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_prominence import (
     OMITTED,
-    LineProminence,
-    line_prominences,
+    levels_of,
+    line_ratios,
+    prominence_probability,
     running_median,
 )
 from pitchpoint.analysis.sampled import Array
@@ -20,15 +25,46 @@ SPARE = 2
 HIGHEST_HARMONIC = 5 + SPARE
 """Highest compared harmonic, that of a cage."""
 AVERAGES = (1, 3, 9, 27)
-"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
+"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic. In an
+average a single line counts up to its own limit: a widened line has several large ones, and sharp lines of
+other parts are anywhere within its width."""
 BACKGROUND = 128
 """Minimum number of lines of the running median."""
 MAD = 1.4826
 """Standard deviation over the median of the absolute deviations, for normal values."""
 
 
-def envelope_lines(values: Array, rate: float, parts: TurningParts) -> dict[int, LineProminence]:
-    """Lines of a squared envelope over the angle, by number of averaged lines, at orders of bearing faults.
+@dataclass(frozen=True)
+class LineLevels:
+    """Levels above the local median [dB] and probabilities in noise of all lines, shape (n,)."""
+
+    prominence: NDArray[np.float32]
+    probability: Array
+
+
+@dataclass(frozen=True)
+class FamilyLines:
+    """Lines of an envelope spectrum by number of averaged ones, and their distance [orders]."""
+
+    levels: Mapping[int, LineLevels]
+    step: float
+
+
+def highest_order(parts: TurningParts) -> float:
+    """Highest order at which lines of bearing parts are compared, with reserve for slip and sidebands [-].
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import Bearing
+    >>> round(highest_order(TurningParts((), (), (Bearing("left", {"outer ring": 5.0}),))), 6)
+    44.0
+    """
+    orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
+    return 1.2 * HIGHEST_HARMONIC * max(orders, default=1.0) + 2.0
+
+
+def envelope_lines(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Lines of a squared envelope over the angle at orders of bearing faults.
 
     Parameters
     ----------
@@ -38,17 +74,23 @@ def envelope_lines(values: Array, rate: float, parts: TurningParts) -> dict[int,
         Samples per revolution of the reference shaft [-].
     parts
         Shafts and bearings.
+    level
+        Level with which a single line counts at most in an average [dB].
 
     Notes
     -----
-    The running median covers 128 lines or one order, whichever is more. Valid as `line_prominences`.
+    The running median covers 128 lines or one order, whichever is more. Valid as `line_ratios`.
     """
     turns = values.size / rate
     count = background(turns)
+    width, most = count / turns, 10.0 ** (0.1 * level)
     averages = [m for m in AVERAGES if 8 * m <= count]
-    return line_prominences(
-        values, rate, averages, width=count / turns, highest=min(_highest(parts), 0.5 * rate)
-    )
+    top = min(highest_order(parts), 0.5 * rate)
+    levels, step = {}, 0.0
+    for m, power, median, step in line_ratios(values, rate, averages, width=width, highest=top, most=most):
+        chance = prominence_probability(power / median, round(width / step), m)
+        levels[m] = LineLevels(levels_of(power, median).astype(np.float32), chance)
+    return FamilyLines(levels, step)
 
 
 def background(turns: float) -> int:
@@ -62,8 +104,8 @@ def background(turns: float) -> int:
     return max(BACKGROUND, round(turns))
 
 
-def coherence_lines(values: Array, rate: float, parts: TurningParts) -> dict[int, LineProminence]:
-    """Lines of the enhanced envelope spectrum, by number of averaged lines, at orders of bearing faults.
+def coherence_lines(values: Array, rate: float, parts: TurningParts) -> FamilyLines:
+    """Lines of the enhanced envelope spectrum at orders of bearing faults.
 
     Parameters
     ----------
@@ -87,30 +129,16 @@ def coherence_lines(values: Array, rate: float, parts: TurningParts) -> dict[int
     """
     from scipy.stats import norm
 
-    found = spectral_coherence(
-        values, rate, highest_cyclic=min(_highest(parts), 0.24 * rate), segment=min(values.size, LONGEST)
-    )
+    highest = min(highest_order(parts), 0.24 * rate)
+    found = spectral_coherence(values, rate, highest_cyclic=highest, segment=min(values.size, LONGEST))
     step = float(found.cyclic_frequency[0])
     count = background(1.0 / step)
-    lines = {}
+    levels = {}
     for m in (m for m in AVERAGES if 8 * m <= count):
         mean = np.convolve(found.enhanced, np.full(m, 1.0 / m), mode="same")
         median = running_median(mean, count)
         spread = np.maximum(MAD * running_median(np.abs(mean - median), count), np.finfo(np.float64).tiny)
-        chance = np.maximum(norm.sf((mean - median) / spread), 1e-300)
-        kept = slice(OMITTED - 1, None)
-        lines[m] = LineProminence(
-            frequency=found.cyclic_frequency[kept],
-            amplitude=mean[kept],
-            background=median[kept],
-            prominence=10.0 * np.log10(np.maximum(-np.log2(chance[kept]), 1e-3)),
-            probability=chance[kept],
-            resolution=step,
-        )
-    return lines
-
-
-def _highest(parts: TurningParts) -> float:
-    """Highest order at which lines of bearing parts are compared, with reserve for slip and sidebands."""
-    orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
-    return 1.2 * HIGHEST_HARMONIC * max(orders, default=1.0) + 2.0
+        chance = np.maximum(norm.sf((mean - median) / spread), 1e-300)[OMITTED - 1 :]
+        level = 10.0 * np.log10(np.maximum(-np.log2(chance), 1e-3))
+        levels[m] = LineLevels(level.astype(np.float32), chance)
+    return FamilyLines(levels, step)

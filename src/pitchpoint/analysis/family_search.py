@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.family_lines import HIGHEST_HARMONIC, SPARE
-from pitchpoint.analysis.line_prominence import OMITTED, LineProminence, prominence_probability
+from pitchpoint.analysis.family_lines import HIGHEST_HARMONIC, SPARE, FamilyLines
+from pitchpoint.analysis.line_prominence import OMITTED, prominence_probability
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import TurningParts
 
@@ -188,19 +188,18 @@ class FamilySearch:
 
     Parameters
     ----------
-    spectra
-        Lines by number of averaged ones, at equal orders.
+    lines
+        Lines of the spectrum.
     turns
         Revolutions of the reference shaft in the record [-].
     limits
         Limits of the lines.
     """
 
-    def __init__(self, spectra: dict[int, LineProminence], turns: float, limits: LevelLimits) -> None:
-        self.turns, self.spectra = turns, spectra
-        self.step = spectra[1].resolution
-        self.available = {m: np.ones(s.frequency.size, dtype=bool) for m, s in spectra.items()}
-        self.highest = float(spectra[1].frequency[-1])
+    def __init__(self, lines: FamilyLines, turns: float, limits: LevelLimits) -> None:
+        self.turns, self.step, self.spectra = turns, lines.step, lines.levels
+        self.available = {m: np.ones(s.probability.size, dtype=bool) for m, s in self.spectra.items()}
+        self.highest = (OMITTED + self.spectra[1].probability.size - 1) * self.step
         self.limits = limits
 
     def testable(self, parts: TurningParts, within: float) -> tuple[list[BearingPart], list[str]]:
@@ -326,11 +325,12 @@ class FamilySearch:
     def _at(self, orders: Array) -> Places:
         """Indices of the lines at given orders; outside the spectrum -1."""
         at = np.rint(orders / self.step).astype(np.int64) - OMITTED
-        return np.where((at >= 0) & (at < self.spectra[1].frequency.size), at, -1)
+        return np.where((at >= 0) & (at < self.spectra[1].probability.size), at, -1)
 
     def _levels(self, average: int, places: Places) -> Array:
         """Levels of lines above the local median [dB]; outside the spectrum NaN."""
-        return np.where(places >= 0, self.spectra[average].prominence[places], np.nan)
+        levels = self.spectra[average].prominence[places].astype(np.float64)
+        return np.where(places >= 0, levels, np.nan)
 
     def _probabilities(self, average: int, places: Places) -> tuple[NDArray[np.bool_], Array]:
         """Which lines are available, and their probabilities; 1 if they are not."""

@@ -127,8 +127,9 @@ def fault_families(
     x = as_signal(squared_envelope, "squared_envelope", minimum=1024)
     rate = positive(samples_per_turn, "samples_per_turn")
     turns = x.size / rate
-    limits = LevelLimits.of_envelope(positive(prominence, "prominence"), background(turns))
-    search = FamilySearch(envelope_lines(x, rate, parts), turns, limits)
+    level = positive(prominence, "prominence")
+    limits = LevelLimits.of_envelope(level, background(turns))
+    search = FamilySearch(envelope_lines(x, rate, parts, level), turns, limits)
     return families_in(search, parts, tolerance, slip, false_alarm)
 
 

@@ -29,8 +29,8 @@ ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.0
 """Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
 impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis of its residual, 3 for noise. The
 tooth-to-tooth differences of a gear of 11 teeth have five harmonics, whose random phases agree by chance
-about once in a hundred cases. The residuals of sound gears of real machines reach 3.7 (docs/diagnosis.md,
-measured records)."""
+about once in a hundred cases. The residuals of sound gears of a real machine reach 3.7 in whole records, 5.6
+in parts of 2 s at low load (docs/diagnosis.md, measured records)."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Evidence:
         Test value and its threshold: normal score of a comb or a period, otherwise level above the adjacent
         noise in dB.
     probability
-        Probability that any test of a healthy record reaches this value [-], for all tests together.
+        Probability that any test of a record of noise reaches this value [-], for all tests together.
     order
         Order of the strongest line, relative to the reference shaft [-].
     amplitude

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -122,18 +122,62 @@ def line_prominence(
     (100.0, True)
     """
     merged = whole(average, "average")
-    return line_prominences(values, sample_rate, (merged,), width=width, highest=highest)[merged]
+    ((_, mean, median, step),) = line_ratios(values, sample_rate, (merged,), width=width, highest=highest)
+    count = _count(width, step)
+    return LineProminence(
+        frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
+        amplitude=np.sqrt(np.maximum(mean, 0.0)),
+        background=np.sqrt(median),
+        prominence=levels_of(mean, median),
+        probability=prominence_probability(mean / median, count, merged),
+        resolution=step,
+    )
 
 
-def line_prominences(
+def levels_of(power: Array, median: Array) -> Array:
+    """Levels of powers above a median.
+
+    Parameters
+    ----------
+    power, median
+        Powers and their medians, shape (n,) each, in one unit.
+
+    Returns
+    -------
+    NDArray
+        Levels [dB], shape (n,); at least -300 dB.
+
+    Notes
+    -----
+    10 lg(P/P_median) [1]_. Valid for medians above zero.
+
+    References
+    ----------
+    .. [1] IEC 60027-3:2002, Letter symbols to be used in electrical technology - Part 3: Logarithmic and
+       related quantities, and their units.
+
+    Examples
+    --------
+    >>> levels_of(np.array([1.0, 10.0]), np.array([1.0, 1.0])).tolist()
+    [0.0, 10.0]
+    """
+    level = power / median
+    np.maximum(level, 1e-30, out=level)
+    np.log10(level, out=level)
+    level *= 10.0
+    return level
+
+
+def line_ratios(
     values: ArrayLike,
     sample_rate: float,
     averages: Sequence[int],
     *,
     width: float | None = None,
     highest: float | None = None,
-) -> dict[int, LineProminence]:
-    """Levels of spectral lines for several numbers of averaged lines.
+    most: float = np.inf,
+) -> Iterator[tuple[int, Array, Array, float]]:
+    """Powers of spectral lines and their medians, for several numbers of averaged lines in turn.
 
     Parameters
     ----------
@@ -147,11 +191,15 @@ def line_prominences(
         Width of the running median [Hz]; default 128 lines.
     highest
         Highest frequency of the result [Hz]; default half the sample rate.
+    most
+        Power over its median with which a single line counts at most in the average of several [-]: a mean of
+        lines is then large only if several of them are, and not because of a single sharp one.
 
     Returns
     -------
-    dict
-        `LineProminence` by number of averaged lines.
+    iterator of tuple
+        Number of averaged lines; squared amplitudes and their running medians, shape (n,) each, from the line
+        `OMITTED`, in the squared unit of the signal; distance of the lines [Hz].
 
     Raises
     ------
@@ -170,9 +218,8 @@ def line_prominences(
     Examples
     --------
     >>> noise = np.random.default_rng(5).standard_normal(4096)
-    >>> found = line_prominences(noise, 1.0, (1, 9))
-    >>> bool(found[1].prominence.max() > 8.0), bool(found[9].prominence.max() > 8.0)
-    (True, False)
+    >>> [bool((power / median).max() > 6.0) for _, power, median, _ in line_ratios(noise, 1.0, (1, 9))]
+    [True, False]
     """
     from scipy.fft import next_fast_len
 
@@ -186,7 +233,7 @@ def line_prominences(
     step = rate / (parts * size)
     last = (x.size - 1) // 2
     top = last if highest is None else min(last, int(positive(highest, "highest") / step))
-    count = DEFAULT_BACKGROUND if width is None else int(round(positive(width, "width") / step))
+    count = _count(width, step)
     least = max(MIN_BACKGROUND, 8 * max(averages))
     if count < least:
         raise SignalError(f"width: {count} lines (limit {least}); widen the median or use a longer record")
@@ -195,23 +242,22 @@ def line_prominences(
         raise SignalError(
             f"values: {power.size} lines (limit {count}, those of the median); use a longer record"
         )
-    return {m: _levels(power, count, m, top, step) for m in averages}
+    limited = power
+    if np.isfinite(most) and max(averages) > 1:
+        limited = np.minimum(power, most * running_median(power, count))
+    return ((m, *_with_median(limited if m > 1 else power, count, m, top), step) for m in averages)
 
 
-def _levels(power: Array, count: int, average: int, top: int, step: float) -> LineProminence:
-    """Prominence from the powers of the lines."""
+def _count(width: float | None, step: float) -> int:
+    """Number of lines of the running median."""
+    return DEFAULT_BACKGROUND if width is None else int(round(positive(width, "width") / step))
+
+
+def _with_median(power: Array, count: int, average: int, top: int) -> tuple[Array, Array]:
+    """Averaged powers and their running medians up to a line."""
     mean = _averaged(power, average)
     kept = slice(0, top + 1 - OMITTED)
-    median = np.maximum(running_median(mean, count)[kept], np.finfo(np.float64).tiny)
-    mean = mean[kept]
-    return LineProminence(
-        frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
-        amplitude=np.sqrt(np.maximum(mean, 0.0)),
-        background=np.sqrt(median),
-        prominence=10.0 * np.log10(np.maximum(mean / median, 1e-30)),
-        probability=prominence_probability(mean / median, count, average),
-        resolution=step,
-    )
+    return mean[kept], np.maximum(running_median(mean, count)[kept], np.finfo(np.float64).tiny)
 
 
 def order_prominence(
