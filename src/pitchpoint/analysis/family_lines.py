@@ -14,8 +14,8 @@ from pitchpoint.analysis.line_prominence import (
     levels_of,
     line_ratios,
     prominence_probability,
-    running_median,
 )
+from pitchpoint.analysis.running_median import running_median
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.spectral_coherence import LONGEST, spectral_coherence
 from pitchpoint.analysis.turning_parts import TurningParts

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.line_tests import LONG, PARTS, hann_transform
+from pitchpoint.analysis.running_median import running_median
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
 OMITTED = 2
@@ -18,15 +19,11 @@ MIN_BACKGROUND = 32
 """Minimum number of lines of the running median."""
 DEFAULT_BACKGROUND = 128
 """Default number of lines of the running median."""
-PLACES = 8
-"""Medians per width of the running median; between them the background is interpolated."""
 APART = 2
 """Distance of averaged lines: with a Hann window their noise powers are almost independent."""
 HANN_POWER = 1.0 / 36.0
 """Correlation of the noise powers of lines two apart with a Hann window [-]; of lines one apart 4/9, further
 ones 0."""
-AT_ONCE = 1 << 20
-"""Maximum number of values sorted at once for the medians."""
 
 
 @dataclass(frozen=True)
@@ -368,34 +365,3 @@ def _averaged(power: Array, count: int) -> Array:
     for first in range(APART):
         mean[first::APART] = uniform_filter1d(power[first::APART], count, mode="reflect")
     return mean
-
-
-def running_median(power: Array, count: int) -> Array:
-    """Median over `count` lines at places between which it is interpolated; at the ends of the last ones.
-
-    Parameters
-    ----------
-    power
-        Values of the lines, shape (n,), any unit.
-    count
-        Number of lines, at most n [-].
-
-    Returns
-    -------
-    NDArray
-        Shape (n,), in the unit of `power`.
-
-    Examples
-    --------
-    A single high line has no effect:
-
-    >>> running_median(np.array([1.0, 1.0, 9.0, 1.0, 1.0]), 3).tolist()
-    [1.0, 1.0, 1.0, 1.0, 1.0]
-    """
-    starts = np.unique(
-        np.append(np.arange(0, power.size - count, max(1, count // PLACES)), power.size - count)
-    )
-    windows: NDArray[np.float64] = np.lib.stride_tricks.sliding_window_view(power, count)
-    at_once = max(1, AT_ONCE // count)
-    parts = [np.median(windows[starts[k : k + at_once]], axis=1) for k in range(0, starts.size, at_once)]
-    return np.asarray(np.interp(np.arange(power.size), starts + 0.5 * (count - 1), np.concatenate(parts)))

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.line_prominence import running_median
+from pitchpoint.analysis.running_median import running_median
 from pitchpoint.analysis.sampled import Array, as_signal
 
 WIDTH = 257
