@@ -30,6 +30,8 @@ average a single line counts up to its own limit: a widened line has several lar
 other parts are anywhere within its width."""
 BACKGROUND = 128
 """Minimum number of lines of the running median."""
+LEAST = -700.0
+"""Least logarithm of a probability that a number can hold."""
 MAD = 1.4826
 """Standard deviation over the median of the absolute deviations, for normal values."""
 
@@ -138,7 +140,7 @@ def coherence_lines(values: Array, rate: float, parts: TurningParts) -> FamilyLi
         mean = np.convolve(found.enhanced, np.full(m, 1.0 / m), mode="same")
         median = running_median(mean, count)
         spread = np.maximum(MAD * running_median(np.abs(mean - median), count), np.finfo(np.float64).tiny)
-        chance = np.maximum(norm.sf((mean - median) / spread), 1e-300)[OMITTED - 1 :]
-        level = 10.0 * np.log10(np.maximum(-np.log2(chance), 1e-3))
-        levels[m] = LineLevels(level.astype(np.float32), chance)
+        log_chance = norm.logsf((mean - median) / spread)[OMITTED - 1 :]
+        level = 10.0 * np.log10(np.maximum(-log_chance / np.log(2.0), 1e-3))
+        levels[m] = LineLevels(level.astype(np.float32), np.exp(np.maximum(log_chance, LEAST)))
     return FamilyLines(levels, step)
