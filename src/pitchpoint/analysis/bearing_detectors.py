@@ -30,10 +30,10 @@ from pitchpoint.analysis.whitening import limited_tones
 
 COHERENCE = "spectral coherence"
 LIMITS = {
-    "cepstral whitening": 17.0,
-    "median whitening": 18.0,
+    "cepstral whitening": 15.0,
+    "median whitening": 17.0,
     "kurtogram band": 20.0,
-    COHERENCE: 30.0,
+    COHERENCE: 27.0,
 }
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""
 ABOVE = 1.25

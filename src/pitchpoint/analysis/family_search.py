@@ -225,21 +225,23 @@ class FamilySearch:
         return tested, notes
 
     def shaft_scale(self, parts: TurningParts, tolerance: float) -> float:
-        """Scale of the lines of the reference shaft; NaN if they are not prominent.
+        """Scale of the lines of the reference shaft; NaN if it is not known and they are not prominent.
 
-        If they are, the lines of all shafts are removed.
+        Otherwise the lines of all shafts are removed: they are not evidence for bearings.
         """
         order = float(parts.shafts[0].order)
         if order * self.turns < MIN_EVENTS:
             return float("nan")
         lines = self.family(BearingPart("", "shaft", order), (1.0 - tolerance, 1.0 + tolerance), 0.0)
-        if not np.all(lines.line_probability <= self.limits.line):
+        prominent = bool(np.all(lines.line_probability <= self.limits.line))
+        if tolerance > 0.0 and not prominent:
             return float("nan")
         for shaft in parts.shafts:
             step = float(shaft.order) * lines.scale
             if step > 2.0 * (2.0 * SEPARATE + 1.0) * self.step:
                 multiples = np.arange(step, self.highest, step)
-                self._remove(multiples, self._width(lines, multiples))
+                width = self._width(lines, multiples) if prominent else np.full(multiples.size, SEPARATE)
+                self._remove(multiples, width)
         return lines.scale
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:

@@ -101,8 +101,9 @@ def fault_families(
     the other parts is accepted, and the test of the rest is repeated without its lines, at scales that differ
     from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
     both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
-    the speed of the cage. Lines of the shafts are removed if the first three of the reference shaft are
-    prominent. Valid for steady speed or signals over the angle, and at least 16 events of a part.
+    the speed of the cage. Lines of the shafts are removed if the speed is known or the first three of the
+    reference shaft are prominent. Valid for steady speed or signals over the angle, and at least 16 events of
+    a part.
 
     References
     ----------
