@@ -15,7 +15,11 @@ from collections import Counter
 import numpy as np
 import pytest
 
+from pitchpoint.io.measured.reading import read_measured
+from pitchpoint.report.diagnosis.machine import machine_of
+from pitchpoint.report.diagnosis.record import Record, at_speed
 from pitchpoint.report.diagnosis.request import Request, diagnose_file
+from pitchpoint.report.diagnosis.study import study
 from tests.support.measured_sets import OFFSETS, MotorRecord, gearbox_records, motor_records, needs_measured
 from tests.support.plain_baseline import plain_baseline
 
@@ -48,13 +52,11 @@ def test_bearings_of_a_motor_at_any_speed_within_two_percent(offset: float) -> N
             counts["diagnosable"] += 1
             counts["right"] += parts == {record.part}
         else:
-            # of the others nothing, or what is damaged
+            # of the others nothing: the clearest, the ball of 0.021 in at no load, has 13 dB
             counts["others"] += 1
-            counts["named although damaged otherwise"] += bool(parts - {record.part})
-            counts["right although hard"] += parts == {record.part} != {""}
+            counts["named"] += bool(parts)
     assert counts["diagnosable"] == counts["right"] == 10
-    assert counts["others"] == 9 and counts["named although damaged otherwise"] == 0
-    assert counts["right although hard"] == 1  # the ball of 0.021 in at no load
+    assert counts["others"] == 9 and counts["named"] == 0
 
 
 def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
@@ -77,23 +79,20 @@ def test_faults_at_the_drive_end_are_not_named_at_the_fan_end() -> None:
     assert right == 10
 
 
-def test_a_fault_of_a_bearing_that_is_not_given_requires_its_own_sensor() -> None:
-    """Only the fan end is given, in four records whose faults at the drive end have lines of its parts.
+def test_a_fault_of_a_bearing_that_is_not_given_is_not_named_at_the_other_one() -> None:
+    """Only the fan end is given, which is sound: nothing in 19 records.
 
-    Without the condition that the sensor at the fan end shows a fault of its bearing, all four name one. Two
-    have lines near its rolling element, 3.988: 3.593 impacts on the outer ring of the drive end, and its cage
-    with 3.593/9 = 0.399, 3.992 in all.
+    The faults at the drive end have lines near those of its parts, such as 10 cage orders of 3.593/9 = 0.3992
+    near its rolling element, 3.987. In the average of adjacent lines such sharp lines count only up to the
+    limit of a single line; without this, the two records OR021@6 name the rolling element, and with lines of
+    the drive end that only the sensor there shows, IR014_2 its inner ring.
     """
-    named = {}
     for record in motor_records():
-        if record.file.stem in ("IR014_2", "IR021_0", "OR021@6_0", "OR021@6_2"):
-            file = str(record.file)
-            request = Request(file=file, sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
-            found = diagnose_file(request).diagnosis
-            named[record.file.stem] = [finding.shaft for finding in found.findings]
+        request = Request(file=str(record.file), sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
+        found = diagnose_file(request).diagnosis
+        assert found.findings == (), record.file.name
+        if record.file.stem == "IR014_2":
             assert any("not visible in " in text for text in found.unreported)
-    ball = ["rolling element"]
-    assert named == {"IR014_2": [], "IR021_0": [], "OR021@6_0": ball, "OR021@6_2": ball}
 
 
 def test_the_speed_is_that_of_the_file() -> None:
@@ -143,3 +142,51 @@ def test_a_gearbox_is_not_accused_without_reference(speed: str) -> None:
         ).diagnosis
         assert found.findings == ()
         assert {one.kind for one in found.observations} >= {"modulation", "once per turn"}
+
+
+def in_parts(x: np.ndarray, rate: float, speed: str, parts: int, **machine: object) -> list[tuple[str, ...]]:
+    """Findings in each of several equal parts of a channel."""
+    found = []
+    for part in np.array_split(x, parts):
+        record = Record(np.arange(part.size) / rate, {"acc": np.ascontiguousarray(part)})
+        known = machine_of(Request(file="part", speeds=(speed,), **machine), record)
+        over = at_speed(dict(record.channels), rate, known.parts, known.frequency, known.tolerance)
+        named = study(over, known.parts, false_alarm=0.01).diagnosis.findings
+        found.append(tuple(f"{one.kind} {one.shaft}" for one in named))
+    return found
+
+
+@pytest.mark.parametrize(
+    "bearing", ["6205-2RS JEM", "6203-2RS JEM", "NICE", "ER-16K", "6306", "NU205", "7205B"]
+)
+def test_bearings_of_any_designation_are_not_named_in_parts_of_a_healthy_motor(bearing: str) -> None:
+    """Four parts of both channels: nothing in 8. The allowed rate in noise is 1 %."""
+    from scipy.io import loadmat
+
+    (file,) = (one.file for one in motor_records() if not one.part)
+    data = loadmat(file)
+    for channel in ("X097_DE_time", "X097_FE_time"):
+        found = in_parts(data[channel].ravel(), 12_000.0, "1797rpm", 4, bearings=(f"B:{bearing}",))
+        assert found == [()] * 4, channel
+
+
+@pytest.mark.study
+def test_parts_of_records_of_a_healthy_gearbox() -> None:
+    """Parts of 2 s of each channel: 7 of 64 name a local fault, where 1 % is allowed in noise.
+
+    All are at 0 and 20 % load, where the sound gears have residuals with a kurtosis of up to 5.6, alike in
+    both halves of a part: no rate of false alarms can be stated for machines. Exact: no chance is involved.
+    """
+    accused, total = [], 0
+    for file, broken in gearbox_records():
+        if broken:
+            continue
+        data = read_measured(file, sample_rate=12_800.0)
+        for channel, values in data.data_vars.items():
+            count = values.size // 25_600
+            found = in_parts(values.values, 12_800.0, "29.7Hz", count, train="32/80")
+            total += count
+            accused += [(file.name, str(channel))] * sum(bool(one) for one in found)
+    assert total == 64 and len(accused) == 7
+    assert {name for name, _ in accused} == {"h30hz0.csv.gz", "h30hz20.csv.gz"}
+    assert {channel for _, channel in accused} == {"a1", "a2"}

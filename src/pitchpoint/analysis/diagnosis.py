@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Diagnosis of shafts, gears and bearings from vibration signals, with a stated false alarm probability.
+"""Diagnosis of shafts, gears and bearings from vibration signals, with a stated false alarm probability in
+noise.
 
-Every piece of evidence is a test with the probability that a healthy machine fails it. All tests of a record
-together have the false alarm probability that the caller allows. A part without a finding is not declared
-healthy: tests that could not be performed are reported too.
+Every piece of evidence is a test with the probability that noise alone exceeds its limit. All tests of a
+record of noise together have the false alarm probability that the caller allows; machines are not noise, and
+no rate of false alarms is stated for them. A part without a finding is not declared healthy: tests that could
+not be performed are reported too.
 """
 
 from __future__ import annotations
@@ -87,7 +89,7 @@ class Diagnosis:
     tests
         Number of tests that share the false alarm probability [-].
     false_alarm
-        Probability that a healthy record has a finding [-].
+        Probability that a record of noise has a finding [-].
     """
 
     findings: tuple[Finding, ...]
@@ -122,7 +124,7 @@ def diagnose(
     parts
         Rotating parts of the machine.
     false_alarm
-        Probability that a healthy record has a finding [-].
+        Probability that a record of noise has a finding [-].
     sampled_per_turn
         Samples per revolution of the original record, if it was resampled [-].
     speed_tolerance
@@ -181,6 +183,14 @@ def diagnose(
         x = as_signal(values, name, 64)
         if float(np.ptp(x)) == 0.0:
             raise SignalError(f"{name}: is constant; nothing can be read from it")
+        alone = bool(parts.bearings) and not parts.meshes
+        if alone:  # before the spectrum, which would be in the memory at the same time
+            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
+            rows, notes = family_evidence(
+                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
+            )
+            families += rows
+            untested += notes
         spectrum, rms = fine_spectrum(x, rate), float(x.std())
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         turns = {shaft: view.turns for shaft, view in mine.items()}
@@ -189,13 +199,7 @@ def diagnose(
         if speed_tolerance == 0.0:
             raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
             raw += [(name, *row) for row in shaft_periods(x, rate, mine, parts)]
-        if parts.bearings and not parts.meshes:
-            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
-            rows, notes = family_evidence(
-                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
-            )
-            families += rows
-            untested += notes
+        if alone:
             continue
         bearings, remarks, envelopes = bearing_evidence(x, rate, parts, slip + speed_tolerance)
         channels[name] = Channel(x, rate, mine, envelopes)

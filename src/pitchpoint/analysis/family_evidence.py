@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence of bearing damage on machines without gears: families of lines in the whitened signal."""
+"""Evidence of bearing damage on machines without gears: families of lines in the spectra of all detectors."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+from pitchpoint.analysis.bearing_detectors import LIMITS, PartLevels, part_levels
 from pitchpoint.analysis.bearing_tests import MIN_SAMPLES, alike
-from pitchpoint.analysis.envelope import band_envelope
-from pitchpoint.analysis.fault_families import fault_families
+from pitchpoint.analysis.family_search import SPREAD
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array, SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
 
-LEAST = 12.0
-"""Minimum level of the first three harmonics of a damaged part above the surroundings [dB]."""
 PARTLY = "only some of its harmonics"
 """Why a part is not named although lines of it are significant."""
 
@@ -57,57 +55,55 @@ def family_evidence(
 
     Notes
     -----
-    Squared envelope of the whitened signal [1]_, and `fault_families`. Without gears no sidebands of meshes
-    need to be removed, and the whole band serves. Valid for steady speed or signals over the angle.
+    `bearing_detectors` [1]_. The evidence of a part is that of the first detector that names it, else of the
+    one whose level is nearest to its limit. Without gears no sidebands of meshes need to be removed, and the
+    whole band serves. Valid for steady speed or signals over the angle.
 
     References
     ----------
-    .. [1] P. Borghesani, P. Pennacchi, R. B. Randall, N. Sawalhi, R. Ricci, Application of cepstrum
-       pre-whitening for the diagnosis of bearing faults under variable speed conditions, Mechanical Systems
-       and Signal Processing 36(2), 2013, 370-384.
+    .. [1] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
+       Signal Processing 25(2), 2011, 485-520.
     """
     if values.size < MIN_SAMPLES:
         return [], [
             Note(f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}")
         ]
     merged = replace(parts, bearings=tuple(alike(parts.bearings)))
-    envelope = band_envelope(values, samples_per_turn, whiten=True).envelope
     try:
-        found = fault_families(
-            envelope**2,
-            samples_per_turn,
-            merged,
-            tolerance=tolerance,
-            slip=slip,
-            prominence=LEAST,
-            false_alarm=false_alarm,
+        found, notes = part_levels(
+            values, samples_per_turn, merged, tolerance=tolerance, slip=slip, false_alarm=false_alarm
         )
     except SignalError as error:
         return [], [Note(f"{channel}: {error}")]
-    rows = []
-    for family in found.families:
-        explained = ""
-        if not family.named and family.same_lines:
-            explained = " and ".join(family.same_lines)
-        elif not family.named and family.probability < false_alarm:
-            explained = PARTLY
-        rows.append(
-            Evidence(
-                channel=channel,
-                kind="bearing",
-                shaft=family.part,
-                gear=family.bearing,
-                # levels of averaged lines are not exact
-                value=max(family.strength, LEAST) if family.named else family.strength,
-                threshold=LEAST,
-                probability=float(min(1.0, family.probability * len(found.families))),
-                order=family.order * family.scale,
-                amplitude=0.0,
-                sideband=0,
-                found=family.named,
-                allowed=false_alarm,
-                explained=explained,
-                alike=family.same_lines if family.named else (),
-            )
-        )
-    return rows, [Note(text) for text in found.notes]
+    tests = sum(len(part.families) for part in found)
+    return [_evidence(channel, part, tests, false_alarm) for part in found], [Note(text) for text in notes]
+
+
+def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evidence:
+    """Evidence of one part, by the first detector that names it, else by that nearest to its limit."""
+    family, limit = part.families[part.by[0]], LIMITS[part.by[0]]
+    explained, alike = "", set()
+    if part.named:
+        alike = {name for by in part.by for name in part.families[by].same_lines}
+    elif family.same_lines:
+        explained = " and ".join(family.same_lines)
+    elif family.probability < allowed and family.strength < limit - SPREAD:
+        explained = PARTLY
+    return Evidence(
+        channel=channel,
+        kind="bearing",
+        shaft=part.part,
+        gear=part.bearing,
+        # levels of averaged lines are not exact
+        value=max(family.strength, limit) if part.named else family.strength,
+        threshold=limit,
+        probability=float(min(1.0, family.probability * tests)),
+        order=family.order * family.scale,
+        amplitude=0.0,
+        sideband=0,
+        found=part.named,
+        allowed=allowed,
+        explained=explained,
+        alike=tuple(sorted(alike)),
+        detectors=part.by,
+    )

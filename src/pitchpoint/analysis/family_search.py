@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.line_prominence import OMITTED, line_prominences, prominence_probability
+from pitchpoint.analysis.family_lines import HIGHEST_HARMONIC, SPARE, FamilyLines
+from pitchpoint.analysis.line_prominence import OMITTED, prominence_probability
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import TurningParts
 
@@ -19,16 +20,10 @@ Places = NDArray[np.int64]
 
 HARMONICS = 3
 """Harmonics of a part that must be prominent together."""
-CAGE_HARMONICS = 5
+CAGE_HARMONICS = HIGHEST_HARMONIC - SPARE
 """The same for a cage: unequal rolling elements that pass the load zone cause the lowest ones, too."""
-SPARE = 2
-"""Further harmonics, which replace those that coincide with lines of a clearer part."""
 SIDEBANDS = 3
 """Sidebands on either side of the harmonics of a clearer part that are not evidence for others."""
-AVERAGES = (1, 3, 9, 27)
-"""Numbers of averaged lines that are tried: random slip widens lines with the square of their harmonic."""
-BACKGROUND = 128
-"""Minimum number of lines of the running median."""
 SPREAD, STRONG = 4.0, 3.0
 """How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts
 whose sharpness varies with the load have weak higher harmonics."""
@@ -80,6 +75,19 @@ class LevelLimits:
     line: float
     weak: float
     mean: float
+
+    @classmethod
+    def of_envelope(cls, level: float, background: int) -> LevelLimits:
+        """Limits in the spectrum of a squared envelope, for a level above a median of some lines [dB]."""
+        both = 10.0 ** (0.1 * np.array([level, level - SPREAD]))
+        line, weak = prominence_probability(both, background)
+        return cls(float(line), float(weak), level + STRONG)
+
+    @classmethod
+    def of_probability(cls, level: float) -> LevelLimits:
+        """Limits for a level that states the probability of a line in noise of known level [dB]."""
+        line, weak = np.exp2(-(10.0 ** (0.1 * np.array([level, level - SPREAD]))))
+        return cls(float(line), float(weak), level + STRONG)
 
 
 @dataclass(frozen=True)
@@ -180,30 +188,19 @@ class FamilySearch:
 
     Parameters
     ----------
-    values
-        Squared envelope over the angle of the reference shaft, shape (n,), any unit.
-    rate
-        Samples per revolution of the reference shaft [-].
-    parts
-        Shafts and bearings.
-    prominence
-        Minimum level of a line above the local median [dB].
+    lines
+        Lines of the spectrum.
+    turns
+        Revolutions of the reference shaft in the record [-].
+    limits
+        Limits of the lines.
     """
 
-    def __init__(self, values: Array, rate: float, parts: TurningParts, prominence: float) -> None:
-        self.turns = values.size / rate
-        orders = [order for bearing in parts.bearings for order in bearing.orders.values()]
-        top = min(1.2 * (CAGE_HARMONICS + SPARE) * max(orders, default=1.0) + 2.0, 0.5 * rate)
-        count = max(BACKGROUND, round(self.turns))
-        averages = [m for m in AVERAGES if 8 * m <= count]
-        self.spectra = line_prominences(values, rate, averages, width=count / self.turns, highest=top)
-        self.step = self.spectra[1].resolution
-        self.available = {m: np.ones(s.frequency.size, dtype=bool) for m, s in self.spectra.items()}
-        self.highest = float(self.spectra[1].frequency[-1])
-        line, weak = prominence_probability(
-            10.0 ** (0.1 * np.array([prominence, prominence - SPREAD])), count
-        )
-        self.limits = LevelLimits(float(line), float(weak), prominence + STRONG)
+    def __init__(self, lines: FamilyLines, turns: float, limits: LevelLimits) -> None:
+        self.turns, self.step, self.spectra = turns, lines.step, lines.levels
+        self.available = {m: np.ones(s.probability.size, dtype=bool) for m, s in self.spectra.items()}
+        self.highest = (OMITTED + self.spectra[1].probability.size - 1) * self.step
+        self.limits = limits
 
     def testable(self, parts: TurningParts, within: float) -> tuple[list[BearingPart], list[str]]:
         """Parts with enough events and harmonics, and notes on the others."""
@@ -228,21 +225,23 @@ class FamilySearch:
         return tested, notes
 
     def shaft_scale(self, parts: TurningParts, tolerance: float) -> float:
-        """Scale of the lines of the reference shaft; NaN if they are not prominent.
+        """Scale of the lines of the reference shaft; NaN if it is not known and they are not prominent.
 
-        If they are, the lines of all shafts are removed.
+        Otherwise the lines of all shafts are removed: they are not evidence for bearings.
         """
         order = float(parts.shafts[0].order)
         if order * self.turns < MIN_EVENTS:
             return float("nan")
         lines = self.family(BearingPart("", "shaft", order), (1.0 - tolerance, 1.0 + tolerance), 0.0)
-        if not np.all(lines.line_probability <= self.limits.line):
+        prominent = bool(np.all(lines.line_probability <= self.limits.line))
+        if tolerance > 0.0 and not prominent:
             return float("nan")
         for shaft in parts.shafts:
             step = float(shaft.order) * lines.scale
             if step > 2.0 * (2.0 * SEPARATE + 1.0) * self.step:
                 multiples = np.arange(step, self.highest, step)
-                self._remove(multiples, self._width(lines, multiples))
+                width = self._width(lines, multiples) if prominent else np.full(multiples.size, SEPARATE)
+                self._remove(multiples, width)
         return lines.scale
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:
@@ -328,11 +327,12 @@ class FamilySearch:
     def _at(self, orders: Array) -> Places:
         """Indices of the lines at given orders; outside the spectrum -1."""
         at = np.rint(orders / self.step).astype(np.int64) - OMITTED
-        return np.where((at >= 0) & (at < self.spectra[1].frequency.size), at, -1)
+        return np.where((at >= 0) & (at < self.spectra[1].probability.size), at, -1)
 
     def _levels(self, average: int, places: Places) -> Array:
         """Levels of lines above the local median [dB]; outside the spectrum NaN."""
-        return np.where(places >= 0, self.spectra[average].prominence[places], np.nan)
+        levels = self.spectra[average].prominence[places].astype(np.float64)
+        return np.where(places >= 0, levels, np.nan)
 
     def _probabilities(self, average: int, places: Places) -> tuple[NDArray[np.bool_], Array]:
         """Which lines are available, and their probabilities; 1 if they are not."""

@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.family_search import BearingPart, FamilySearch, FaultFamily
+from pitchpoint.analysis.family_lines import background, envelope_lines
+from pitchpoint.analysis.family_search import BearingPart, FamilySearch, FaultFamily, LevelLimits
 from pitchpoint.analysis.sampled import SignalError, as_signal, positive
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.core.errors import join_notes
@@ -100,8 +101,9 @@ def fault_families(
     the other parts is accepted, and the test of the rest is repeated without its lines, at scales that differ
     from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
     both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
-    the speed of the cage. Lines of the shafts are removed if the first three of the reference shaft are
-    prominent. Valid for steady speed or signals over the angle, and at least 16 events of a part.
+    the speed of the cage. Lines of the shafts are removed if the speed is known or the first three of the
+    reference shaft are prominent. Valid for steady speed or signals over the angle, and at least 16 events of
+    a part.
 
     References
     ----------
@@ -125,12 +127,37 @@ def fault_families(
     """
     x = as_signal(squared_envelope, "squared_envelope", minimum=1024)
     rate = positive(samples_per_turn, "samples_per_turn")
+    turns = x.size / rate
+    level = positive(prominence, "prominence")
+    limits = LevelLimits.of_envelope(level, background(turns))
+    search = FamilySearch(envelope_lines(x, rate, parts, level), turns, limits)
+    return families_in(search, parts, tolerance, slip, false_alarm)
+
+
+def families_in(
+    search: FamilySearch, parts: TurningParts, tolerance: float, slip: float, false_alarm: float
+) -> FaultFamilies:
+    """Test all parts of all bearings jointly in given lines, as `fault_families` does.
+
+    Parameters
+    ----------
+    search
+        Lines of an envelope spectrum.
+    parts
+        Shafts, the first one as reference, and bearings.
+    tolerance, slip, false_alarm
+        As in `fault_families` [-].
+
+    Raises
+    ------
+    SignalError
+        As `fault_families`.
+    """
     limits = (("tolerance", tolerance, 0.1), ("slip", slip, 0.1), ("false_alarm", false_alarm, 0.5))
     for name, value, limit in limits:
         if not 0.0 <= value <= limit:
             raise SignalError(f"{name}: {value:g} (limit 0 to {limit:g}); correct it")
     within = (1.0 + tolerance) * (1.0 + slip)
-    search = FamilySearch(x, rate, parts, positive(prominence, "prominence"))
     tested, notes = search.testable(parts, within)
     if not tested:
         raise SignalError("bearings: none can be tested; " + (join_notes(notes) or "state their orders"))

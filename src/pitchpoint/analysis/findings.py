@@ -29,8 +29,8 @@ ONE_PLACE, ONE_TOOTH, PEAKED = 2e-3, 1e-2, 4.0
 """Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
 impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis of its residual, 3 for noise. The
 tooth-to-tooth differences of a gear of 11 teeth have five harmonics, whose random phases agree by chance
-about once in a hundred cases. The residuals of sound gears of real machines reach 3.7 (docs/diagnosis.md,
-measured records)."""
+about once in a hundred cases. The residuals of sound gears of a real machine reach 3.7 in whole records, 5.6
+in parts of 2 s at low load (docs/diagnosis.md, measured records)."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Evidence:
         Test value and its threshold: normal score of a comb or a period, otherwise level above the adjacent
         noise in dB.
     probability
-        Probability that any test of a healthy record reaches this value [-], for all tests together.
+        Probability that any test of a record of noise reaches this value [-], for all tests together.
     order
         Order of the strongest line, relative to the reference shaft [-].
     amplitude
@@ -66,6 +66,8 @@ class Evidence:
         Cause that explains the test, such as a bearing part with the same lines; empty if there is none.
     alike
         Parts of bearings with the same lines, which this record does not distinguish.
+    detectors
+        Detector of the value of a bearing part, then others that name the part; empty for other tests.
     """
 
     channel: str
@@ -82,6 +84,7 @@ class Evidence:
     allowed: float = 0.0
     explained: str = ""
     alike: tuple[str, ...] = ()
+    detectors: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -274,7 +277,8 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
     found, spread = [], []
     orders = _orders(parts)
     tests = [e for e in evidence if e.kind == "bearing" and e.found]
-    for e in sorted(tests, key=lambda e: (e.probability, e.threshold - e.value)):
+    # lines of an outer ring are harmonics of its cage: the cage explains them only if no ring is found
+    for e in sorted(tests, key=lambda e: (e.shaft == "cage", *_least_clear_last(e))):
         if any((e.gear, e.shaft) == (other.gear, other.shaft) for other in reported):
             continue
         own = orders[e.gear, e.shaft]
@@ -287,6 +291,12 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
         reported.append(e)
         found.append(Finding("bearing", e.shaft, (e.gear,), e.channel, e.probability, e.alike))
     return found, spread
+
+
+def _least_clear_last(e: Evidence) -> tuple[float, float]:
+    """Order of bearing parts: by the level above the limit of the detector, else by the probability."""
+    below = e.threshold - e.value
+    return (below, e.probability) if e.detectors else (e.probability, below)
 
 
 def _orders(parts: TurningParts) -> dict[tuple[str, str], float]:

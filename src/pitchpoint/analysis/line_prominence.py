@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.line_tests import LONG, PARTS, hann_transform
+from pitchpoint.analysis.running_median import running_median
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
 OMITTED = 2
@@ -18,15 +19,11 @@ MIN_BACKGROUND = 32
 """Minimum number of lines of the running median."""
 DEFAULT_BACKGROUND = 128
 """Default number of lines of the running median."""
-PLACES = 8
-"""Medians per width of the running median; between them the background is interpolated."""
 APART = 2
 """Distance of averaged lines: with a Hann window their noise powers are almost independent."""
 HANN_POWER = 1.0 / 36.0
 """Correlation of the noise powers of lines two apart with a Hann window [-]; of lines one apart 4/9, further
 ones 0."""
-AT_ONCE = 1 << 20
-"""Maximum number of values sorted at once for the medians."""
 
 
 @dataclass(frozen=True)
@@ -122,18 +119,62 @@ def line_prominence(
     (100.0, True)
     """
     merged = whole(average, "average")
-    return line_prominences(values, sample_rate, (merged,), width=width, highest=highest)[merged]
+    ((_, mean, median, step),) = line_ratios(values, sample_rate, (merged,), width=width, highest=highest)
+    count = _count(width, step)
+    return LineProminence(
+        frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
+        amplitude=np.sqrt(np.maximum(mean, 0.0)),
+        background=np.sqrt(median),
+        prominence=levels_of(mean, median),
+        probability=prominence_probability(mean / median, count, merged),
+        resolution=step,
+    )
 
 
-def line_prominences(
+def levels_of(power: Array, median: Array) -> Array:
+    """Levels of powers above a median.
+
+    Parameters
+    ----------
+    power, median
+        Powers and their medians, shape (n,) each, in one unit.
+
+    Returns
+    -------
+    NDArray
+        Levels [dB], shape (n,); at least -300 dB.
+
+    Notes
+    -----
+    10 lg(P/P_median) [1]_. Valid for medians above zero.
+
+    References
+    ----------
+    .. [1] IEC 60027-3:2002, Letter symbols to be used in electrical technology - Part 3: Logarithmic and
+       related quantities, and their units.
+
+    Examples
+    --------
+    >>> levels_of(np.array([1.0, 10.0]), np.array([1.0, 1.0])).tolist()
+    [0.0, 10.0]
+    """
+    level = power / median
+    np.maximum(level, 1e-30, out=level)
+    np.log10(level, out=level)
+    level *= 10.0
+    return level
+
+
+def line_ratios(
     values: ArrayLike,
     sample_rate: float,
     averages: Sequence[int],
     *,
     width: float | None = None,
     highest: float | None = None,
-) -> dict[int, LineProminence]:
-    """Levels of spectral lines for several numbers of averaged lines.
+    most: float = np.inf,
+) -> Iterator[tuple[int, Array, Array, float]]:
+    """Powers of spectral lines and their medians, for several numbers of averaged lines in turn.
 
     Parameters
     ----------
@@ -147,11 +188,15 @@ def line_prominences(
         Width of the running median [Hz]; default 128 lines.
     highest
         Highest frequency of the result [Hz]; default half the sample rate.
+    most
+        Power over its median with which a single line counts at most in the average of several [-]: a mean of
+        lines is then large only if several of them are, and not because of a single sharp one.
 
     Returns
     -------
-    dict
-        `LineProminence` by number of averaged lines.
+    iterator of tuple
+        Number of averaged lines; squared amplitudes and their running medians, shape (n,) each, from the line
+        `OMITTED`, in the squared unit of the signal; distance of the lines [Hz].
 
     Raises
     ------
@@ -170,9 +215,8 @@ def line_prominences(
     Examples
     --------
     >>> noise = np.random.default_rng(5).standard_normal(4096)
-    >>> found = line_prominences(noise, 1.0, (1, 9))
-    >>> bool(found[1].prominence.max() > 8.0), bool(found[9].prominence.max() > 8.0)
-    (True, False)
+    >>> [bool((power / median).max() > 6.0) for _, power, median, _ in line_ratios(noise, 1.0, (1, 9))]
+    [True, False]
     """
     from scipy.fft import next_fast_len
 
@@ -186,7 +230,7 @@ def line_prominences(
     step = rate / (parts * size)
     last = (x.size - 1) // 2
     top = last if highest is None else min(last, int(positive(highest, "highest") / step))
-    count = DEFAULT_BACKGROUND if width is None else int(round(positive(width, "width") / step))
+    count = _count(width, step)
     least = max(MIN_BACKGROUND, 8 * max(averages))
     if count < least:
         raise SignalError(f"width: {count} lines (limit {least}); widen the median or use a longer record")
@@ -195,23 +239,22 @@ def line_prominences(
         raise SignalError(
             f"values: {power.size} lines (limit {count}, those of the median); use a longer record"
         )
-    return {m: _levels(power, count, m, top, step) for m in averages}
+    limited = power
+    if np.isfinite(most) and max(averages) > 1:
+        limited = np.minimum(power, most * running_median(power, count))
+    return ((m, *_with_median(limited if m > 1 else power, count, m, top), step) for m in averages)
 
 
-def _levels(power: Array, count: int, average: int, top: int, step: float) -> LineProminence:
-    """Prominence from the powers of the lines."""
+def _count(width: float | None, step: float) -> int:
+    """Number of lines of the running median."""
+    return DEFAULT_BACKGROUND if width is None else int(round(positive(width, "width") / step))
+
+
+def _with_median(power: Array, count: int, average: int, top: int) -> tuple[Array, Array]:
+    """Averaged powers and their running medians up to a line."""
     mean = _averaged(power, average)
     kept = slice(0, top + 1 - OMITTED)
-    median = np.maximum(_running_median(mean, count)[kept], np.finfo(np.float64).tiny)
-    mean = mean[kept]
-    return LineProminence(
-        frequency=np.arange(OMITTED, OMITTED + mean.size, dtype=np.float64) * step,
-        amplitude=np.sqrt(np.maximum(mean, 0.0)),
-        background=np.sqrt(median),
-        prominence=10.0 * np.log10(np.maximum(mean / median, 1e-30)),
-        probability=prominence_probability(mean / median, count, average),
-        resolution=step,
-    )
+    return mean[kept], np.maximum(running_median(mean, count)[kept], np.finfo(np.float64).tiny)
 
 
 def order_prominence(
@@ -322,14 +365,3 @@ def _averaged(power: Array, count: int) -> Array:
     for first in range(APART):
         mean[first::APART] = uniform_filter1d(power[first::APART], count, mode="reflect")
     return mean
-
-
-def _running_median(power: Array, count: int) -> Array:
-    """Median over `count` lines at places between which it is interpolated; at the ends of the last ones."""
-    starts = np.unique(
-        np.append(np.arange(0, power.size - count, max(1, count // PLACES)), power.size - count)
-    )
-    windows: NDArray[np.float64] = np.lib.stride_tricks.sliding_window_view(power, count)
-    at_once = max(1, AT_ONCE // count)
-    parts = [np.median(windows[starts[k : k + at_once]], axis=1) for k in range(0, starts.size, at_once)]
-    return np.asarray(np.interp(np.arange(power.size), starts + 0.5 * (count - 1), np.concatenate(parts)))

@@ -8,20 +8,23 @@ points next to it, a comb with the points between its lines. Frequencies are in 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import Array, as_signal, positive
 
-PADDING = 4
-"""Points per line of the record: a tone between two points loses less than 1 % of its amplitude."""
+PADDING, PADDING_OF_LONG = 4, 2
+"""Points per line of the record: a tone between two points loses less than 1 % of its amplitude, 4 % in a
+long record."""
 BLOCK = 16
 """Lines of a comb that are ranked together: the noise may change from block to block."""
 LONG = 1 << 21
-"""Number of samples above which a record is transformed in `PARTS` parts that are combined in blocks of
-`AT_ONCE` points, to limit memory: a single transform of 10 million samples takes 1.5 GB."""
-PARTS, AT_ONCE = 16, 1 << 18
+"""Number of samples above which a record is transformed in `PARTS` parts, to limit memory: a single
+transform of 10 million samples takes 1.5 GB."""
+PARTS, TOGETHER, AT_ONCE = 64, 4, 1 << 17
+"""Number of parts, of parts computed at once, and of points for which samples are added up at once."""
 
 
 @dataclass(frozen=True)
@@ -31,22 +34,23 @@ class FineSpectrum:
     Attributes
     ----------
     amplitude
-        Shape (n,). Peak amplitudes, in the unit of the signal.
+        Shape (n,). Peak amplitudes, in the unit of the signal; in single precision for more than `LONG`
+        samples.
     step
         Spacing of the points [Hz, or orders].
     resolution
         Reciprocal of the length of the record [Hz, or orders].
     """
 
-    amplitude: Array
+    amplitude: NDArray[np.floating[Any]]
     step: float
     resolution: float
 
     def power(self, frequency: ArrayLike) -> Array:
         """Squared amplitudes at the points nearest to the frequencies, shape of `frequency`."""
         at = np.rint(np.asarray(frequency, dtype=np.float64) / self.step).astype(np.int64)
-        found: Array = self.amplitude[np.clip(at, 0, self.amplitude.size - 1)] ** 2
-        return found
+        found = self.amplitude[np.clip(at, 0, self.amplitude.size - 1)]
+        return np.asarray(found, dtype=np.float64) ** 2
 
     @property
     def highest(self) -> float:
@@ -90,13 +94,14 @@ def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
     x = as_signal(values, minimum=16)
     rate = positive(sample_rate, "sample_rate")
     parts = PARTS if x.size > LONG else 1
-    size = int(next_fast_len(-(-PADDING * x.size // parts), real=True))
-    amplitude = hann_transform(x, size, parts)
+    padding = PADDING if parts == 1 else PADDING_OF_LONG
+    size = int(next_fast_len(-(-padding * x.size // parts), real=True))
+    amplitude = hann_transform(x, size, parts, np.float64 if parts == 1 else np.float32)
     amplitude *= 4.0 / x.size  # twice over the sum of a Hann window, half its length
     return FineSpectrum(amplitude, rate / (parts * size), rate / x.size)
 
 
-def hann_transform(x: Array, size: int, parts: int) -> Array:
+def hann_transform(x: Array, size: int, parts: int, kind: type[Any] = np.float64) -> NDArray[Any]:
     """Magnitudes of the Fourier transform of a record with a Hann window and zero padding.
 
     Parameters
@@ -106,7 +111,9 @@ def hann_transform(x: Array, size: int, parts: int) -> Array:
     size
         Points of the transform of every part [-], at least n/parts.
     parts
-        Number of parts [-]: 1, or `PARTS` for more than `LONG` samples.
+        Number of parts [-]: 1, or an even number, such as `PARTS` for more than `LONG` samples.
+    kind
+        Type of the magnitudes.
 
     Returns
     -------
@@ -115,13 +122,14 @@ def hann_transform(x: Array, size: int, parts: int) -> Array:
 
     Notes
     -----
-    Decimation in time [1]_: one transform of `size` points for every `parts`-th sample, combined by blocks,
-    which needs a third of the memory for a long record. Valid for any number of samples.
+    Decimation in frequency [1]_: the points r, r + parts, r + 2 parts ... are one transform of `size` points,
+    of samples that are `size` apart added with their phases. Besides the result it requires the memory of
+    `TOGETHER` + 1 parts. Valid for any number of samples.
 
     References
     ----------
-    .. [1] J. W. Cooley, J. W. Tukey, An algorithm for the machine calculation of complex Fourier series,
-       Mathematics of Computation 19, 1965, 297-301.
+    .. [1] W. M. Gentleman, G. Sande, Fast Fourier transforms for fun and profit, Proceedings of the AFIPS
+       Fall Joint Computer Conference 29, 1966, 563-578.
 
     Examples
     --------
@@ -131,27 +139,39 @@ def hann_transform(x: Array, size: int, parts: int) -> Array:
     >>> round(float(hann_transform(x, 64, 1)[10]), 9), round(float(hann_transform(x, 16, 4)[10]), 9)
     (16.0, 16.0)
     """
-    from scipy.fft import rfft
+    from scipy.fft import fft, rfft
 
     length, mean = parts * size, float(x.mean())
-    lines = np.empty((parts, size // 2 + 1), np.complex128)
-    for p in range(parts):
-        own = x[p::parts] - mean
-        own *= 0.5 - 0.5 * np.cos(np.arange(p, x.size, parts) * (2.0 * np.pi / x.size))
-        lines[p] = rfft(own, size)
-    found = np.empty(length // 2 + 1)
-    for first in range(0, found.size, AT_ONCE):
-        k = np.arange(first, min(first + AT_ONCE, found.size))
-        m = k % size
-        beyond = m > size // 2  # the transform of real samples repeats mirrored
-        at = np.where(beyond, size - m, m)
-        turn = np.exp(k * (-2j * np.pi / length))
-        total = np.zeros(k.size, np.complex128)
-        for p in range(parts - 1, -1, -1):
-            one = lines[p, at]
-            total = total * turn + np.where(beyond, one.conj(), one)
-        found[first : first + k.size] = np.abs(total)
+    if parts == 1:
+        return np.abs(rfft(_windowed(x, 0, x.size, mean), size)).astype(kind, copy=False)
+    found = np.empty(length // 2 + 1, kind)
+    rows = -(-x.size // size)
+    for first in range(0, parts // 2 + 1, TOGETHER):
+        chosen = np.arange(first, min(first + TOGETHER, parts // 2 + 1))
+        phase = np.exp(-2j * np.pi / parts * np.outer(chosen, np.arange(rows)))
+        lines = np.empty((chosen.size, size), np.complex128)
+        for start in range(0, size, AT_ONCE):
+            stop = min(start + AT_ONCE, size)
+            block = np.zeros((rows, stop - start))
+            for row in range(rows):
+                own = _windowed(x, row * size + start, row * size + stop, mean)
+                block[row, : own.size] = own
+            turn = np.exp(np.outer(chosen, np.arange(start, stop)) * (-2j * np.pi / length))
+            lines[:, start:stop] = (phase.real @ block + 1j * (phase.imag @ block)) * turn
+        for row, r in enumerate(chosen.tolist()):
+            own = np.abs(fft(lines[row], overwrite_x=True))
+            found[r::parts] = own[: found[r::parts].size]
+            if 0 < r < parts // 2:  # the transform of real samples repeats mirrored
+                mirrored = found[parts - r :: parts]
+                mirrored[:] = own[::-1][: mirrored.size]
     return found
+
+
+def _windowed(x: Array, start: int, stop: int, mean: float) -> Array:
+    """Part of a record less the mean, times the Hann window of the record; short at the end of the record."""
+    own = x[start:stop] - mean
+    own *= 0.5 - 0.5 * np.cos(np.arange(start, start + own.size) * (2.0 * np.pi / x.size))
+    return own
 
 
 def line_probability(ratio: float, points: int, rank: int) -> float:

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.sampled import as_signal, positive
+from pitchpoint.analysis.line_tests import LONG
+from pitchpoint.analysis.sampled import Array, as_signal, positive
 
 BAND = (10.0, 1000.0)
 """Frequencies of the rms velocity [Hz]; from 2 Hz for machines slower than 600 rpm."""
@@ -91,15 +92,22 @@ def vibration_severity(
     low, high = (2.0 if turn < SLOW else BAND[0]), min(BAND[1], 0.45 * rate)
     if velocity_factor(unit, 1.0) is None or high < 100.0:
         return None
-    frequency = np.fft.rfftfreq(x.size, 1.0 / rate)
-    inside = (frequency >= low) & (frequency <= high)
-    lines = np.abs(np.fft.rfft(x - x.mean())[inside])
-    if unit == "m/s^2":
-        lines /= math.tau * frequency[inside]
-    velocity = math.sqrt(2.0 * float(np.sum(lines**2))) / x.size
+    mean = float(x.mean())
+    parts = np.array_split(x, -(-x.size // LONG))
+    velocity = math.sqrt(sum(_square(part - mean, rate, unit, (low, high)) for part in parts) / x.size)
     limits = ZONES.get(group, ())
     zone = "ABCD"[sum(velocity > limit for limit in limits)] if limits else ""
     return Severity(velocity, (low, high), zone)
+
+
+def _square(x: Array, rate: float, unit: str, band: tuple[float, float]) -> float:
+    """Mean square velocity in a band times the number of samples."""
+    frequency = np.fft.rfftfreq(x.size, 1.0 / rate)
+    inside = (frequency >= band[0]) & (frequency <= band[1])
+    lines = np.abs(np.fft.rfft(x)[inside])
+    if unit == "m/s^2":
+        lines /= math.tau * frequency[inside]
+    return 2.0 * float(np.sum(lines**2)) / x.size
 
 
 def velocity_factor(unit: str, frequency: float) -> float | None:

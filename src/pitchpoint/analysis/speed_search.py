@@ -148,18 +148,20 @@ def _refined(spectra: Sequence[FineSpectrum], orders: Array, frequency: float) -
     """Weighted mean of the rotation frequencies of all lines, each from a parabola through its maximum."""
     found, weight = [], []
     for one in spectra:
-        level = np.log(np.maximum(one.amplitude, 1e-300))
         reach = round(0.5 * one.resolution / one.step)
         for order in orders:
             middle = round(order * frequency / one.step)
-            top = middle - reach + int(np.argmax(level[middle - reach : middle + reach + 1]))
-            left, peak, right = level[top - 1 : top + 2]
+            top = middle - reach + int(np.argmax(one.amplitude[middle - reach : middle + reach + 1]))
+            left, peak, right = np.log(
+                np.maximum(one.amplitude[top - 1 : top + 2].astype(np.float64), 1e-300)
+            )
             if not (left < peak >= right):
                 continue
             shift = 0.5 * (left - right) / (left - 2.0 * peak + right)
             found.append((top + shift) * one.step / order)
             # the variance of a frequency is inversely proportional to the power of its line
-            weight.append(order**2 * one.amplitude[top] ** 2 / _noise(one, order, frequency, 0.0))
+            power = float(one.amplitude[top]) ** 2
+            weight.append(order**2 * power / _noise(one, order, frequency, 0.0))
     return float(np.average(found, weights=weight)) if found else frequency
 
 

@@ -33,14 +33,19 @@ def files_or_folder(paths: tuple[str, ...], *, join: bool) -> tuple[tuple[str, .
 def diagnose_records(
     request: Request, folder: str, target: Path | None, *, as_json: bool, quiet: bool
 ) -> int:
-    """Diagnose each file of a folder, and write one table; the exit code is not 0 if some fail."""
-    from pitchpoint.cli.failure import FAILED, OK
+    """Diagnose each file of a folder, and write one table; the exit code is not 0 if some fail.
+
+    After Ctrl-C the table has the files so far, unless there are none.
+    """
+    from pitchpoint.cli.failure import FAILED, OK, exit_code_of
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.io.target import write_file
     from pitchpoint.report.diagnosis.many import HEAD, diagnose_folder
 
     with ProgressDisplay("diagnosis", "files", quiet=quiet) as progress:
         found = diagnose_folder(request, folder, progress)
+    if found.left and not found.rows:
+        raise KeyboardInterrupt
     if target is not None:
         ending = target.suffix.lower()
         made = {".csv": found.csv_text, ".json": found.json_text}.get(ending, found.page)
@@ -52,4 +57,6 @@ def diagnose_records(
         if not quiet:
             show_notes(found.notes)
             show(f"table written to {target}") if target is not None else None
+    if found.left:
+        return exit_code_of(KeyboardInterrupt())
     return FAILED if found.failed else OK

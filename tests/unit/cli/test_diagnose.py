@@ -19,7 +19,7 @@ def test_a_measured_file_with_tooth_counts_and_speed(
     found = json_of(["diagnose", rig_file(tmp_path), "--train", "32/95", "--speed", speed, "--json"], capsys)
     (finding,) = found["findings"]
     assert (finding["kind"], finding["gears"]) == ("local fault", ["Z1"])
-    assert finding["false_alarm"] < 0.01
+    assert finding["by_noise"] < 0.01
     assert found["reference_frequency"] == pytest.approx(10.0, rel=1e-3)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.report.diagnosis import many
 from tests.support.cli_files import json_of
 from tests.support.rig_records import rig_file
 
@@ -125,6 +126,48 @@ def test_one_channel_files_of_a_folder_are_joined(folder: Path, capsys: pytest.C
     assert [row["channel"] for row in finding["levels"]] == ["run10", "run9"]
     assert run_command(["diagnose", str(folder / "run9.csv"), *TRAIN, "--join"]) == 2
     assert "--join requires a folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("name", "error"), [("run9", KeyboardInterrupt()), ("run9", ZeroDivisionError("x"))])
+def test_an_interruption_keeps_the_rows_so_far_and_a_bug_all_others(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch, name: str, error: BaseException
+) -> None:
+    """Rows of empty.csv, run9.csv and run10.csv, in this order."""
+    own = many.diagnose_file
+
+    def stops(request: Any) -> Any:
+        """Fails at one of the files."""
+        if name in request.file:
+            raise error
+        return own(request)
+
+    monkeypatch.setattr(many, "diagnose_file", stops)
+    stopped = isinstance(error, KeyboardInterrupt)
+    for ending in ("csv", "json", "html"):
+        assert diagnosed(folder, "-o", str(folder.parent / f"part.{ending}")) == (130 if stopped else 3)
+    said = capsys.readouterr()
+    assert ("interrupted after 1 of 3 files; the others are not in the table" in said.out) == stopped
+    assert said.err.count("interrupted") == 3 * stopped
+    lines = (folder.parent / "part.csv").read_text(encoding="utf-8").splitlines()
+    rows = list(csv.DictReader(lines))
+    assert [row["file"] for row in rows] == ["empty.csv", "run9.csv", "run10.csv"][: 1 if stopped else 3]
+    found = json.loads((folder.parent / "part.json").read_text(encoding="utf-8"))
+    assert found["interrupted"] == stopped and found["not_reached"] == 2 * stopped
+    page = (folder.parent / "part.html").read_text(encoding="utf-8")
+    assert ("interrupted after 1 of 3 files" in page) == stopped
+    if not stopped:
+        assert rows[1]["sentences"] == "internal error: ZeroDivisionError: x; diagnose this file alone"
+        assert rows[2]["verdict"] == "local fault on Z1"
+
+
+def test_an_interruption_at_the_first_file_writes_nothing(folder: Path, monkeypatch) -> None:
+    def stops(request: Any) -> Any:
+        """Interrupted at once."""
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(many, "diagnose_file", stops)
+    assert diagnosed(folder, "-o", str(folder / "part.csv")) == 130
+    assert not (folder / "part.csv").exists()
 
 
 @pytest.mark.parametrize(("group", "zone"), [("2 rigid", "B"), ("small", "C")])

@@ -23,7 +23,7 @@ TEXTS = {
     "remarks only": ("# a\n% b\n", "holds numbers"),
     "header only": ("time,x\n", "has a header and no rows"),
     "one row": ("time,x\n0,1\n", "is too short for a record (limit 2 or more)"),
-    "no numbers": ("a,b\nx,y\nu,v\n", "no channel of numbers is in the file"),
+    "no numbers": ("a,b\nx,y\nu,v\n", "line 1: 'a,b' has no numbers below it; begin the lines before"),
     "no time": (
         "x,y\n1,2\n3,4\n",
         "neither a time axis nor a sample rate (limit one of them); give sample_rate=",

@@ -11,6 +11,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
 from scipy.io import loadmat, savemat
 
 from pitchpoint.io.measured.reading import read_measured
@@ -259,3 +261,65 @@ def test_real_records():
     data = read_measured(REAL / "spectraquest" / "b30hz0.csv.gz", sample_rate=12800.0)
     assert list(data.data_vars) == ["a1", "a2", "a3", "a4"] and data.sizes["time"] == 88320
     assert data["a1"].values[0] == 2.35039
+
+
+def test_a_scale_next_to_whole_numbers_is_named_and_not_used(tmp_path):
+    """Whether it multiplies or divides, and in which unit, is not certain."""
+    samples = np.round(1000.0 * SIGNAL).astype(np.int16)
+    file = mat(tmp_path, rig={"x": samples, "gain": 0.001, "fs": 12800.0}, gain=2.0)
+    data = read_measured(file)
+    np.testing.assert_array_equal(data["rig.x"].values, samples)
+    assert (
+        "rig.x has whole numbers, and rig.gain = 0.001 is not used (if it is the value of 1, give"
+        in data.notes
+    )
+    assert "gain = 2" not in data.notes
+    given = read_measured(file, units={"rig.x": "0.001 m/s^2"})
+    np.testing.assert_allclose(given["rig.x"].values, 0.001 * samples, rtol=1e-15)
+    unsigned = mat(tmp_path, x=(samples.astype(int) + 32768).astype(np.uint16), fs=12800.0)
+    np.testing.assert_array_equal(read_measured(unsigned)["x"].values, samples + 32768.0)
+
+
+def test_lines_before_the_names_of_columns_are_named(tmp_path):
+    file = tmp_path / "scope.csv"
+    rows = "\n".join(f"{k / 12800:.9f},{value:.6f}" for k, value in enumerate(SIGNAL))
+    head = "Device PXI\nsample rate: 12.8 kHz\ntime,acc\n"
+    file.write_text(head + rows, encoding="utf-8")
+    with pytest.raises(MeasuredError, match=r"line 1: 'Device PXI' has no numbers below it; begin the lines"):
+        read_measured(file)
+    file.write_text("# " + head.replace("\ns", "\n# s") + rows, encoding="utf-8")
+    assert read_measured(file).sample_rate == pytest.approx(12800.0, rel=1e-6)
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    separator=st.sampled_from(",;\t "),
+    comma=st.booleans(),
+    head=st.sampled_from(["", "acc", "acc [m/s^2]", '"acc"']),
+    clock=st.booleans(),
+    end=st.sampled_from(["\n", "\r\n", "\n\n"]),
+    code=st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "latin-1"]),
+    form=st.sampled_from(["{:.6f}", "{:.9e}", "{:+.4f}"]),
+    values=st.lists(st.floats(-1e4, 1e4, allow_nan=False), min_size=4, max_size=12),
+)
+def test_texts_of_any_form_are_read_or_refused(
+    tmp_path, separator, comma, head, clock, end, code, form, values
+):
+    """The numbers as written, or a message: never other numbers, never another error.
+
+    Commas that separate and are decimal signs at once are columns of their own.
+    """
+    assume(separator != "," or not comma)
+    rows = [[f"{k / 64:.6f}"] * clock + [form.format(value)] for k, value in enumerate(values)]
+    lines = [separator.join(["time [s]"] * clock + [head])] * bool(head)
+    lines += [separator.join(cell.replace(".", "," if comma else ".") for cell in row) for row in rows]
+    file = tmp_path / "any.txt"
+    file.write_bytes((end.join(lines) + end).encode(code))
+    try:
+        data = read_measured(file, sample_rate=64.0)
+    except MeasuredError as error:
+        # commas that may be decimal signs or separators; a first column of even steps without a name
+        assert comma or not head, str(error)
+        return
+    found = list(data.data_vars)[-1]
+    np.testing.assert_allclose(data[found].values, [float(row[-1]) for row in rows], rtol=1e-12)

@@ -34,12 +34,12 @@ def _study(channels: dict[str, np.ndarray], bearings: tuple[Bearing, ...], **giv
 
 def test_the_nearest_sensor_is_that_with_the_highest_level() -> None:
     bearings = (Bearing("left", ORDERS, "rotor"), Bearing("right", ORDERS, "rotor"))
-    channels = {"acc_right": _channel(1.0, 1), "acc_left": _channel(30.0, 2), "far": _channel(0.0, 3)}
+    channels = {"acc_right": _channel(2.0, 1), "acc_left": _channel(30.0, 2), "far": _channel(0.0, 3)}
     found = _study(channels, bearings)
     (rows,) = found.levels
     assert [row.channel for row in rows] == ["acc_left", "acc_right", "far"]
     assert [row.visible for row in rows] == [True, True, False]
-    apart = rows[0].value - rows[1].value
+    apart = rows[0].value - rows[0].limit - (rows[1].value - rows[1].limit)
     assert apart > 3.0
     # equal bearings are not distinguished by their lines, but by the sensor
     (words,) = found.sensors

@@ -76,7 +76,7 @@ def test_a_short_event_is_shared_evenly_between_the_gears_of_a_shaft() -> None:
     turns = gear_turns("acc", "shaft 2", over, parts)
     words = place_sentence(finding, turns, 0.01)
     for gear, share in (("Z2", "1.2"), ("Z3", "8.3")):
-        assert f"within the angle of one tooth of {gear} ({share} % if spread evenly; by chance" in words
+        assert f"within the angle of one tooth of {gear} ({share} % if spread evenly; by noise" in words
     assert words.endswith("; the event is too short to identify the gear")
     assert not one_gear(finding, turns) and "pitches" not in words
     # of the coarse gear alone, teeth are counted
@@ -103,7 +103,7 @@ def test_every_test_above_its_limit_has_a_reason() -> None:
         "below 1 % of the rms",
         "only some of its harmonics",
         "impacts not confirmed",
-        "possible by chance",
+        "possible by noise",
         "",
     ]
     seen = replace(every, findings=(), observations=(replace(shaft, kind="every order"),))

@@ -40,6 +40,8 @@ _TEXT = 200
 _SHORT, _LONG = 32, 1024
 """An array of up to `_SHORT` numbers, such as a date, is not a channel next to one of `_LONG` or more."""
 _DATA = ("data", "values", "value", "y", "signal")
+_SCALES = ("scale", "scaling", "scale_factor", "scalefactor", "gain", "sensitivity", "slope", "resolution")
+"""Names of numbers that convert integer samples, in one direction or the other."""
 _NAMES, _UNITS, _GRIDS = ("name", "channel", "label"), ("unit", "units"), ("raster",)
 
 
@@ -219,10 +221,23 @@ class Arrays:
                 if wanted.takes(name):
                     part = values[place]
                     columns.append(Column(name, np.ascontiguousarray(part), f.unit, f.long_name, f.scale))
+            self._unscaled(f)
             if len(f.extent) == 2:
                 n, m = max(f.extent), min(f.extent)
                 self._notes.append(f"{f.name}: {m} channels of {n} samples")
         return columns
+
+    def _unscaled(self, found: Found) -> None:
+        """Note on a scale next to whole numbers, whose meaning is not certain: it is not used."""
+        values = found.read() if isinstance(found.values, np.ndarray) else None
+        if values is None or values.dtype.kind not in "iu" or found.scale:
+            return
+        for name, value in self._attributes.items():
+            if _owner(name) == _owner(found.place) and _parts(name)[2].lower() in _SCALES:
+                unit = (
+                    f" (if it is the value of 1, give units={{{found.name!r}: '{value} m/s^2'}} or similar)"
+                )
+                self._notes.append(f"{found.name} has whole numbers, and {name} = {value} is not used{unit}")
 
     def _named(self) -> list[Found]:
         """Arrays with the names and units that texts in their structures give them."""

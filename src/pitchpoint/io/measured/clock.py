@@ -81,7 +81,15 @@ def clock_of(path: Path, record: Record, count: int, sample_rate: float | None) 
             "give sample_rate= in Hz (--sample-rate on the command line)",
         )
     source = stated.name if stated is not None and sample_rate is None else ""
-    return Clock(record.start + np.arange(count) / rate, rate, source, tuple(notes))
+    return Clock(_even_times(record.start, count, rate), rate, source, tuple(notes))
+
+
+def _even_times(start: float, count: int, rate: float) -> NDArray[np.float64]:
+    """Times of evenly spaced samples, without copies."""
+    time = np.arange(count, dtype=np.float64)
+    time /= rate
+    time += start
+    return time
 
 
 def _stated(path: Path, record: Record, sample_rate: float | None) -> tuple[Stated | None, list[str]]:
@@ -154,7 +162,7 @@ def _stored_axis(
         found = rate if rate is not None else 1.0 / step
         _agree(path, found, 1.0 / step, stated)
         note = f"times are rounded to {resolution:g} s and were moved to an even grid"
-        return time[0] + np.arange(time.size) / found, found, [note]
+        return _even_times(float(time[0]), time.size, found), found, [note]
     back = np.flatnonzero(steps <= 0.0)
     if back.size:
         k = int(back[0])

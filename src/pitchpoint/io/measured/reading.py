@@ -153,7 +153,7 @@ def _contents(path: Path) -> bytes:
         raise refused(
             path, "", "", "is larger than the memory", None, "cut it into shorter records"
         ) from error
-    if not data.strip(b"\0"):
+    if data.count(0) == len(data):
         what = f"contains only zeros, {len(data)} bytes" if data else "is empty"
         raise refused(path, "", "", what, None, "copy it again from where it was recorded")
     return data
@@ -167,7 +167,7 @@ def _form(path: Path, data: bytes) -> str:
         form = "WAV"
     elif data[:19] == b"MATLAB 5.0 MAT-file" or data[126:128] in (b"IM", b"MI") and b"\0" in data[:256]:
         form = "MAT"
-    elif data.lstrip(b"\r\n")[:80].split(b"\n")[0].rstrip() == b"    -1":
+    elif data[:4096].lstrip(b"\r\n")[:80].split(b"\n")[0].rstrip() == b"    -1":
         form = "UFF"
     elif is_mat4(data):
         form = "MAT 4"

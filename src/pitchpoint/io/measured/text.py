@@ -94,6 +94,9 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
     numeric = [
         j for j in range(len(names)) if any(_is_number(row[j], layout.comma) for row in cells.values())
     ]
+    if not numeric:
+        (line, head_line), remedy = text.head[0], "begin the lines before the names of the columns with #"
+        raise refused(path, f"line {line + 1}", repr(head_line[:40]), "has no numbers below it", None, remedy)
     place = _time_place(names, layout.units, numeric)
     chosen = [j for j in numeric if j == place or wanted.takes(names[j])]
     texts = [

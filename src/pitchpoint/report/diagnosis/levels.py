@@ -123,7 +123,7 @@ def levels_of(
         for e in mine
         if e.channel != best.channel
     ]
-    rows.sort(key=lambda row: (not row.visible, -row.value))
+    rows.sort(key=lambda row: (not row.visible, row.limit - row.value))
     return (ChannelLevel(best.channel, best.value, best.threshold, unit_of(best.kind), True), *rows)
 
 
@@ -151,7 +151,7 @@ def nearest_sensor(finding: Finding, rows: Sequence[ChannelLevel], places: Place
     best, others = rows[0], rows[1:]
     seen = [row for row in others if row.visible]
     # the other lines of an invisible one are an upper limit of the level at those of the finding
-    apart = best.value - max(max(row.value for row in seen or others), 0.0)
+    apart = best.value - best.limit - max(max(row.value - row.limit for row in seen or others), -best.limit)
     at = f"{best.channel}{_beside(finding, best.channel, places)}"
     if apart >= 0.5:
         at += f" (by {'' if seen else 'more than '}{apart:.0f} {best.unit})"

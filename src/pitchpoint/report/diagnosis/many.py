@@ -109,11 +109,14 @@ class FolderDiagnosis:
         One per file, by name.
     omitted
         Files that are not records.
+    left
+        Number of files that were not reached because of an interruption.
     """
 
     folder: str
     rows: tuple[FileRow, ...]
     omitted: tuple[str, ...] = ()
+    left: int = 0
 
     @property
     def failed(self) -> int:
@@ -123,7 +126,10 @@ class FolderDiagnosis:
     @property
     def notes(self) -> list[str]:
         """Remarks on the folder."""
-        return [f"not measured files, omitted: {', '.join(self.omitted)}"] * bool(self.omitted)
+        done = len(self.rows)
+        stopped = [f"interrupted after {done} of {done + self.left} files; the others are not in the table"]
+        omitted = [f"not measured files, omitted: {', '.join(self.omitted)}"]
+        return stopped * bool(self.left) + omitted * bool(self.omitted)
 
     def as_data(self) -> dict[str, Any]:
         """Plain data."""
@@ -132,6 +138,8 @@ class FolderDiagnosis:
             "folder": self.folder,
             "files": [asdict(row) for row in self.rows],
             "failed": self.failed,
+            "interrupted": self.left > 0,
+            "not_reached": self.left,
             "omitted": list(self.omitted),
         }
 
@@ -174,6 +182,7 @@ class FolderDiagnosis:
             ("files", str(len(self.rows))),
             ("with findings", str(found)),
             ("not diagnosed", str(self.failed)),
+            *[("not reached", str(self.left))] * bool(self.left),
             ("version", __version__),
         ]
         title = f"Diagnosis of {Path(self.folder).name}"
@@ -185,7 +194,7 @@ QUIET = (NOTHING, FAILED)
 
 
 def diagnose_folder(request: Request, folder: str, progress: Progress) -> FolderDiagnosis:
-    """Diagnose each file of a folder with the same options.
+    """Diagnose each file of a folder with the same options; an interruption ends it with the files so far.
 
     Parameters
     ----------
@@ -202,17 +211,22 @@ def diagnose_folder(request: Request, folder: str, progress: Progress) -> Folder
         If all files fail with the same message: an option is wrong.
     """
     records, omitted = records_in(folder)
-    rows, errors = [], []
-    for number, file in enumerate(records):
-        progress(number, len(records), Path(file).name)
-        began = perf_counter()
-        try:
-            row = _row(Path(file).name, diagnose_file(replace(request, file=file)))
-        except (PitchpointError, OSError, MemoryError) as error:
-            errors.append(error)
-            row = FileRow(Path(file).name, FAILED, sentences=(_message(error, file),), failed=True)
-        rows.append(replace(row, time=perf_counter() - began))
-    progress(len(records), len(records), "")
+    rows: list[FileRow] = []
+    errors: list[BaseException] = []
+    try:
+        for number, file in enumerate(records):
+            progress(number, len(records), Path(file).name)
+            began = perf_counter()
+            try:
+                row = _row(Path(file).name, diagnose_file(replace(request, file=file)))
+            except Exception as error:  # noqa: BLE001 - one file must not take the rows of the others with it
+                errors.append(error)
+                row = FileRow(Path(file).name, FAILED, sentences=(_message(error, file),), failed=True)
+            rows.append(replace(row, time=perf_counter() - began))
+        progress(len(records), len(records), "")
+    except KeyboardInterrupt:
+        if len(rows) < len(records):
+            return FolderDiagnosis(folder, tuple(rows), tuple(omitted), len(records) - len(rows))
     if len(errors) == len(records) and len({row.sentences for row in rows}) == 1:
         raise errors[0]
     return FolderDiagnosis(folder, tuple(rows), tuple(omitted))
@@ -266,5 +280,7 @@ def _strongest(study: Study) -> Evidence:
 
 
 def _message(error: BaseException, file: str) -> str:
-    """Message without the path of the file, which the row has."""
-    return str(error).removeprefix(f"{file}: ") or type(error).__name__
+    """Message without the path of the file, which the row has; an error of this program is named as such."""
+    text = str(error).removeprefix(f"{file}: ") or type(error).__name__
+    own = isinstance(error, PitchpointError | OSError | MemoryError)
+    return text if own else f"internal error: {type(error).__name__}: {error}; diagnose this file alone"

@@ -6,12 +6,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.analysis.line_tests import fine_spectrum
-from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length
+from pitchpoint.analysis.line_tests import LONG, fine_spectrum
+from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length, sample_rate_of
 from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import matching
@@ -22,6 +23,56 @@ STEADY = 1e-3
 """Relative spread of the speed within which frequencies are given in Hz."""
 
 
+@dataclass(frozen=True)
+class EvenTimes:
+    """Times of evenly spaced samples; an array of them is as large as a channel.
+
+    Attributes
+    ----------
+    start
+        First time [s].
+    step
+        Sampling interval [s].
+    size
+        Number of samples [-].
+
+    Examples
+    --------
+    >>> times = EvenTimes(1.0, 0.5, 4)
+    >>> times[-1], np.asarray(times[1:]).tolist()
+    (2.5, [1.5, 2.0, 2.5])
+    """
+
+    start: float
+    step: float
+    size: int
+
+    def __getitem__(self, at: Any) -> Any:
+        """Time of a sample, or times of several in sequence."""
+        places = range(self.size)[at]
+        if isinstance(places, int):
+            return self.start + places * self.step
+        return EvenTimes(self.start + places.start * self.step, places.step * self.step, len(places))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        """All times."""
+        times = np.arange(self.size, dtype=np.float64)
+        times *= self.step
+        times += self.start
+        return times
+
+
+def even_times(time: Array) -> Array | EvenTimes:
+    """Times of a long record in little memory if they are even, else as they are."""
+    if time.size <= LONG:
+        return time
+    try:
+        rate = sample_rate_of(time)
+    except SignalError:
+        return time
+    return EvenTimes(float(time[0]), 1.0 / rate, time.size)
+
+
 @dataclass
 class Record:
     """Channels over time as stored in a file.
@@ -29,7 +80,7 @@ class Record:
     Attributes
     ----------
     time
-        Times [s], shape (n,).
+        Times [s], shape (n,); of long measured records only the interval.
     channels
         Values by channel, shape (n,) each.
     model_text
@@ -50,7 +101,7 @@ class Record:
         Name of the number or time axis in the file that gives the sample rate.
     """
 
-    time: Array
+    time: Array | EvenTimes
     channels: Mapping[str, Array]
     model_text: str = ""
     scenario: str = ""
@@ -308,7 +359,7 @@ def _measured(
     digests = [one[:16] for one in str(data.attrs.get("sha256", "")).split(", ")]
     speed = data.attrs.get("shaft_speed")
     return Record(
-        np.asarray(data["time"].values, dtype=np.float64),
+        even_times(np.asarray(data["time"].values, dtype=np.float64)),
         channels,
         units={name: str(data[name].attrs.get("units", "")) for name in channels},
         about={"format": about["format"], "SHA-256": ", ".join(digests), "notes": about["notes"]},

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.core.nearest import hint
@@ -122,7 +123,7 @@ def diagnose_file(request: Request) -> Study:
         source = [f"speed from the {machine.speed_source}"] * bool(machine.speed_source)
         raise SignalError("; ".join([str(error), *other, *source])) from error
     slowest = over.frequency * min(float(shaft.order) for shaft in machine.parts.shafts)
-    rated = severities(prepared.on_housing, record.time, prepared.units, slowest, group)
+    rated = severities(prepared.on_housing, np.asarray(record.time), prepared.units, slowest, group)
     found = found.with_severity(*rated)
     return replace(
         found,
@@ -158,10 +159,12 @@ def prepare(request: Request) -> Prepared:
     chosen = _chosen(request, record, places)
     _complete(request, record, chosen)
     units = record.units if record.model_text else None
-    signals, remarks = usable(chosen) if request.channels else usable(chosen, record.time, units)
+    start = np.asarray(record.time[:LONG])
+    signals, remarks = usable(chosen) if request.channels else usable(chosen, start, units)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
-    part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
+    settled = record.time[0] + record.settle_time if record.settle_time else None
+    part = slice(None if settled is None else int(np.searchsorted(record.time, settled)), None)
     record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
     signals = {name: values[part] for name, values in signals.items()}
     on_housing = _on_housing(record, signals)

@@ -123,7 +123,7 @@ class Study:
                     "gears": list(finding.gears),
                     "bearings": list(finding.bearings),
                     "channel": finding.channel,
-                    "false_alarm": finding.probability,
+                    "by_noise": finding.probability,
                     "sentence": words,
                     "mean_turn": [
                         {"gears": list(turn.gears)}
@@ -176,7 +176,7 @@ class Study:
             "origin": [list(row) for row in self.origin],
             "reference_frequency": hertz,
             "tests": found.tests,
-            "allowed_false_alarm": found.false_alarm,
+            "false_alarm_in_noise": found.false_alarm,
             "not_tested": list(found.untested),
             "not_reported": list(found.unreported),
             "remarks": list(self.remarks),
@@ -215,7 +215,8 @@ def study(
     where = sensors or Places(parts)
     turns = next(iter(over.signals.values())).size / over.samples_per_turn
     found, levels = at_sensors(found, parts, turns, where)
-    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
+    listed = over.signals if parts.meshes else {}
+    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in listed.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
         raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
@@ -266,10 +267,10 @@ def usable(
 ) -> tuple[dict[str, Array], list[str]]:
     """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration. Internal quantities
-    of simulations are none, even if they look like pulses. With the `units` of simulated channels, so are
-    those that only contain errors of the solution: in a machine with two symmetric sides, for example, the
-    vibration along the axes of the shafts cancels.
+    With `time` [s], that of all or of the first samples, tacho channels are omitted, too: their harmonics are
+    not vibration. Internal quantities of simulations are none, even if they look like pulses. With the
+    `units` of simulated channels, so are those that only contain errors of the solution: in a machine with
+    two symmetric sides, for example, the vibration along the axes of the shafts cancels.
     """
     kept, remarks, units = {}, [], units or {}
     for name, values in channels.items():
@@ -279,11 +280,11 @@ def usable(
             remarks.append(f"{reason}; omitted")
             continue
         spread = float(np.ptp(x))
-        if spread <= 1e-12 * float(np.abs(x).max()):
+        if spread <= 1e-12 * max(float(x.max()), -float(x.min())):
             remarks.append(f"{name}: is constant; omitted")
             continue
         measured = not units or name.startswith("signal[")
-        if time is not None and measured and is_pulse_train(x, time):
+        if time is not None and measured and is_pulse_train(x[: time.size], time):
             word = quote(name)
             remarks.append(
                 f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "

@@ -117,7 +117,7 @@ def _test_row(e: Evidence, study: Study) -> tuple[str, ...]:
     hertz, result = study.over.frequency, outcome(e, study.diagnosis)
     return (
         e.shaft if e.kind != "bearing" else e.gear,
-        e.shaft if e.kind == "bearing" else what_is_tested(e),
+        ", by ".join((e.shaft, *e.detectors[:1])) if e.kind == "bearing" else what_is_tested(e),
         _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
         f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
         f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",

@@ -23,6 +23,10 @@ INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
 GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
 """Values of the indicators for Gaussian noise [-]."""
 
+SOUND = 5.6
+"""Kurtosis of the residual that sound gears of a measured gearbox reach at low load [-] (docs/diagnosis.md,
+measured records)."""
+
 
 SHORT = "the event is too short to identify the gear"
 """Why several gears of a shaft are named."""
@@ -85,7 +89,7 @@ class GearTurn:
             "tooth_energy": {
                 "share": energy.share,
                 "evenly_spread": 1.0 / self.teeth,
-                "false_alarm": energy.probability,
+                "by_noise": energy.probability,
             },
             "indicators": {"fm0": {"value": self.fm0}}
             | {
@@ -93,7 +97,7 @@ class GearTurn:
                     "value": value,
                     "gaussian": GAUSSIAN[name],
                     "limit_1_percent": limit,
-                    "by_chance": part,
+                    "by_noise": part,
                 }
                 for name, (value, limit, part) in self.turn.indicators.items()
             },
@@ -173,18 +177,24 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     shares = " and ".join(
         f"{100.0 * row.turn.energy.share:.0f} % within the angle of "
         f"{f'one tooth of {_either(row.gears)}' if finding.gears else f'a turn over {row.teeth}'} "
-        f"({100.0 / row.teeth:.2g} % if spread evenly; by chance: {percent(row.turn.energy.probability)})"
+        f"({100.0 / row.teeth:.2g} % if spread evenly; by noise: {percent(row.turn.energy.probability)})"
         for row in turns
     )
     share = f"of the energy of its residual {shares}"
+    kurtosis = found["kurtosis"][0]
+    sound = (
+        f"; sound gears of a measured gearbox have a kurtosis of up to {SOUND} at low load, this one "
+        f"{number(kurtosis, 3)}: compare it with a healthy record (--reference)"
+    )
+    text, end = f"{text}; {share}", sound if kurtosis <= SOUND and not best.level else ""
     if not best.stands_out(false_alarm):
-        return f"{text}; {share}: no single tooth can be identified"
+        return f"{text}: no single tooth can be identified{end}"
     if not one_gear(finding, turns):
         either = f"; {SHORT}" if finding.gears and len(turns) > 1 else ""
-        return f"{text}; {share}, {degrees} after {best.since}{either}"
+        return f"{text}, {degrees} after {best.since}{either}{end}"
     return (
-        f"{text}; {share}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
-        f"{best.since}"
+        f"{text}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
+        f"{best.since}{end}"
     )
 
 

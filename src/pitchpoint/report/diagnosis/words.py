@@ -29,7 +29,7 @@ RULES = ("below ", "slope ", NOT_VISIBLE, PARTLY)
 """Beginnings of reasons that are not another fault."""
 NO_IMPACTS = "impacts not confirmed"
 """Why a bearing part with a line above its limit is not named."""
-BY_CHANCE = "possible by chance"
+BY_NOISE = "possible by noise"
 SHARED = "lines of a clearer part"
 """Why a significant test is neither a finding nor an observation."""
 LOST = "sample rate: above half of it, not testable: {}"
@@ -219,13 +219,14 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
             "value": e.value,
             "threshold": e.threshold,
             "unit": "standard deviations" if e.kind in COMBS else "dB",
-            "false_alarm": e.probability,
+            "by_noise": e.probability,
             "order": e.order,
             "frequency": e.order * frequency,
             "amplitude": e.amplitude,
             "sideband": e.sideband,
             "found": e.found,
             "explained_by": e.explained,
+            "detectors": list(e.detectors),
             "result": outcome(e, diagnosis),
         }
         for e in diagnosis.evidence
@@ -249,7 +250,7 @@ def outcome(e: Evidence, diagnosis: Diagnosis) -> str:
         return e.explained if e.explained.startswith(RULES) else f"explained by {e.explained}"
     if not e.found:
         beyond = e.value > e.threshold
-        return "" if not beyond else NO_IMPACTS if e.kind == "bearing" else BY_CHANCE
+        return "" if not beyond else NO_IMPACTS if e.kind == "bearing" else BY_NOISE
     if any(e in evidence_in(finding, diagnosis) for finding in diagnosis.findings):
         return "found"
     if e.kind != "bearing" and any(one.shaft == e.shaft for one in diagnosis.observations):
@@ -287,7 +288,9 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
     if e.kind == "sidebands":
         return f"{line} {limit}, sideband {e.sideband:+d} of the mesh of {e.gear}"
     if e.kind == "bearing":
-        return f"{line} {limit}, in the envelope spectrum"
+        by, *others = e.detectors or ("",)
+        also = f", also by {', '.join(others)}" if others else ""
+        return f"{line} {limit}, in the envelope spectrum{f' by {by}' if by else ''}{also}"
     return f"{line} {limit}"
 
 
