@@ -27,7 +27,7 @@ LINES = 4.0
 
 
 def mesh_angle(signals: Mapping[str, Array], samples_per_turn: float, parts: TurningParts) -> Array | None:
-    """Angle of the reference shaft that follows the clearest mesh line of a record at nearly constant speed.
+    """Angle of the reference shaft that follows the clear mesh lines of a record at nearly constant speed.
 
     Parameters
     ----------
@@ -50,11 +50,12 @@ def mesh_angle(signals: Mapping[str, Array], samples_per_turn: float, parts: Tur
 
     Notes
     -----
-    Phase of the analytic signal of a band about the line k z, without the sidebands of the slowest shaft,
-    over k z [1]_. Phase steps of all channels are added with their powers as weights, because the line of one
+    Phases of bands about the lines k z, without the sidebands of the slowest shaft, over k z [1]_, see
+    `line_angle`. Phase steps of all channels are added with their powers as weights, because the line of one
     channel may vanish for a moment; constant phase differences of the channels have no effect. Changes faster
-    than 0.3 times the speed of the slowest shaft are not followed. Valid for speeds that change by less than
-    0.3 times the speed of the slowest shaft over the mesh order.
+    than 0.3 times the speed of the slowest shaft are not followed; within two revolutions of this shaft from
+    the ends the angle is less accurate. Valid for speeds that change by less than 0.3 times the speed of the
+    slowest shaft over the mesh order.
 
     References
     ----------
@@ -73,10 +74,25 @@ def mesh_angle(signals: Mapping[str, Array], samples_per_turn: float, parts: Tur
     >>> bool(np.ptp((found - angle)[2000:-2000]) < 1e-4)
     True
     """
-    orders = [k * parts.mesh_order(mesh) for mesh in parts.meshes for k in range(1, HARMONICS + 1)]
-    slowest = float(min(shaft.order for shaft in parts.shafts))
-    found = line_angle(signals, samples_per_turn, orders, slowest)
+    found = line_angle(signals, samples_per_turn, *_mesh_lines(parts))
     return None if found is None else found.angle
+
+
+def has_clear_mesh(signals: Mapping[str, Array], samples_per_turn: float, parts: TurningParts) -> bool:
+    """Whether a mesh line is clear and as narrow as at a nearly constant speed.
+
+    Parameters
+    ----------
+    signals, samples_per_turn, parts
+        As in `mesh_angle`.
+    """
+    return bool(clear_lines(signals, samples_per_turn, *_mesh_lines(parts)))
+
+
+def _mesh_lines(parts: TurningParts) -> tuple[list[float], float]:
+    """Orders of mesh harmonics, and that of the slowest shaft."""
+    orders = {k * parts.mesh_order(mesh) for mesh in parts.meshes for k in range(1, HARMONICS + 1)}
+    return sorted(orders), float(min(shaft.order for shaft in parts.shafts))
 
 
 @dataclass(frozen=True)
@@ -170,7 +186,7 @@ def line_angle(
             share[row] = order**2 * ratio / (1.0 + ratio)
         total = np.maximum(share.sum(axis=0), 1e-300)
         moved[1:] += np.cumsum((share * each).sum(axis=0) / total)
-    weight = share.mean(axis=1) / share.mean()/len(ordered)
+    weight = share.mean(axis=1) / share.mean() / len(ordered)
     apart = np.cumsum(each, axis=1).std(axis=1)
     noise = np.array([0.5 / clear[order] / order**2 for order in ordered])
     uncertainty = np.sqrt(max(float(weight @ apart**2), float(1.0 / np.sum(1.0 / noise))))
@@ -200,9 +216,7 @@ def _bands(
             kept = np.where((at > 0) & (at < lines.size), lines[np.clip(at, 0, lines.size - 1)], 0.0)
             band = np.fft.ifft(np.fft.ifftshift(kept))
             # the middle of the band is a line of the transform, the order is not
-            found[row].append(
-                (band * np.exp(2j * np.pi * (middle * rate / size - order) * turns))[inside]
-            )
+            found[row].append((band * np.exp(2j * np.pi * (middle * rate / size - order) * turns))[inside])
     return turns[inside], found
 
 

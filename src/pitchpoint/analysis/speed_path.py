@@ -22,6 +22,8 @@ OF_NOISE = 0.596347
 """Mean of ln(1 + r) over exponentially distributed r [-]: a line that is not there contributes 0."""
 BLOCK = 32
 """Number of lines of a frame in which the noise is taken as constant."""
+FLOOR = 1e-6
+"""Smallest noise over the power of the strongest line of a frame: without noise there is its leakage."""
 FINE = 0.5
 """Distance of adjacent speeds [lines of a frame at the highest order]."""
 SMEAR = 1.0
@@ -197,7 +199,8 @@ def _levels(power: Array) -> Array:
     middle = 0.5 * (edges[:-1] + edges[1:] - 1)
     parts = [np.median(power[:, a:b], axis=1) for a, b in zip(edges[:-1], edges[1:], strict=True)]
     # the median of an exponential distribution is ln 2 times its mean
-    noise = np.log(np.maximum(np.stack(parts, axis=1) / np.log(2.0), 1e-300))
+    noise = np.maximum(np.stack(parts, axis=1) / np.log(2.0), FLOOR * power.max(axis=1, keepdims=True))
+    noise = np.log(np.maximum(noise, 1e-300))
     line = np.arange(power.shape[1], dtype=np.float64)
     local = np.stack([np.interp(line, middle, row) for row in noise])
     return np.asarray(np.minimum(np.log1p(power / np.exp(local)), LIMIT) - OF_NOISE)
@@ -261,7 +264,7 @@ def _refined(
     """Weighted mean of the rotation frequencies of all lines of a frame, from parabolas through maxima."""
     from scipy.ndimage import median_filter
 
-    row, near = np.arange(frequency.size), np.arange(-2, 3)
+    row, near = np.arange(frequency.size), np.arange(-LOWEST + 1, LOWEST)
     total, weight = np.zeros(frequency.size), np.zeros(frequency.size)
     for power, level in zip(powers, levels, strict=True):
         logarithm = np.log(np.maximum(power, 1e-300))

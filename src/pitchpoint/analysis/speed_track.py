@@ -33,6 +33,8 @@ MARGIN = 0.05
 """Relative part of the range by which the search extends beyond its limits."""
 AT_LIMIT = 0.1
 """Largest share of the frames with the speed at a limit."""
+WIDER, OUTSIDE = 1.5, 0.03
+"""Factor by which a second search extends the range, and largest share of the frames outside the range."""
 SPREADS = 6.0
 """Smallest distance of the level from that of chance [standard deviations]."""
 APART = 0.1
@@ -55,6 +57,8 @@ class SpeedTrack:
         Orders of the lines whose phases refine the angle [-], the clearest first; empty if none is clear.
     uncertainty
         Standard deviation of the angle [rad], see `LineAngle`; NaN without such lines.
+    lowest
+        Lowest order of the strong lines [-].
     hidden
         Times between which the lines are not above chance [s], shape (k, 2).
     """
@@ -63,6 +67,7 @@ class SpeedTrack:
     path: SpeedPath
     orders: tuple[float, ...]
     uncertainty: float
+    lowest: float
     hidden: Array
 
 
@@ -126,16 +131,26 @@ def speed_track(
     x = [as_signal(values, name, SHORTEST) for name, values in signals.items()]
     if not x:
         raise SignalError("signals: there is no channel (limit 1)")
-    path = _clearest_path(x, rate, comb_of(parts, limits[1], rate), limits)
+    comb = comb_of(parts, limits[1], rate)
+    path = _clearest_path(x, rate, comb, limits)
     _check(path, parts, limits)
+    _check_range(x, rate, comb, path, limits)
     clock = np.arange(x[0].size) / rate
     angle = _integral(np.interp(clock, path.time, path.frequency), rate)
     angle, line = _refined(x, angle, parts)
+    if line is not None and line.uncertainty * comb.lowest > math.pi:
+        listed = ", ".join(f"{order:.5g}" for order in line.orders)
+        raise SignalError(
+            f"speed: the phases of the lines at orders {listed} give angles that differ by "
+            f"{line.uncertainty:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check the "
+            "tooth numbers"
+        )
     return SpeedTrack(
         angle - angle[0],
         path,
         line.orders if line else (),
         line.uncertainty if line else math.nan,
+        comb.lowest,
         _hidden(path),
     )
 
@@ -227,15 +242,31 @@ def _check(path: SpeedPath, parts: TurningParts, limits: tuple[float, float]) ->
         )
 
 
+def _check_range(
+    signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPath, limits: tuple[float, float]
+) -> None:
+    """Refuse a range that the speed leaves: a wider search then finds a clearer path."""
+    wide = limits[0] / WIDER, limits[1] * WIDER
+    other = speed_path(signals, rate, comb, wide, round(rate / path.resolution))
+    low, high = (1.0 - MARGIN) * limits[0], (1.0 + MARGIN) * limits[1]
+    outside = float(np.mean((other.frequency < low) | (other.frequency > high)))
+    if outside > OUTSIDE and other.score > path.score + SPREADS * path.spread:
+        span = f"{60.0 * limits[0]:.6g} to {60.0 * limits[1]:.6g} rpm"
+        found = f"{60.0 * other.frequency.min():.4g} to {60.0 * other.frequency.max():.4g} rpm"
+        raise SignalError(
+            f"speed: leaves the range {span} in {100.0 * outside:.0f} % of the record (limit "
+            f"{100.0 * OUTSIDE:.0f} %): {found} agrees better with the lines; give a wider range, or check the "
+            "tooth numbers"
+        )
+
+
 def _over(signals: Sequence[Array], angle: Array) -> tuple[dict[str, Array], float]:
     """Channels over an angle by number, and their samples per revolution."""
     found = [resample_over_angle(x, angle) for x in signals]
     return {str(k): one.values for k, one in enumerate(found)}, found[0].samples_per_revolution
 
 
-def _refined(
-    signals: Sequence[Array], angle: Array, parts: TurningParts
-) -> tuple[Array, LineAngle | None]:
+def _refined(signals: Sequence[Array], angle: Array, parts: TurningParts) -> tuple[Array, LineAngle | None]:
     """Angle that follows clear lines in bands without the sidebands of ever slower shafts."""
     line = None
     for slowest in sorted({float(shaft.order) for shaft in parts.shafts}, reverse=True):

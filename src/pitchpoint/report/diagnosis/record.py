@@ -6,15 +6,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import fine_spectrum
+from pitchpoint.analysis.mesh_angle import has_clear_mesh
 from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length
 from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import matching
+
+if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis.varying_speed import FoundSpeed
 
 Array = NDArray[np.float64]
 
@@ -90,6 +95,10 @@ class OverAngle:
         Relative tolerance of the speed [-]; 0 if an angle, a tacho or lines of the record determine it.
     lines
         Lines that determine the speed: `mesh`, `shaft`, or empty.
+    speeds
+        Lowest and highest rotation frequency [Hz], if the speed varies.
+    found
+        Varying speed that was found in the record itself.
     """
 
     signals: dict[str, Array]
@@ -102,6 +111,8 @@ class OverAngle:
     source: str = ""
     tolerance: float = 0.0
     lines: str = ""
+    speeds: tuple[float, float] | None = None
+    found: FoundSpeed | None = None
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
@@ -128,7 +139,8 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
         ]
     )
     taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
-    return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks))
+    limits = None if steady else (float(speed.min()) / math.tau, float(speed.max()) / math.tau)
+    return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks), speeds=limits)
 
 
 def at_speed(
@@ -168,12 +180,16 @@ def at_speed(
             f"{frequency:.6g} Hz; {omitted} are not tested, bearings over the whole range"
         )
     per_turn = sample_rate / found.frequency
+    if tolerance > 0.0 and parts.meshes and not (found.what and has_clear_mesh(signals, per_turn, parts)):
+        from pitchpoint.report.diagnosis.varying_speed import suggested_range
+
+        remarks.append(suggested_range(signals, sample_rate, parts, frequency, tolerance))
     return OverAngle(
         dict(signals),
         per_turn,
         found.frequency,
         per_turn,
-        tuple(remarks),
+        tuple(filter(None, remarks)),
         tolerance=found.tolerance,
         lines=found.what,
     )

@@ -173,7 +173,7 @@ def prepare(request: Request) -> Prepared:
 
 def _other_speed(record: Record, machine: Machine) -> list[str]:
     """Remark on a speed in the file that is the speed of no shaft."""
-    if record.speed is None or math.isnan(machine.frequency):
+    if record.speed is None or machine.limits or math.isnan(machine.frequency):
         return []
     speeds = [machine.frequency * float(shaft.order) for shaft in machine.parts.shafts]
     if any(abs(record.speed - speed) <= SAME_SPEED * speed for speed in speeds):
@@ -267,6 +267,12 @@ def _over_angle(request: Request, record: Record, machine: Machine, signals: dic
         name = (request.angle or own).partition("@")[0]
         source, zero = f"angle channel {name}", f"the zero of {name}"
         shaft = angle_channel(record.channels[name], time)
+    elif machine.limits is not None:
+        from pitchpoint.report.diagnosis.varying_speed import at_varying_speed
+
+        over = at_varying_speed(cut, time, machine.parts, machine.limits, machine.reference)
+        source = ", ".join(f"--speed {text}" for text in request.speeds) + ", found in the record"
+        return replace(over, source=source, began=_began(record, 0))
     elif math.isnan(machine.frequency):
         raise SignalError(
             f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL "

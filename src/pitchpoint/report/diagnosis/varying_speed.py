@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Channels over the angle of a shaft whose speed varies, found in the record itself."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.sampled import SignalError, sample_rate_of
+from pitchpoint.analysis.speed_track import SpeedTrack, speed_track
+from pitchpoint.analysis.tooth_numbers import sideband_teeth
+from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis.record import OverAngle, over_angle
+
+Array = NDArray[np.float64]
+OCTAVE = 2.0
+"""Range about a nominal speed in which a varying speed is looked for, as a factor."""
+SHOWN = 3
+"""Maximum number of listed intervals and orders."""
+
+
+@dataclass(frozen=True)
+class FoundSpeed:
+    """Speed found in a record, for its picture.
+
+    Attributes
+    ----------
+    track
+        Speed and angle.
+    signals
+        Channels over time, shape (n,) each.
+    sample_rate
+        Their sample rate [Hz].
+    start
+        Time of the first sample [s].
+    """
+
+    track: SpeedTrack
+    signals: Mapping[str, Array]
+    sample_rate: float
+    start: float
+
+
+def at_varying_speed(
+    signals: Mapping[str, Array],
+    time: Array,
+    parts: TurningParts,
+    limits: tuple[float, float],
+    reference: str,
+) -> OverAngle:
+    """Channels over the angle that the record itself determines, with remarks on how.
+
+    Parameters
+    ----------
+    signals, time
+        Values by channel and their times [s], shape (n,) each.
+    parts
+        Rotating parts.
+    limits
+        Lowest and highest rotation frequency of the reference shaft [Hz].
+    reference
+        Name of the reference shaft.
+
+    Raises
+    ------
+    SignalError
+        If nothing in the record determines the speed.
+    """
+    rate = sample_rate_of(time)
+    track = speed_track(signals, rate, parts, *limits)
+    over = over_angle(signals, time, track.angle)
+    path = track.path
+    remarks = [
+        f"speed of {reference} found in the record: {_range(track)} rpm, in frames of {1.0 / path.resolution:.3g} s; "
+        f"level of the lines {path.score:.2f}, of the best other path {path.rival:.2f} (at "
+        f"{path.rival_ratio:.2f} times the speed), by chance {path.chance:.2f}"
+    ]
+    tolerance = 0.0
+    if track.orders:
+        listed = ", ".join(f"{order:.5g}" for order in track.orders)
+        agree = "uncertain by noise by" if len(track.orders) == 1 else "which agree within"
+        remarks.append(
+            f"angle of {reference} by the phases of the lines at orders {listed}, {agree} {track.uncertainty:.2g} rad"
+        )
+    else:
+        tolerance = path.resolution / (2.0 * track.lowest * float(np.mean(path.frequency)))
+        remarks.append(
+            f"speed: known within ±{100.0 * tolerance:.2g} %, since no line is clear enough for its phase; shafts and gears are not tested"
+        )
+    remarks += _hidden(track) + (_teeth(over, parts, track) if parts.meshes else [])
+    return replace(
+        over,
+        remarks=(*over.remarks, *remarks),
+        tolerance=tolerance,
+        found=FoundSpeed(track, signals, rate, float(time[0])),
+    )
+
+
+def suggested_range(
+    signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float, tolerance: float
+) -> str:
+    """Remark on a speed that varies by more than the tolerance of a nominal one [Hz]; empty if it does not.
+
+    Examples
+    --------
+    >>> from pitchpoint.analysis.turning_parts import train_parts
+    >>> t = np.arange(60_000) / 6000.0
+    >>> x = np.cos(2 * np.pi * 20 * (10 * t + 0.5 * t**2)) + np.random.default_rng(1).standard_normal(t.size)
+    >>> suggested_range({"acc": x}, 6000.0, train_parts([(20, 31)]), 15.0, 0.02)
+    'the speed varies from 601 to 1199 rpm, by more than its tolerance; give the range, --speed 570..1260rpm'
+    """
+    try:
+        track = speed_track(signals, sample_rate, parts, frequency / OCTAVE, frequency * OCTAVE)
+    except SignalError:
+        return ""
+    low, high = float(track.path.frequency.min()), float(track.path.frequency.max())
+    if not track.orders or high - low < 4.0 * tolerance * frequency:
+        return ""
+    near = [float(f"{60.0 * value:.2g}") for value in (0.95 * low, 1.05 * high)]
+    return (
+        f"the speed varies from {_range(track)} rpm, by more than its tolerance; give the range, "
+        f"--speed {near[0]:g}..{near[1]:g}rpm"
+    )
+
+
+def _range(track: SpeedTrack) -> str:
+    """Lowest and highest speed [rpm] in words."""
+    low, high = (60.0 * float(value) for value in (track.path.frequency.min(), track.path.frequency.max()))
+    return f"{low:.4g} to {high:.4g}"
+
+
+def _hidden(track: SpeedTrack) -> list[str]:
+    """Remark on the times between which no line is visible."""
+    if not track.hidden.size:
+        return []
+    listed = ", ".join(f"{a:.3g} to {b:.3g} s" for a, b in track.hidden[:SHOWN])
+    more = f" and {len(track.hidden) - SHOWN} more" if len(track.hidden) > SHOWN else ""
+    return [
+        f"speed: no line is above chance from {listed}{more}; the speed there is uncertain, and so is the number of "
+        "revolutions"
+    ]
+
+
+def _teeth(over: OverAngle, parts: TurningParts, track: SpeedTrack) -> list[str]:
+    """Remarks on tooth numbers, which the speed depends on, and on meshes without a line."""
+    found = []
+    if track.orders:
+        seen = {
+            mesh.name
+            for mesh in parts.meshes
+            for order in track.orders
+            if _is_harmonic(order, parts.mesh_order(mesh))
+        }
+        unseen = [mesh.name for mesh in parts.meshes if mesh.name not in seen]
+        if unseen and seen:
+            found.append(
+                f"speed: no line of {', '.join(unseen)} confirms it; its tooth numbers are not verified"
+            )
+    rows = sideband_teeth(over.signals, over.samples_per_turn, parts)
+    wrong = [row for row in rows if row.found not in (0, row.given)]
+    for row in wrong:
+        found.append(
+            f"tooth numbers: the sidebands of {row.gear} are spaced as those of a gear with {row.found} teeth instead of {row.given}; check the tooth numbers, on which the speed depends"
+        )
+    if not wrong and not any(row.found for row in rows):
+        found.append(
+            "tooth numbers: not confirmed by sidebands; with wrong ones the speed is wrong in proportion"
+        )
+    return found
+
+
+def _is_harmonic(order: float, mesh: float) -> bool:
+    return math.isclose(order / mesh, round(order / mesh), rel_tol=1e-9) and round(order / mesh) > 0
