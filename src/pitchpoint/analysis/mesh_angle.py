@@ -144,9 +144,9 @@ def line_angle(
     Notes
     -----
     White noise in the band of a line with the power N, line of the power P: the variance of its phase is
-    N/(2 P) [1]_, that of the angle is smaller by the square of the order. Phase steps of the lines are averaged with
-    the reciprocal variances as weights, P not above N: where a line crosses a resonance its phase changes although it is
-    strong. A line that vanishes for a moment then has no weight.
+    N/(2 P) [1]_, that of the angle is smaller by the square of the order. Phase steps of the lines are
+    averaged with the weights k²/(1 + N/P) for the order k: a line that vanishes for a moment has none, and
+    one that crosses a resonance, where its phase changes, has not more than others.
 
     References
     ----------
@@ -204,7 +204,7 @@ def _bands(
     length = signals[0].size
     size = next_fast_len(length + int(2.0 * rate / half), real=True)
     count = int(np.ceil(2.0 * WIDE * half * size / rate)) | 1
-    turns = np.arange(count) * (size / rate / count)
+    turns: Array = np.arange(count, dtype=np.float64) * (size / rate / count)
     inside = turns <= (length - 1) / rate
     inside[np.count_nonzero(inside)] = True
     found: list[list[NDArray[np.complex128]]] = [[] for _ in orders]
@@ -260,11 +260,11 @@ def clear_lines(
     half = HALF_WIDTH * slowest * length / rate
     if half < LINES:
         return {}
-    powers = sum(np.abs(np.fft.rfft(one - one.mean())) ** 2 for one in x)
+    powers = np.sum([np.abs(np.fft.rfft(one - one.mean())) ** 2 for one in x], axis=0)
     found = {}
     for order in orders:
         middle = order * length / rate
-        if not 2.0 * half + 1.0 <= middle < np.size(powers) - 1 - 2.0 * half:
+        if not 2.0 * half + 1.0 <= middle < powers.size - 1 - 2.0 * half:
             continue
         edges = np.rint(middle + half * np.array([-2.0, -1.0, 1.0, 2.0])).astype(int)
         below, inside, above = (

@@ -231,8 +231,9 @@ def _by_chance(
     for _ in range(DRAWS):
         moved = []
         for level in levels:
-            by = random.integers(0, level.shape[1], level.shape[0])
-            moved.append(np.stack([np.roll(row, k) for row, k in zip(level, by, strict=True)]))
+            by = random.integers(0, level.shape[1], (level.shape[0], 1))
+            at = (np.arange(level.shape[1]) - by) % level.shape[1]
+            moved.append(np.take_along_axis(level, at, axis=1))
         found.append(_best_path(_rated(moved, places), reach)[1])
     return np.array(found)
 

@@ -142,8 +142,8 @@ def speed_track(
         listed = ", ".join(f"{order:.5g}" for order in line.orders)
         raise SignalError(
             f"speed: the phases of the lines at orders {listed} give angles that differ by "
-            f"{line.uncertainty:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check the "
-            "tooth numbers"
+            f"{line.uncertainty:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check "
+            "the tooth numbers"
         )
     return SpeedTrack(
         angle - angle[0],
@@ -227,7 +227,8 @@ def _check(path: SpeedPath, parts: TurningParts, limits: tuple[float, float]) ->
         raise SignalError(
             f"speed: no {what} determine it within {span}: the level of the best path is {path.score:.2f} "
             f"(limit {least:.2f}: {SPREADS:g} standard deviations above chance), above chance in "
-            f"{100.0 * float(np.mean(path.seen)):.0f} % of the record (limit {100.0 * HIDDEN:.0f} %); {remedy}"
+            f"{100.0 * float(np.mean(path.seen)):.0f} % of the record (limit {100.0 * HIDDEN:.0f} %); "
+            f"{remedy}"
         )
     if path.at_limit > AT_LIMIT:
         raise SignalError(
@@ -255,8 +256,8 @@ def _check_range(
         found = f"{60.0 * other.frequency.min():.4g} to {60.0 * other.frequency.max():.4g} rpm"
         raise SignalError(
             f"speed: leaves the range {span} in {100.0 * outside:.0f} % of the record (limit "
-            f"{100.0 * OUTSIDE:.0f} %): {found} agrees better with the lines; give a wider range, or check the "
-            "tooth numbers"
+            f"{100.0 * OUTSIDE:.0f} %): {found} agrees better with the lines; give a wider range, or check "
+            "the tooth numbers"
         )
 
 

@@ -23,7 +23,7 @@ NEAR = 0.2
 CHANCE = 1e-4
 """Probability of noise alone below which a sideband is there."""
 SHARE = 0.5
-"""Share of the mesh lines with sidebands on both sides above which their spacing gives the number of teeth."""
+"""Smallest share of mesh lines with both sidebands by whose spacing the number of teeth is known."""
 FEWEST = 2
 """Smallest number of such mesh lines: modulation by a bearing may agree with one."""
 AROUND = 40.0
@@ -72,10 +72,10 @@ def sideband_teeth(
 
     Notes
     -----
-    Sidebands of the mesh order M at k M ± M/z for all z within 20 % of the given number [1]_. The given number
-    is confirmed by one harmonic of one channel with both sidebands; another one requires them at half of the
-    harmonics of all channels, and the given one without them. Sidebands at lines of other shafts are omitted.
-    Valid for more revolutions than teeth, since neighbouring numbers are not resolved otherwise.
+    Sidebands of the mesh order M at k M ± M/z for all z within 20 % of the given number [1]_. The given
+    number is confirmed by one harmonic of one channel with both sidebands; another one requires them at half
+    of the harmonics of all channels, and the given one without them. Sidebands at lines of other shafts are
+    omitted. Valid for more revolutions than teeth, since neighbouring numbers are not resolved otherwise.
 
     References
     ----------

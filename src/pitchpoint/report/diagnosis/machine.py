@@ -207,7 +207,8 @@ def _given_speeds(request: Request) -> list[GivenSpeed]:
     given = [given_speed(text) for text in request.speeds]
     if len(given) > 1 and any(one.lowest is not None for one in given):
         raise SignalError(
-            f"--speed: {len(given)} speeds, one of them a range (limit: a range alone); give the range of one shaft"
+            f"--speed: {len(given)} speeds, one of them a range (limit: a range alone); give the range of "
+            "one shaft"
         )
     return given
 

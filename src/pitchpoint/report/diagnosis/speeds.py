@@ -63,7 +63,7 @@ def given_speed(text: str, option: str = "--speed") -> GivenSpeed:
     Examples
     --------
     >>> given_speed("fan=1500rpm±1%")
-    GivenSpeed(shaft='fan', frequency=25.0, tolerance=0.01, stated=True)
+    GivenSpeed(shaft='fan', frequency=25.0, tolerance=0.01, stated=True, lowest=None)
     >>> given_speed("25 Hz +- 0.5 Hz").tolerance, given_speed("25 Hz").stated
     (0.02, False)
     >>> given_speed("10..30Hz")
