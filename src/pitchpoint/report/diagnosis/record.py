@@ -99,6 +99,8 @@ class OverAngle:
         Lowest and highest rotation frequency [Hz], if the speed varies.
     found
         Varying speed that was found in the record itself.
+    advice
+        Remark that the speed varies and a range is to be given; empty if it does not.
     """
 
     signals: dict[str, Array]
@@ -113,6 +115,7 @@ class OverAngle:
     lines: str = ""
     speeds: tuple[float, float] | None = None
     found: FoundSpeed | None = None
+    advice: str = ""
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
@@ -179,19 +182,20 @@ def at_speed(
             f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of "
             f"{frequency:.6g} Hz; {omitted} are not tested, bearings over the whole range"
         )
-    per_turn = sample_rate / found.frequency
+    per_turn, advice = sample_rate / found.frequency, ""
     if tolerance > 0.0 and parts.meshes and not (found.what and has_clear_mesh(signals, per_turn, parts)):
         from pitchpoint.report.diagnosis.varying_speed import suggested_range
 
-        remarks.append(suggested_range(signals, sample_rate, parts, frequency, tolerance))
+        advice = suggested_range(signals, sample_rate, parts, frequency, tolerance)
     return OverAngle(
         dict(signals),
         per_turn,
         found.frequency,
         per_turn,
-        tuple(filter(None, remarks)),
+        tuple(remarks),
         tolerance=found.tolerance,
         lines=found.what,
+        advice=advice,
     )
 
 

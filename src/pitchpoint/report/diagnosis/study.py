@@ -218,11 +218,21 @@ def study(
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
-        raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
+        why = [text for text in about_meshes if "no mesh line" in text]
+        raise SignalError("; ".join(filter(None, (*why, over.advice))))
     if not found.tests:
-        raise SignalError("; ".join((*over.remarks, "give the speed more closely, --tacho or --angle")))
+        raise SignalError(
+            "; ".join((*over.remarks, over.advice or "give the speed more closely, --tacho or --angle"))
+        )
     words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
-    notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
+    notes = (
+        *over.remarks,
+        *filter(None, (over.advice,)),
+        *remarks,
+        *about_meshes,
+        *unnamed,
+        *_whole_ratios(parts),
+    )
     places = local_turns(found, over, parts)
     return Study(
         diagnosis=found,
