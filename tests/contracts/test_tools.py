@@ -27,6 +27,8 @@ NO_TOOL = {
     "fault_frequencies.gear_pair_frequencies": "from tooth counts, not from a signal",
     "fault_frequencies.train_frequencies": "from tooth counts, not from a signal",
     "fault_families.fault_families": "takes fault orders by part",
+    "speed_path.speed_path": "a step of speed_track",
+    "speed_track.speed_track": "takes several channels and what turns; the command diagnose",
     "gear_indicators.na4": "takes several averages",
     "gear_indicators.nb4": "takes several averages",
     "gear_indicators.running_kurtosis": "takes several records",

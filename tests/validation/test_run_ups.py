@@ -21,7 +21,10 @@ from pitchpoint.io.reading import read_channel
 from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
 DOCS = Path(__file__).parents[2] / "docs" / "diagnosis.md"
-RUN_UP = "run_up: {drive: {input: {speed: 600 rpm + 120 rpm * t / (1 s)}}, duration: 10 s, settle_time: 0 s, step: 10 us, sample_rate: 20 kHz}"
+RUN_UP = (
+    "run_up: {drive: {input: {speed: 600 rpm + 120 rpm * t / (1 s)}}, duration: 10 s, settle_time: 0 s, "
+    "step: 10 us, sample_rate: 20 kHz}"
+)
 BROKEN = "profile_shift_coefficient: 0, faults: {broken: {type: broken_tooth, severity: 0.5, tooth: 3}}"
 CHANNELS = ("mesh_force[first]", "mesh_force[second]")
 

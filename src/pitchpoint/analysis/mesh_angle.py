@@ -83,8 +83,12 @@ def has_clear_mesh(signals: Mapping[str, Array], samples_per_turn: float, parts:
 
     Parameters
     ----------
-    signals, samples_per_turn, parts
-        As in `mesh_angle`.
+    signals
+        Values by channel, shape (n,) each, any unit.
+    samples_per_turn
+        Samples per revolution of the reference shaft at the mean speed [-].
+    parts
+        Rotating parts; orders refer to the reference shaft.
     """
     return bool(clear_lines(signals, samples_per_turn, *_mesh_lines(parts)))
 
@@ -227,8 +231,14 @@ def clear_lines(
 
     Parameters
     ----------
-    signals, samples_per_turn, orders, slowest
-        As in `line_angle`.
+    signals
+        Values by channel, shape (n,) each, any unit, at a constant mean speed.
+    samples_per_turn
+        Samples per revolution of the reference shaft at the mean speed [-].
+    orders
+        Orders of the lines [-].
+    slowest
+        Order of the slowest shaft [-].
 
     Raises
     ------

@@ -131,7 +131,7 @@ def speed_track(
     x = [as_signal(values, name, SHORTEST) for name, values in signals.items()]
     if not x:
         raise SignalError("signals: there is no channel (limit 1)")
-    comb = comb_of(parts, limits[1], rate)
+    comb = _comb_of(parts, limits[1], rate)
     path = _clearest_path(x, rate, comb, limits)
     _check(path, parts, limits)
     _check_range(x, rate, comb, path, limits)
@@ -155,7 +155,7 @@ def speed_track(
     )
 
 
-def comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
+def _comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
     """Lines of a machine that a record covers up to the highest speed.
 
     Parameters
@@ -175,7 +175,7 @@ def comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
     Examples
     --------
     >>> from pitchpoint.analysis.turning_parts import train_parts
-    >>> comb = comb_of(train_parts([(20, 40)]), 30.0, 3000.0)
+    >>> comb = _comb_of(train_parts([(20, 40)]), 30.0, 3000.0)
     >>> comb.orders.tolist(), comb.against.tolist(), comb.lowest
     ([0.5, 1.0, 1.5, 2.0, 3.0, 20.0, 40.0], [10.0, 30.0], 20.0)
     """

@@ -13,7 +13,7 @@ from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.speed_track import speed_track
 from pitchpoint.analysis.tooth_numbers import sideband_teeth
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts, train_parts
-from pitchpoint.report.diagnosis.record import over_angle
+from pitchpoint.report.diagnosis.over_angle import over_angle
 
 Array = NDArray[np.float64]
 RATE = 8000.0

@@ -203,7 +203,7 @@ def _reference_speed(
 
 
 def _given_speeds(request: Request) -> list[GivenSpeed]:
-    """Speeds of the options; a range stands alone."""
+    """Speeds of the options; a range is the only one."""
     given = [given_speed(text) for text in request.speeds]
     if len(given) > 1 and any(one.lowest is not None for one in given):
         raise SignalError(

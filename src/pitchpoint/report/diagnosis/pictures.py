@@ -96,7 +96,7 @@ def add_speed(section: Section, study: Study, channel: str) -> None:
     section.add_figure(
         plot_time_frequency(data, unit=unit, quantity=channel, meshes=curves),
         f"{channel} over time and frequency, with the lines expected at the speed found: "
-        f"{', '.join(orders)} and harmonics. Curves beside the ridges of the map show a wrong speed.",
+        f"{', '.join(orders)} and harmonics. The speed is wrong if the curves are not on the ridges.",
     )
 
 

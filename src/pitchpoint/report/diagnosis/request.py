@@ -16,7 +16,8 @@ from pitchpoint.core.nearest import hint
 from pitchpoint.report.diagnosis.channels import Places, every_quantity, given_places, preferred
 from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
-from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
+from pitchpoint.report.diagnosis.over_angle import OverAngle, over_angle
+from pitchpoint.report.diagnosis.record import Record, at_speed
 from pitchpoint.report.diagnosis.severity import machine_group, severities
 from pitchpoint.report.diagnosis.study import Study, study, usable
 

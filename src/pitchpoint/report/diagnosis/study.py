@@ -19,7 +19,8 @@ from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import Places
 from pitchpoint.report.diagnosis.levels import ChannelLevel, at_sensors, nearest_sensor
-from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
+from pitchpoint.report.diagnosis.over_angle import OverAngle
+from pitchpoint.report.diagnosis.record import strongest_lines
 from pitchpoint.report.diagnosis.severity import ChannelSeverity, verdicts
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
 from pitchpoint.report.diagnosis.words import (

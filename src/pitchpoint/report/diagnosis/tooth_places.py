@@ -13,7 +13,7 @@ from pitchpoint.analysis.gear_indicators import gear_indicators
 from pitchpoint.analysis.mean_turns import MeanTurn, mean_turn
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import TurningParts
-from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.words import percent
 from pitchpoint.viz.quantities import number
 

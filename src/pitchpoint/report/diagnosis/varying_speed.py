@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,35 +14,13 @@ from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.analysis.speed_track import SpeedTrack, speed_track
 from pitchpoint.analysis.tooth_numbers import sideband_teeth
 from pitchpoint.analysis.turning_parts import TurningParts
-from pitchpoint.report.diagnosis.record import OverAngle, over_angle
+from pitchpoint.report.diagnosis.over_angle import FoundSpeed, OverAngle, over_angle
 
 Array = NDArray[np.float64]
 OCTAVE = 2.0
 """Range about a nominal speed in which a varying speed is looked for, as a factor."""
 SHOWN = 3
 """Maximum number of listed intervals and orders."""
-
-
-@dataclass(frozen=True)
-class FoundSpeed:
-    """Speed found in a record, for its picture.
-
-    Attributes
-    ----------
-    track
-        Speed and angle.
-    signals
-        Channels over time, shape (n,) each.
-    sample_rate
-        Their sample rate [Hz].
-    start
-        Time of the first sample [s].
-    """
-
-    track: SpeedTrack
-    signals: Mapping[str, Array]
-    sample_rate: float
-    start: float
 
 
 def at_varying_speed(
