@@ -38,6 +38,8 @@ NO_TOOL = {
     "mean_turns.mean_turn": "a step of diagnose",
     "planet_frequencies.planetary_frequencies": "from tooth counts, not from a signal",
     "rattle.rattle": "takes three channels of a mesh; stands in results and tables",
+    "shaft_periods.shaft_period": "a step of diagnose",
+    "shaft_periods.tooth_level": "a step of diagnose",
     "speed_search.speed_from_lines": "a step of diagnose",
     "statistics.contact_statistics": "takes two channels of a mesh; stands in results and reports",
     "tacho.angle_channel": "makes the angle of every tool that takes one",

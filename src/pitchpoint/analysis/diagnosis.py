@@ -8,7 +8,7 @@ healthy: tests that could not be performed are reported too.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,11 +17,12 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.bearing_tests import FROM_MESHES, bearing_evidence
 from pitchpoint.analysis.explaining import Channel, explain
 from pitchpoint.analysis.family_evidence import family_evidence
-from pitchpoint.analysis.findings import Evidence, Finding, findings_of
+from pitchpoint.analysis.findings import COMBS, Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.same_fault import across_channels
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+from pitchpoint.analysis.shaft_periods import of_slower_shafts, shaft_periods
 from pitchpoint.analysis.shaft_tests import (
     HARMONICS,
     MIN_TURNS,
@@ -142,9 +143,9 @@ def diagnose(
     Notes
     -----
     A local fault raises all orders of its shaft [1]_: rank test of the orders without mesh orders against the
-    points between them. Slow variations over the revolution raise single orders and sidebands [2]_: lines
-    against the adjacent points. The false alarm probability is shared between the tests after [3]_. Valid for
-    shafts with fixed axes.
+    points between them, and test of the lowest orders in the wavelet level of each mesh. Slow variations over
+    the revolution raise single orders and sidebands [2]_: lines against the adjacent points. The false alarm
+    probability is shared between the tests after [3]_. Valid for shafts with fixed axes.
 
     References
     ----------
@@ -187,6 +188,7 @@ def diagnose(
         channels[name] = Channel(x, rate, mine, None)
         if speed_tolerance == 0.0:
             raw += [(name, *row) for row in _of_shafts(mine, parts, meshes[name])]
+            raw += [(name, *row) for row in shaft_periods(x, rate, mine, parts)]
         if parts.bearings and not parts.meshes:
             share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
             rows, notes = family_evidence(
@@ -210,7 +212,7 @@ def diagnose(
     if not tests and speed_tolerance == 0.0:
         reasons = grouped([*few, *untested]) or ["use a longer one, or a higher sample rate"]
         raise SignalError("record: is too short for any test; " + "; ".join(reasons))
-    every = [_evidence(row, tests, allowed) for row in raw if row[4].lines > 0]
+    every = of_slower_shafts([_evidence(row, tests, allowed) for row in raw if row[4].lines > 0], parts)
     evidence, explained = explain(_without_passing(every, modulated), channels, parts, tests)
     revolutions = min(as_signal(x).size for x in signals.values()) / rate
     evidence = across_channels((*evidence, *families), parts, revolutions)
@@ -230,7 +232,7 @@ def _too_few(turns: Mapping[str, float]) -> list[Note]:
     return [Note(why, f"{shaft} ({count:.2g})") for shaft, count in turns.items() if count < MIN_TURNS]
 
 
-def _without_passing(every: list[Evidence], modulated: set[tuple[str, str]]) -> tuple[Evidence, ...]:
+def _without_passing(every: Sequence[Evidence], modulated: set[tuple[str, str]]) -> tuple[Evidence, ...]:
     """Evidence in which lines of meshes modulated by ball passage are marked as explained."""
     return tuple(
         replace(e, explained=PASSING)
@@ -279,7 +281,9 @@ def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh)
 def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
     """Remark on a test without usable lines."""
     _, kind, shaft, gear, _ = row
-    what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
+    what = {"comb": "orders", "period": "period", "low order": "lowest orders", "sidebands": "sidebands"}.get(
+        kind, shaft
+    )
     whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
     return Note(
         "no test of the {}: above the record's highest frequency, or too near to other lines",
@@ -294,7 +298,7 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
     channel, kind, shaft, gear, found = row
     together = float(-np.expm1(tests * np.log1p(-min(found.probability, 1.0 - 1e-16))))
     each = -np.expm1(np.log1p(-allowed) / tests)
-    if kind == "comb":
+    if kind in COMBS:
         value = found.score
         threshold = float(norm.isf(-np.expm1(np.log1p(-each) / found.choices)))
     else:

@@ -19,11 +19,12 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.bearing_tests import HARMONICS as TESTED
 from pitchpoint.analysis.bearing_tests import BearingView, alike
-from pitchpoint.analysis.findings import Evidence
+from pitchpoint.analysis.findings import COMBS, Evidence
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.passage_sidebands import passage_sidebands
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
+from pitchpoint.analysis.shaft_periods import MESH_HARMONICS, shaft_period
 from pitchpoint.analysis.shaft_tests import HARMONICS, LOW_ORDERS, OFF, SIDEBANDS, SLIP, Measured, ShaftView
 from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
@@ -249,7 +250,7 @@ def _among_others(
                 # a part that has lines of its own is not explained
                 mine = _strikes_of(now, channels[now.channel], parts)
                 together = not _vanishes(e, channels, parts, [mine], tests)
-        elif e.kind == "comb":
+        elif e.kind in COMBS:
             turn = float(parts.shaft(e.shaft).order)
             trains.append(ImpactLines(turn, 0.0, np.empty(0)))
             names.append(f"the local fault on {e.shaft}")
@@ -321,6 +322,8 @@ def _again(
     mesh, teeth = parts.gears_of(e.shaft).get(e.gear, (None, 0))
     if e.kind == "low order":
         order = order[:LOW_ORDERS]
+    elif e.kind == "period":
+        order = order[: MESH_HARMONICS * teeth]
     elif mesh is not None:
         about = parts.mesh_order(mesh) * np.arange(1, HARMONICS + 1)
         off = np.abs(order[:, None] - about).min(axis=1)
@@ -328,8 +331,10 @@ def _again(
     known = _near(_lines(reported, 0.5 * rate), order, REACH * view.spectrum.resolution)
     if loud:
         known = np.union1d(known, passage_sidebands(view, order, loud, REACH))
-    spectrum = fine_spectrum(without_tones(channel.values, rate, known), rate)
-    rest = ShaftView(spectrum, parts, view.shaft, view.rms, view.sampled)
+    values = without_tones(channel.values, rate, known)
+    if e.kind == "period":
+        return shaft_period(values, rate, view, teeth)
+    rest = ShaftView(fine_spectrum(values, rate), parts, view.shaft, view.rms, view.sampled)
     if e.kind == "comb":
         return rest.comb()
     return rest.low_orders() if mesh is None else rest.sidebands(parts.mesh_order(mesh), teeth)
@@ -370,5 +375,7 @@ def _what(e: Evidence) -> str:
     """Short name of a test in messages."""
     if e.kind == "sidebands":
         return f"sidebands of {e.gear} at the speed of {e.shaft} in {e.channel}"
+    if e.kind == "period":
+        return f"period of {e.shaft} in the level of {e.gear} in {e.channel}"
     what = {"comb": "all orders", "low order": "lowest orders"}.get(e.kind, e.shaft)
     return f"{what} of {e.gear or e.shaft} in {e.channel}"

@@ -142,7 +142,7 @@ def wavelet_levels(
     """
     import pywt
 
-    x = as_signal(values)
+    x = _writeable(as_signal(values))
     rate = positive(sample_rate, "sample_rate")
     family, count = _discrete(wavelet, levels, x.size, extension)
     mean = float(x.mean())
@@ -165,6 +165,52 @@ def wavelet_levels(
         wavelet=wavelet,
         extension=extension,
     )
+
+
+def approximation(values: Array, level: int, *, wavelet: str = "db5", extension: str = "symmetric") -> Array:
+    """Contribution of the band below f_s/2^(level + 1) to a signal, shape (n,), in its unit.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,), any unit.
+    level
+        Number of halvings of the band [-], at most `most_levels`.
+    wavelet, extension
+        See `wavelet_levels`, whose first row this is.
+
+    Examples
+    --------
+    >>> x = np.cos(2 * np.pi * 3.25 * np.arange(6456) / 430.4)
+    >>> bool(np.allclose(approximation(x, 5), wavelet_levels(x, 430.4).signals[0]))
+    True
+    """
+    import pywt
+
+    parts = pywt.wavedec(_writeable(values), wavelet, mode=extension, level=level)
+    rest = [np.zeros_like(part) for part in parts[1:]]
+    found: Array = pywt.waverec([parts[0], *rest], wavelet, mode=extension)[: values.size]
+    return found
+
+
+def most_levels(samples: int, wavelet: str = "db5") -> int:
+    """Largest number of levels of a record.
+
+    Parameters
+    ----------
+    samples
+        Number of samples [-].
+    wavelet
+        Name of the wavelet.
+
+    Examples
+    --------
+    >>> most_levels(6456)
+    9
+    """
+    import pywt
+
+    return int(pywt.dwt_max_level(samples, pywt.Wavelet(wavelet)))
 
 
 def wavelet_packets(
@@ -221,7 +267,7 @@ def wavelet_packets(
     """
     import pywt
 
-    x = as_signal(values)
+    x = _writeable(as_signal(values))
     rate = positive(sample_rate, "sample_rate")
     family, count = _discrete(wavelet, levels, x.size, extension)
     mean = float(x.mean())
@@ -270,6 +316,11 @@ def check_extension(name: str) -> None:
 
     if name not in pywt.Modes.modes:
         raise unknown("extension", name, pywt.Modes.modes)
+
+
+def _writeable(values: Array) -> Array:
+    """The samples, copied if they are read-only, as those of a file: PyWavelets rejects these."""
+    return np.require(values, requirements="W")
 
 
 def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[Any, int]:

@@ -87,6 +87,22 @@ def parts_of(
     return parts, names, remarks
 
 
+def meshes_at_bodies(model: Model) -> dict[str, tuple[str, ...]]:
+    """Names of the meshes of the gears on each body.
+
+    Parameters
+    ----------
+    model
+        The model.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for name, mesh in model.every_mesh.items():
+        for gear in mesh.gears:
+            body = str(model.body_of(gear))
+            found[body] = (*found.get(body, ()), name)
+    return found
+
+
 def _meshes(
     model: Model, rows: Mapping[str, Mapping[str, object]], names: Mapping[str, str]
 ) -> tuple[Mesh, ...]:

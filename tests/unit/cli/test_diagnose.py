@@ -25,7 +25,7 @@ def test_a_measured_file_with_tooth_counts_and_speed(
 
 def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["diagnose", rig_file(tmp_path, 0.0), "--train", "32/95", "--speed", "10Hz"]) == 0
-    assert "nothing found: none of 5 tests exceeds its limit" in capsys.readouterr().out
+    assert "nothing found: none of 7 tests exceeds its limit" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -43,7 +43,7 @@ def test_the_page_of_a_measured_file_names_gear_tooth_and_chance(
     """The knock is in the middle of 0.2 turns, 6.4 pitches of 32: a window of one tooth about it is told."""
     page, printed = page_of([rig_file(tmp_path), *TRAIN], tmp_path, capsys)
     assert "A local fault on gear Z1 (shaft 1, 9.9999 Hz)" in page
-    assert "by noise alone: less than 0.001 %, over all 5 tests" in page
+    assert "by noise alone: less than 0.001 %, over all 7 tests" in page
     tooth = re.search(
         r"the tooth of 32 that meshes ([\d.]+) pitches \(\d+°\) after the start of the record", page
     )
@@ -88,7 +88,7 @@ def test_a_healthy_record_has_the_same_pictures_and_says_what_would_be_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     page, printed = page_of([rig_file(tmp_path, 0.0), *TRAIN], tmp_path, capsys)
-    assert "Nothing found: none of 5 tests exceeds its limit" in page and "nothing found" in printed
+    assert "Nothing found: none of 7 tests exceeds its limit" in page and "nothing found" in printed
     assert "does not prove that the machine is healthy" in page
     assert "Detection limits" in page and "line at the limit" in page
     assert "FM4" not in printed

@@ -97,6 +97,43 @@ def test_default_channels_remain_six_if_they_are_near_everything() -> None:
     assert preferred(names, Places(PARTS)) == preferred(names)
 
 
+SIDES = ("left", "right")
+TWO_SIDES = TurningParts(
+    (Shaft("left in or right in", Fraction(1)), Shaft("left out or right out", Fraction(1, 2))),
+    (
+        Mesh(
+            "left or right",
+            ("a or c", "b or d"),
+            (20, 40),
+            ("left in or right in", "left out or right out"),
+        ),
+    ),
+)
+BODIES = {f"{side} {end}": f"left {end} or right {end}" for side in SIDES for end in ("in", "out")}
+SENSED = [f"signal[{name}]" for name in ("left in x", "left in y", "left out x")]
+INSIDE = [f"mesh_force[{side}]" for side in SIDES]
+
+
+def test_a_side_without_sensors_is_seen_by_internal_quantities() -> None:
+    """Equal meshes of two sides have the same lines, but a sensor is near that of its own side only."""
+    places = Places(TWO_SIDES, BODIES, meshes_at={body: (body.split()[0],) for body in BODIES})
+    assert places.singly(SENSED[0]) == {"left"} and places.near(SENSED[0]) == {"left or right"}
+    chosen = preferred([*INSIDE, *SENSED], places)
+    assert chosen == [*SENSED, "mesh_force[right]"]
+    (remark,) = places.remark(chosen, True)
+    assert remark == "no sensor is near right: mesh_force[right] tested instead"
+    # what no channel is near to is stated
+    assert preferred(SENSED, places) == SENSED
+    assert places.remark(SENSED, False) == ["no tested channel is near right"]
+    # internal quantities alone are no replacement for sensors
+    assert places.remark(INSIDE, True) == []
+
+
+def test_a_side_with_a_sensor_needs_no_internal_quantity() -> None:
+    places = Places(TWO_SIDES, BODIES, meshes_at={body: (body.split()[0],) for body in BODIES})
+    assert preferred([*INSIDE, *SENSED, "signal[right out x]"], places) == [*SENSED, "signal[right out x]"]
+
+
 def test_channels_without_known_places_have_no_remark() -> None:
     assert Places(PARTS).remark(["acc 1", "acc 2"], False) == []
 

@@ -5,13 +5,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis
 from pitchpoint.analysis.family_evidence import PARTLY
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import train_parts
-from pitchpoint.report.diagnosis.words import nothing_found, outcome, sentence
+from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.tooth_places import gear_turns, one_gear, place_sentence
+from pitchpoint.report.diagnosis.words import nothing_found, observation, outcome, sentence, what_is_tested
 
 
 def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Evidence:
@@ -46,6 +49,39 @@ def test_one_line_of_two_meshes_is_told_once() -> None:
     words = sentence(finding, Diagnosis((finding,), (), tuple(rows), {}, (), (), {}, 2, 0.01), parts, 30.0)
     assert words.count("980 Hz") == 1
     assert "sideband +2 of the mesh of Z2 and of that of Z3 (by noise alone" in words
+
+
+def test_an_event_per_turn_is_told_with_its_highest_line() -> None:
+    parts = train_parts([(11, 81), (12, 68)])
+    row = Evidence("acc", "period", "shaft 2", "Z3", 5.8, 3.2, 1e-9, 11 / 81, 0.1, 0, True, 0.01)
+    finding = Finding("local fault", "shaft 2", ("Z3",), "acc", 1e-9, level="Z3")
+    found = Diagnosis((finding,), (), (row,), {}, (), (), {}, 9, 0.01)
+    words = sentence(finding, found, parts, 12.0)
+    assert "seen in acc as one event per turn (1.6296 Hz) with lines up to 39.111 Hz, 5.8 standard" in words
+    assert outcome(row, found) == "found" and what_is_tested(row) == "period in the level of Z3"
+    seen = replace(found, findings=(), observations=(replace(finding, kind="every order", gears=()),))
+    words = observation(seen.observations[0], seen, parts, 12.0, "m/s^2")
+    assert words.endswith("in acc; impacts at one angle of the turn are not visible")
+
+
+def test_a_short_event_is_shared_evenly_between_the_gears_of_a_shaft() -> None:
+    """A tenth of a pitch of Z3: both shares are stated, and no tooth is numbered."""
+    parts = train_parts([(11, 81), (12, 68)])
+    turned = np.arange(80_000) / 400.0
+    x = 3.0 * ((turned * 11 / 81 + 0.3) % 1 < 0.1 / 12) + np.random.default_rng(1).standard_normal(
+        turned.size
+    )
+    over = OverAngle({"acc": x}, 400.0, 10.0, 400.0)
+    finding = Finding("local fault", "shaft 2", ("Z2", "Z3"), "acc", 1e-9)
+    turns = gear_turns("acc", "shaft 2", over, parts)
+    words = place_sentence(finding, turns, 0.01)
+    for gear, share in (("Z2", "1.2"), ("Z3", "8.3")):
+        assert f"within the angle of one tooth of {gear} ({share} % if spread evenly; by chance" in words
+    assert words.endswith("; the event is too short to identify the gear")
+    assert not one_gear(finding, turns) and "pitches" not in words
+    # of the coarse gear alone, teeth are counted
+    alone = replace(finding, gears=("Z3",)), turns[1:]
+    assert one_gear(*alone) and "the tooth of 12 that meshes " in place_sentence(*alone, 0.01)
 
 
 def test_every_test_above_its_limit_has_a_reason() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from shlex import quote
 
@@ -36,11 +37,15 @@ class Places:
         Names of shafts by what the user may write.
     given
         Parts named by the user for a channel.
+    meshes_at
+        Meshes at each body of a model. Equal meshes of several sides of a machine are merged in `parts`, but
+        a channel is near those of its side only.
     """
 
     parts: TurningParts
     bodies: Mapping[str, str] = field(default_factory=dict)
     given: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def near(self, channel: str) -> frozenset[str]:
         """Meshes and bearings next to a channel; empty if unknown.
@@ -58,6 +63,32 @@ class Places:
         """
         names = self.given.get(channel) or self._named_in(channel)
         return frozenset(part for name in names for part in self._around(name))
+
+    def singly(self, channel: str) -> frozenset[str]:
+        """Meshes and bearings next to a channel, each of merged ones by its own name.
+
+        Examples
+        --------
+        >>> from pitchpoint.analysis.turning_parts import Mesh, Shaft, TurningParts
+        >>> mesh = Mesh("left or right", ("z1", "z2"), (20, 40), ("a or a2", "b or b2"))
+        >>> shafts = (Shaft("a or a2", 1), Shaft("b or b2", 0.5))
+        >>> bodies = {"a": "a or a2", "a2": "a or a2"}
+        >>> parts, sides = TurningParts(shafts, (mesh,)), {"a": ("left",), "a2": ("right",)}
+        >>> places = Places(parts, bodies, meshes_at=sides)
+        >>> sorted(places.singly("force a2")), sorted(places.near("force a2"))
+        (['right'], ['left or right'])
+        """
+        names = self.given.get(channel) or self._named_in(channel)
+        found = set()
+        for name in names:
+            around = {single for part in self._around(name) for single in each(part)}
+            meshes = {single for mesh in self.parts.meshes for single in each(mesh.name)}
+            if name in self.meshes_at:
+                around = around - meshes | set(self.meshes_at[name])
+            elif name in meshes:
+                around = {name}
+            found |= around
+        return frozenset(found)
 
     def known(self) -> list[str]:
         """Names that a channel may be near to: bearings, meshes, shafts."""
@@ -89,8 +120,9 @@ class Places:
         return found | {m.name for m in meshes if {shaft, *held} & set(m.shafts)}
 
     def all_parts(self) -> list[str]:
-        """Names of all meshes and bearings."""
-        return [m.name for m in self.parts.meshes] + [b.name for b in self.parts.bearings]
+        """Names of all meshes and bearings, each of merged ones by its own name."""
+        merged = [m.name for m in self.parts.meshes] + [b.name for b in self.parts.bearings]
+        return [name for one in merged for name in each(one)]
 
     def remark(self, tested: Iterable[str], more: bool) -> list[str]:
         """Remark on meshes and bearings without a tested channel near them; none if no place is known.
@@ -102,12 +134,22 @@ class Places:
         more
             Whether the file has further channels.
         """
-        seen = frozenset().union(*map(self.near, tested))
+        tested = list(tested)
+        seen = frozenset().union(*map(self.singly, tested))
         lost = [part for part in self.all_parts() if part not in seen]
-        if not seen or not lost:
+        if not seen:
             return []
-        remedy = "; --all-channels tests all" if more else ""
-        return [f"no tested channel is near {', '.join(lost)}{remedy}"]
+        inside = [name for name in tested if _is_internal(name)]
+        notes = []
+        if inside and len(inside) < len(tested):
+            sensed = frozenset().union(*(self.singly(name) for name in tested if name not in inside))
+            blind = [part for part in self.all_parts() if part not in sensed]
+            if blind:
+                notes.append(f"no sensor is near {', '.join(blind)}: {', '.join(inside)} tested instead")
+        if lost:
+            remedy = "; --all-channels tests all" if more else ""
+            notes.append(f"no tested channel is near {', '.join(lost)}{remedy}")
+        return notes
 
 
 def each(merged: str) -> list[str]:
@@ -125,7 +167,7 @@ def preferred(names: Sequence[str], places: Places | None = None) -> list[str]:
     """Default channels of a result for a diagnosis.
 
     Six of the first quantity of `PREFERRED` that the result has, or up to twelve if the meshes and bearings
-    require more: one near each of them, if there is one.
+    require more: one near each of them, of the further quantities only where no sensor is near.
 
     Parameters
     ----------
@@ -143,20 +185,36 @@ def preferred(names: Sequence[str], places: Places | None = None) -> list[str]:
     count = min(USUAL, len(found))
     # spread over the list, because neighbours are often from one shaft
     spread = [found[k * len(found) // count] for k in range(count)]
-    if places is None or len(spread) == len(found):
+    if places is None:
         return spread
-    near = {name: places.near(name) for name in found}
-    everything = frozenset().union(*near.values())
-    if everything <= frozenset().union(*(near[name] for name in spread)):
+    near = {name: places.singly(name) for name in every_quantity(names)}
+    sensed = frozenset().union(*(near[name] for name in found))
+    if not sensed:
         return spread
+    chosen = spread
+    if not sensed <= frozenset().union(*(near[name] for name in spread)):
+        chosen = _nearest(found, near, sensed, MOST)
+        chosen += [name for name in spread if name not in chosen][: max(USUAL - len(chosen), 0)]
+    # internal quantities only next to what no sensor is near to
+    for group in PREFERRED[1:]:
+        chosen += _nearest(_of(group, names), near, set(places.all_parts()) - sensed, MOST - len(chosen))
+        sensed = sensed.union(*(near[name] for name in chosen))
+    return [name for name in near if name in chosen]
+
+
+def _nearest(
+    names: Sequence[str], near: Mapping[str, frozenset[str]], wanted: AbstractSet[str], most: int
+) -> list[str]:
+    """Few channels that are near to as many of the wanted parts as possible, radial ones first."""
     chosen: list[str] = []
-    left = set(everything)
-    while left and len(chosen) < MOST:
-        best = max(found, key=lambda name: len(near[name] & left))
+    left = set(wanted)
+    while left and len(chosen) < most:
+        best = max(names, key=lambda name: (len(near[name] & left), "axial" not in name), default="")
+        if not best or not near[best] & left:
+            break
         chosen.append(best)
         left -= near[best]
-    chosen += [name for name in spread if name not in chosen][: max(USUAL - len(chosen), 0)]
-    return [name for name in found if name in chosen]
+    return chosen
 
 
 def every_quantity(names: Sequence[str]) -> list[str]:
@@ -214,6 +272,11 @@ def matching(pattern: str, names: Sequence[str], option: str) -> list[str]:
     if not found:
         raise SignalError(f"{option}: no channel {quote(pattern)}; {hint(pattern, names, 3)}")
     return found
+
+
+def _is_internal(name: str) -> bool:
+    """Whether a channel is an internal quantity of a simulation, not that of a sensor."""
+    return any(name.startswith(f"{quantity}[") for group in PREFERRED[2:] for quantity in group)
 
 
 def _words(name: str) -> list[str]:

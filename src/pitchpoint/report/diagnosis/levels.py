@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from pitchpoint.analysis.diagnosis import Diagnosis
-from pitchpoint.analysis.findings import Evidence, Finding
+from pitchpoint.analysis.findings import COMBS, Evidence, Finding
 from pitchpoint.analysis.same_fault import fundamental, same_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import Places, each
@@ -15,6 +15,7 @@ from pitchpoint.report.diagnosis.words import NOT_VISIBLE, evidence_in, unit_of
 
 LISTED = 3
 """Maximum number of channels in a sentence."""
+_KINDS = {kind: rank for rank, kind in enumerate(COMBS)}
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class ChannelLevel:
     channel
         Name of the channel.
     value, limit
-        Test value and its limit, in dB, for combs in standard deviations.
+        Test value and its limit, in dB, for combs and periods in standard deviations.
     unit
         Unit of both.
     visible
@@ -113,7 +114,7 @@ def levels_of(
     first = [e for e in mine if e.channel == finding.channel and e.found]
     if not first:
         return ()
-    best = min(first, key=lambda e: (e.kind != "comb", e.probability, e.threshold - e.value))
+    best = min(first, key=lambda e: (_KINDS.get(e.kind, 2), e.probability, e.threshold - e.value))
     mine = [e for e in mine if (e.kind, e.gear) == (best.kind, best.gear)]
     order = fundamental(best, parts)
     same = [e for e in mine if e.kind != "bearing" or same_lines(fundamental(e, parts), order, turns)]
@@ -130,7 +131,7 @@ def _is_of(e: Evidence, finding: Finding) -> bool:
     """Whether a test is one of the part of a finding."""
     if finding.kind == "bearing":
         return e.kind == "bearing" and e.gear == finding.gears[0]
-    return e.kind in ("comb", "sidebands")
+    return e.kind in (*COMBS, "sidebands")
 
 
 def nearest_sensor(finding: Finding, rows: Sequence[ChannelLevel], places: Places) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -50,6 +50,8 @@ class Machine:
         Number in the file that gives the speed, in words; empty if an option or the model gives it.
     limits
         Lowest and highest rotation frequency of the reference shaft [Hz], if a range is given.
+    meshes_at
+        Names of the meshes at each body of a model.
     """
 
     parts: TurningParts
@@ -61,6 +63,7 @@ class Machine:
     sources: tuple[str, ...] = ()
     speed_source: str = ""
     limits: tuple[float, float] | None = None
+    meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 SETTLED = 0.01
@@ -240,7 +243,7 @@ def _model(request: Request, record: Record) -> Model | None:
 def _of_model(request: Request, record: Record, model: Model) -> Machine:
     """Rotating parts of a model; speeds from options or a scenario, arbitrary with an angle channel."""
     from pitchpoint.report.frequencies import turning_speeds
-    from pitchpoint.report.machine_parts import parts_of
+    from pitchpoint.report.machine_parts import meshes_at_bodies, parts_of
 
     where = request.tacho or request.angle or ""
     angles = (
@@ -265,9 +268,17 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
         raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
     parts, names, more = parts_of(model, spins, reference)
     parts, names = _with_shafts(parts, names, request.shafts)
-    speed = known[reference] / math.tau
-    notes = (*remarks, *more)
-    return Machine(parts, reference, speed, tolerance, names, notes, limits=_limits(given, speed))
+    frequency = known[reference] / math.tau
+    return Machine(
+        parts,
+        reference,
+        frequency,
+        tolerance,
+        names,
+        (*remarks, *more),
+        limits=_limits(given, frequency),
+        meshes_at=meshes_at_bodies(model),
+    )
 
 
 def _stated(record: Record) -> str:

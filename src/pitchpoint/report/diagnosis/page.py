@@ -110,8 +110,8 @@ def _tests(study: Study) -> Section:
     section.add(
         f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
         f"{percent(study.diagnosis.false_alarm)} of records of noise alone have a finding. “By noise” is the "
-        "probability that any test of such a record reaches this value. Combs are rated in standard "
-        "deviations of a rank test, lines in decibels above the adjacent spectrum. “Result” gives the reason "
+        "probability that any test of such a record reaches this value. Combs and periods are rated in "
+        "standard deviations, lines in decibels above the adjacent spectrum. “Result” gives the reason "
         "if a value above its limit is not a finding.</p>"
     )
     section.add(tables.test_table(study))

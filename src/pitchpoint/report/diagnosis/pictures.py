@@ -243,7 +243,9 @@ def _order_label(k: int, sideband: bool) -> str:
 def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence, unit: str) -> None:
     """Add the mean turn over the teeth of the gear, or over degrees if the gear is not identified."""
     gears = _gears(study, e)
-    turns = [row for row in rows if row.shaft == e.shaft and set(row.gears) & set(gears)]
+    places = zip(study.diagnosis.findings, study.places, strict=True)
+    own = [turns for f, turns in places if (f.shaft, f.channel) == (e.shaft, e.channel) and turns]
+    turns = [row for row in (own[0] if own else rows) if row.shaft == e.shaft and set(row.gears) & set(gears)]
     if not turns:
         return
     turn = min(turns, key=lambda row: row.turn.energy.probability)

@@ -154,7 +154,7 @@ def prepare(request: Request) -> Prepared:
             f"{request.file}: --unit {next(iter(request.units))}: results have units; omit the option"
         )
     machine = machine_of(request, record)
-    places = Places(machine.parts, machine.names)
+    places = Places(machine.parts, machine.names, meshes_at=machine.meshes_at)
     places = replace(places, given=given_places(request.sensors, record.channels, places))
     chosen = _chosen(request, record, places)
     _complete(request, record, chosen)

@@ -277,9 +277,10 @@ def usable(
 ) -> tuple[dict[str, Array], list[str]]:
     """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration. With the `units` of
-    simulated channels, so are those that only contain errors of the solution: in a machine with two
-    symmetric sides, for example, the vibration along the axes of the shafts cancels.
+    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration. Internal quantities
+    of simulations are none, even if they look like pulses. With the `units` of simulated channels, so are
+    those that only contain errors of the solution: in a machine with two symmetric sides, for example, the
+    vibration along the axes of the shafts cancels.
     """
     kept, remarks, units = {}, [], units or {}
     for name, values in channels.items():
@@ -292,7 +293,8 @@ def usable(
         if spread <= 1e-12 * float(np.abs(x).max()):
             remarks.append(f"{name}: is constant; omitted")
             continue
-        if time is not None and is_pulse_train(x, time):
+        measured = not units or name.startswith("signal[")
+        if time is not None and measured and is_pulse_train(x, time):
             word = quote(name)
             remarks.append(
                 f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "

@@ -201,6 +201,8 @@ def _fault(e: Evidence) -> str:
         return "bearing impacts in the envelope"
     if e.kind == "sidebands":
         return f"modulation of the mesh of {e.gear} over a turn"
+    if e.kind == "period":
+        return f"one event per turn, in the wavelet level of {e.gear}"
     return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 

@@ -12,6 +12,7 @@ from pitchpoint.analysis.findings import Finding
 from pitchpoint.analysis.gear_indicators import gear_indicators
 from pitchpoint.analysis.mean_turns import MeanTurn, mean_turn
 from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.shaft_periods import level_of
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.words import percent
@@ -21,6 +22,10 @@ INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
 """Labels of the indicators of a mean turn."""
 GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
 """Values of the indicators for Gaussian noise [-]."""
+
+
+SHORT = "the event is too short to identify the gear"
+"""Why several gears of a shaft are named."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +44,8 @@ class GearTurn:
         Angle of the shaft at the first sample [rad], and the zero of this angle in words.
     fm0
         FM0 [-]; NaN if the mean turn contains no mesh harmonic.
+    level
+        Gear in whose wavelet level the turn is averaged; empty for the whole signal.
     """
 
     channel: str
@@ -49,6 +56,7 @@ class GearTurn:
     zero: float
     since: str
     fm0: float
+    level: str = ""
 
     @property
     def angle(self) -> float:
@@ -92,23 +100,29 @@ class GearTurn:
         }
 
 
-def gear_turns(channel: str, shaft: str, over: OverAngle, parts: TurningParts) -> tuple[GearTurn, ...]:
-    """Mean turns of a shaft in one channel, one per tooth count on it, if the record is long enough."""
+def gear_turns(
+    channel: str, shaft: str, over: OverAngle, parts: TurningParts, level: str = ""
+) -> tuple[GearTurn, ...]:
+    """Mean turns of a shaft in one channel, one per tooth count on it, if the record is long enough.
+
+    Of the signal, or of the wavelet level of a gear.
+    """
     by_count: dict[int, list[str]] = {}
     for gear, (_, teeth) in parts.gears_of(shaft).items():
         by_count.setdefault(teeth, []).append(gear)
     zero, since = over.zeros.get(shaft, (0.0, over.began))
     found = []
+    x, rate = level_of(over.signals[channel], over.samples_per_turn, parts, shaft, level)
     for teeth, gears in by_count.items():
         try:
-            turn = mean_turn(over.signals[channel], over.samples_per_turn, parts, parts.shaft(shaft), teeth)
+            turn = mean_turn(x, rate, parts, parts.shaft(shaft), teeth)
         except SignalError:
             continue
         try:
             fm0 = gear_indicators(turn.average, teeth=teeth).fm0
         except SignalError:
             fm0 = math.nan
-        found.append(GearTurn(channel, shaft, tuple(gears), teeth, turn, zero, since, fm0))
+        found.append(GearTurn(channel, shaft, tuple(gears), teeth, turn, zero, since, fm0, level))
     return tuple(found)
 
 
@@ -119,7 +133,7 @@ def local_turns(
     return tuple(
         tuple(
             row
-            for row in gear_turns(finding.channel, finding.shaft, over, parts)
+            for row in gear_turns(finding.channel, finding.shaft, over, parts, _level(finding, parts))
             if not finding.gears or set(row.gears) & set(finding.gears)
         )
         if finding.kind == "local fault"
@@ -128,9 +142,17 @@ def local_turns(
     )
 
 
+def _level(finding: Finding, parts: TurningParts) -> str:
+    """Gear in whose level the mean turns are taken: of several suspected ones the finest."""
+    gears = parts.gears_of(finding.shaft)
+    suspected = [gear for gear in gears if gear in finding.gears] or list(gears)
+    return max(suspected, key=lambda gear: gears[gear][1]) if finding.level else ""
+
+
 def one_gear(finding: Finding, turns: tuple[GearTurn, ...]) -> bool:
     """Whether all suspected gears have one tooth count, so that teeth can be numbered."""
-    return bool(finding.gears) and not finding.bearings and len(turns) == 1
+    named = set(finding.gears)
+    return bool(named) and not finding.bearings and len(turns) == 1 and named <= set(turns[0].gears)
 
 
 def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: float) -> str:
@@ -138,28 +160,36 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     if not turns:
         return ""
     best = min(turns, key=lambda row: row.turn.energy.probability)
-    energy, found = best.turn.energy, best.turn.indicators
+    found = best.turn.indicators
     (fm4, limit, _), (m6a, other, _) = found["fm4"], found["m6a"]
     shape = (
         f"FM4 {number(fm4, 3)} (1 % of noise of the same spectrum exceeds {number(limit, 3)}), "
         f"M6A {number(m6a, 3)} ({number(other, 3)})"
     )
-    text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
+    where = f" in the wavelet level of {best.level}" if best.level else ""
+    text = f"mean of {best.turn.averages} turns of {finding.shaft}{where}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
     # a finding without a gear has no tooth
-    where = f"one tooth of {' or '.join(best.gears)}" if finding.gears else f"a turn over {best.teeth}"
-    share = (
-        f"{100.0 * energy.share:.0f} % of the energy of its residual is within the angle of {where} "
-        f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
+    shares = " and ".join(
+        f"{100.0 * row.turn.energy.share:.0f} % within the angle of "
+        f"{f'one tooth of {_either(row.gears)}' if finding.gears else f'a turn over {row.teeth}'} "
+        f"({100.0 / row.teeth:.2g} % if spread evenly; by chance: {percent(row.turn.energy.probability)})"
+        for row in turns
     )
+    share = f"of the energy of its residual {shares}"
     if not best.stands_out(false_alarm):
         return f"{text}; {share}: no single tooth can be identified"
     if not one_gear(finding, turns):
-        return f"{text}; {share}, {degrees} after {best.since}"
+        either = f"; {SHORT}" if finding.gears and len(turns) > 1 else ""
+        return f"{text}; {share}, {degrees} after {best.since}{either}"
     return (
         f"{text}; {share}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
         f"{best.since}"
     )
+
+
+def _either(gears: tuple[str, ...]) -> str:
+    return " or ".join(gears)
 
 
 def crest(turn: MeanTurn) -> float:

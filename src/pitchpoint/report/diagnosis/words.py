@@ -10,8 +10,9 @@ from typing import Any
 
 from pitchpoint.analysis.diagnosis import Diagnosis
 from pitchpoint.analysis.family_evidence import PARTLY
-from pitchpoint.analysis.findings import Evidence, Finding
+from pitchpoint.analysis.findings import COMBS, Evidence, Finding
 from pitchpoint.analysis.remarks import Note, grouped
+from pitchpoint.analysis.shaft_periods import MESH_HARMONICS
 from pitchpoint.analysis.turning_parts import TurningParts
 
 BEARING_WORDS = {
@@ -120,10 +121,12 @@ def observation(
             "misalignment or a "
             "bent shaft"
         )
-    e = max((e for e in mine if e.kind == "comb" and e.found), key=lambda e: e.value)
     where = (
         "impacts at one angle of the turn are not" if parts.gears_of(finding.shaft) else "the cause is not"
     )
+    e = max((e for e in mine if e.kind in COMBS and e.found), key=lambda e: (e.kind == "comb", e.value))
+    if e.kind == "period":
+        return f"{_seen(e, parts, frequency)} in {e.channel}; {where} visible"
     return (
         f"raised orders of {shaft} about {_rate(e.order, frequency)} in {e.channel}, {e.value:.1f} standard "
         f"deviations above the spectrum between them; {where} visible"
@@ -157,10 +160,10 @@ def evidence_in(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
         if e.found
         and e.shaft == finding.shaft
         and (e.kind == "bearing") == (finding.kind == "bearing")
-        and (e.kind != "comb" or finding.kind == "local fault")
+        and (e.kind not in COMBS or finding.kind == "local fault")
         and (e.kind != "bearing" or e.gear == finding.gears[0])
     ]
-    kinds = {"comb": 0, "sidebands": 1, "low order": 2, "bearing": 3}
+    kinds = {"comb": 0, "period": 1, "sidebands": 2, "low order": 3, "bearing": 4}
     mine.sort(key=lambda e: (kinds[e.kind], e.probability))
     return mine
 
@@ -215,7 +218,7 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
             "gear": e.gear,
             "value": e.value,
             "threshold": e.threshold,
-            "unit": "standard deviations" if e.kind == "comb" else "dB",
+            "unit": "standard deviations" if e.kind in COMBS else "dB",
             "false_alarm": e.probability,
             "order": e.order,
             "frequency": e.order * frequency,
@@ -237,7 +240,7 @@ def unit_of(kind: str) -> str:
     >>> unit_of("comb"), unit_of("sidebands")
     ('σ', 'dB')
     """
-    return "σ" if kind == "comb" else "dB"
+    return "σ" if kind in COMBS else "dB"
 
 
 def outcome(e: Evidence, diagnosis: Diagnosis) -> str:
@@ -260,6 +263,8 @@ def what_is_tested(e: Evidence) -> str:
         return f"{e.shaft} of {e.gear}"
     if e.kind == "sidebands":
         return f"sidebands of {e.gear}"
+    if e.kind == "period":
+        return f"period in the level of {e.gear}"
     return {"comb": "all orders", "low order": "lowest orders"}[e.kind]
 
 
@@ -269,6 +274,13 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
         return (
             f"a comb of lines at multiples of {turning} about {_rate(e.order, frequency)}, "
             f"{e.value:.1f} standard deviations above the spectrum between them (limit {e.threshold:.1f})"
+        )
+    if e.kind == "period":
+        mesh, _ = parts.gears_of(e.shaft)[e.gear]
+        top = _rate(MESH_HARMONICS * parts.mesh_order(mesh), frequency)
+        return (
+            f"one event per turn ({_rate(e.order, frequency)}) with lines up to {top}, {e.value:.1f} "
+            f"standard deviations above the noise next to them (limit {e.threshold:.1f})"
         )
     line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
     limit = f"(limit {e.threshold:.0f} dB)"
