@@ -109,14 +109,15 @@ class LineAngle:
         Shape (n,). Angle of the reference shaft [rad].
     orders
         Orders of the lines [-], the clearest first.
-    uncertainty
-        Standard deviation of the angle [rad]: that due to the noise about the lines, or that of the angles of
-        single lines if it is larger.
+    agreement
+        Agreement of the lines [rad]: standard deviation of the angles of single lines from the common one, or
+        that due to the noise about the lines if it is larger. It is not the error of the angle: phase and
+        delay that all lines have in common are not contained.
     """
 
     angle: Array
     orders: tuple[float, ...]
-    uncertainty: float
+    agreement: float
 
 
 def line_angle(
@@ -193,10 +194,10 @@ def line_angle(
     weight = share.mean(axis=1) / share.mean() / len(ordered)
     apart = np.cumsum(each, axis=1).std(axis=1)
     noise = np.array([0.5 / clear[order] / order**2 for order in ordered])
-    uncertainty = np.sqrt(max(float(weight @ apart**2), float(1.0 / np.sum(1.0 / noise))))
+    agreement = np.sqrt(max(float(weight @ apart**2), float(1.0 / np.sum(1.0 / noise))))
     clock = np.arange(next(iter(signals.values())).size) / rate
     angle = 2.0 * np.pi * clock + CubicSpline(turns, moved)(clock)
-    return LineAngle(angle, tuple(ordered), float(uncertainty))
+    return LineAngle(angle, tuple(ordered), float(agreement))
 
 
 def _bands(

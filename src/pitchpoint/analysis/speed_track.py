@@ -55,8 +55,8 @@ class SpeedTrack:
         Path of the speed from which the angle was found.
     orders
         Orders of the lines whose phases refine the angle [-], the clearest first; empty if none is clear.
-    uncertainty
-        Standard deviation of the angle [rad], see `LineAngle`; NaN without such lines.
+    agreement
+        Agreement of the lines on the angle [rad], not its error, see `LineAngle`; NaN without such lines.
     lowest
         Lowest order of the strong lines [-].
     hidden
@@ -66,7 +66,7 @@ class SpeedTrack:
     angle: Array
     path: SpeedPath
     orders: tuple[float, ...]
-    uncertainty: float
+    agreement: float
     lowest: float
     hidden: Array
 
@@ -102,9 +102,9 @@ def speed_track(
     Path of the highest levels of mesh harmonics and shaft orders, see `speed_path`, in frames of the length
     with the clearest path. A path at a multiple of the speed is a competitor: levels half-way between mesh
     harmonics count against a speed. The record is resampled over the angle of the path and the phase of the
-    clearest line followed, in bands that exclude the sidebands of ever slower shafts [1]_. Where a line
-    crosses a resonance its phase changes by up to π, and the angle by π over its order. Valid if the shaft
-    does not stop.
+    clear lines followed, in bands that exclude the sidebands of ever slower shafts [1]_. Where a line crosses
+    a resonance its phase changes by up to π, and the angle by π over its order if this line is followed. The
+    delay that all lines have from mesh to sensor is part of the angle. Valid if the shaft does not stop.
 
     References
     ----------
@@ -138,18 +138,18 @@ def speed_track(
     clock = np.arange(x[0].size) / rate
     angle = _integral(np.interp(clock, path.time, path.frequency), rate)
     angle, line = _refined(x, angle, parts)
-    if line is not None and line.uncertainty * comb.lowest > math.pi:
+    if line is not None and line.agreement * comb.lowest > math.pi:
         listed = ", ".join(f"{order:.5g}" for order in line.orders)
         raise SignalError(
             f"speed: the phases of the lines at orders {listed} give angles that differ by "
-            f"{line.uncertainty:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check "
+            f"{line.agreement:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check "
             "the tooth numbers"
         )
     return SpeedTrack(
         angle - angle[0],
         path,
         line.orders if line else (),
-        line.uncertainty if line else math.nan,
+        line.agreement if line else math.nan,
         comb.lowest,
         _hidden(path),
     )

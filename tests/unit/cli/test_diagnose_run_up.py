@@ -45,7 +45,22 @@ def test_the_result_states_how_the_speed_was_found(folder: Path, capsys: pytest.
     said = " ".join(found["remarks"])
     assert "speed of shaft 1 found in the record" in said
     assert "of the best other path" in said
-    assert "by the phases of the lines at orders 32, 64" in said
+    assert "by the phases of the lines at orders 32, 64; agreement of the lines 0.0" in said
+
+
+def test_unconfirmed_tooth_numbers_are_part_of_the_verdict(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The mesh lines have no sidebands; a second stage that is not there has no line."""
+    file = [str(folder / "damaged.csv"), "-c", "acc", "--speed", "500..1100rpm"]
+    (alone,) = json_of(["diagnose", *file, "--train", "32/95"], capsys)["findings"]
+    assert alone["gears"] == ["Z1"]
+    assert (
+        "the tooth numbers, on which the speed depends, are not confirmed by sidebands" in alone["sentence"]
+    )
+    (more,) = json_of(["diagnose", *file, "--train", "32/95-20/41"], capsys)["findings"]
+    assert more["shaft"] == "shaft 1" and more["gears"] == []
+    assert more["sentence"].endswith("are not confirmed by mesh 2; no gear is named")
 
 
 def test_a_range_of_another_shaft(folder: Path) -> None:

@@ -74,6 +74,10 @@ class OverAngle:
         Varying speed that was found in the record itself.
     advice
         Remark that the speed varies and a range is to be given; empty if it does not.
+    doubt
+        Doubt about the tooth numbers on which the speed depends, in words; empty if there is none.
+    names_gears
+        Whether gears may be named in spite of this doubt.
     """
 
     signals: dict[str, Array]
@@ -89,6 +93,8 @@ class OverAngle:
     speeds: tuple[float, float] | None = None
     found: FoundSpeed | None = None
     advice: str = ""
+    doubt: str = ""
+    names_gears: bool = True
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:

@@ -212,7 +212,7 @@ def study(
         speed_tolerance=over.tolerance,
         slip=slip,
     )
-    found, unnamed = _named(found, parts)
+    found, unnamed = _named(found, parts, over.names_gears)
     where = sensors or Places(parts)
     turns = next(iter(over.signals.values())).size / over.samples_per_turn
     found, levels = at_sensors(found, parts, turns, where)
@@ -225,7 +225,8 @@ def study(
         raise SignalError(
             "; ".join((*over.remarks, over.advice or "give the speed more closely, --tacho or --angle"))
         )
-    words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
+    doubt = f"; {over.doubt}" if over.doubt else ""
+    words = tuple(sentence(finding, found, parts, over.frequency) + doubt for finding in found.findings)
     notes = (
         *over.remarks,
         *filter(None, (over.advice,)),
@@ -258,8 +259,11 @@ def study(
     )
 
 
-def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
+def _named(found: Diagnosis, parts: TurningParts, names_gears: bool) -> tuple[Diagnosis, list[str]]:
     """Remove gears without a visible mesh line from findings: their tooth counts are not confirmed."""
+    if not names_gears:
+        every = (one if one.kind == "bearing" else replace(one, gears=()) for one in found.findings)
+        return replace(found, findings=tuple(every)), []
     seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
     shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
     findings, remarks = [], []

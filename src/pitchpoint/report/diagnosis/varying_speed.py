@@ -60,10 +60,11 @@ def at_varying_speed(
     tolerance = 0.0
     if track.orders:
         listed = ", ".join(f"{order:.5g}" for order in track.orders)
-        agree = "uncertain by noise by" if len(track.orders) == 1 else "which agree within"
+        many = len(track.orders) > 1
         remarks.append(
-            f"angle of {reference} by the phases of the lines at orders {listed}, {agree} "
-            f"{track.uncertainty:.2g} rad"
+            f"angle of {reference} by the phases of the {'lines' if many else 'line'} at order"
+            f"{'s' * many} {listed}; {'agreement of the lines' if many else 'scatter by noise'} "
+            f"{track.agreement:.2g} rad, without phase and delay from mesh to sensor, which all lines contain"
         )
     else:
         tolerance = path.resolution / (2.0 * track.lowest * float(np.mean(path.frequency)))
@@ -71,9 +72,12 @@ def at_varying_speed(
             f"speed: known within ±{100.0 * tolerance:.2g} %, since no line is clear enough for its phase; "
             "shafts and gears are not tested"
         )
-    remarks += _hidden(track) + (_teeth(over, parts, track) if parts.meshes else [])
+    about, doubt, names_gears = _teeth(over, parts, track) if parts.meshes else ([], "", True)
+    remarks += _hidden(track) + about
     return replace(
         over,
+        doubt=doubt,
+        names_gears=names_gears,
         remarks=(*over.remarks, *remarks),
         tolerance=tolerance,
         found=FoundSpeed(track, signals, rate, float(time[0])),
@@ -126,8 +130,14 @@ def _hidden(track: SpeedTrack) -> list[str]:
     ]
 
 
-def _teeth(over: OverAngle, parts: TurningParts, track: SpeedTrack) -> list[str]:
-    """Remarks on meshes without a line, and on tooth numbers, on which the speed depends."""
+def _teeth(over: OverAngle, parts: TurningParts, track: SpeedTrack) -> tuple[list[str], str, bool]:
+    """Remarks on meshes without a line, and on tooth numbers, on which the speed depends.
+
+    Returns
+    -------
+    tuple
+        Remarks, doubt about tooth numbers in words, and whether gears may be named in spite of it.
+    """
     found = []
     seen = {
         mesh.name
@@ -145,11 +155,15 @@ def _teeth(over: OverAngle, parts: TurningParts, track: SpeedTrack) -> list[str]
         f"{row.given}; check the tooth numbers, on which the speed depends"
         for row in wrong
     ]
-    if not any(row.found for row in rows):
-        found.append(
-            "tooth numbers: not confirmed by sidebands; with wrong ones the speed is wrong in proportion"
-        )
-    return found
+    depends = "the tooth numbers, on which the speed depends"
+    if wrong:
+        return found, f"{depends}, are contradicted by sidebands; no gear is named", False
+    if seen and unseen:
+        return found, f"{depends}, are not confirmed by {', '.join(unseen)}; no gear is named", False
+    if any(row.found for row in rows):
+        return found, "", True
+    why = "tooth numbers: not confirmed by sidebands; with wrong ones the speed is wrong in proportion"
+    return [*found, why], f"{depends}, are not confirmed by sidebands", True
 
 
 def _is_harmonic(order: float, mesh: float) -> bool:
