@@ -2,9 +2,9 @@
 """Run-up of the gearbox of docs/diagnosis.md without its angle channel: verdict and angle of the true angle.
 
 Oracle: the angle channel of the simulation. A mesh line changes its phase by up to pi where it crosses a
-resonance, and the angle, if it follows this line, by pi over its order: a step of pi/16 for the lowest mesh line.
-The rms of a step about its mean is at most half its height, pi/32 = 0.098 rad. Seen: 0.026 to 0.027 rad (healthy)
-and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal.
+resonance, and the angle, if it follows this line, by pi over its order: a step of pi/16 for the lowest mesh
+line. The rms of a step about its mean is at most half its height, pi/32 = 0.098 rad. Seen: 0.026 to 0.027 rad
+(healthy) and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal.
 """
 
 from __future__ import annotations

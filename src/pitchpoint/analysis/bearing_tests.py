@@ -31,10 +31,10 @@ HARMONICS = 3
 IMPACTS = 0.01
 """Probability that an envelope formed by a few lines of the signal is taken for impacts, over all bearing
 parts and both tests of each."""
-BESIDE = 8
+ORDERS = 8
 """Number of orders of a shaft on either side of a line whose width is compared."""
 WIDE = 1.4
-"""Ratio of the levels beside orders and in the noise around above which orders are wide; noise exceeds it in
+"""Ratio of the levels next to orders and in the noise around above which orders are wide; noise exceeds it in
 5 % of cases (quantiles of 17 and of twice 16 exponentially distributed powers)."""
 MIN_EVENTS = 16.0
 NOTHING = 1e-9
@@ -257,8 +257,8 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float,
         ratio[k - 1] = power[k - 1] / base
         chance[k - 1] = [line_probability(float(x), points, rank) for x in ratio[k - 1]]
         for shaft in parts.shafts:
-            beside, over = _beside_orders(near, power[k - 1], float(shaft.order), base, spectrum, parts)
-            chance[k - 1] = np.maximum(chance[k - 1], beside)
+            other_side, over = _next_to_orders(near, power[k - 1], float(shaft.order), base, spectrum, parts)
+            chance[k - 1] = np.maximum(chance[k - 1], other_side)
             ratio[k - 1] = np.minimum(ratio[k - 1], over)
     if held < 2:
         return Measured(0.0, 1.0, order, 0.0, 0)
@@ -285,10 +285,10 @@ def _skirts(place: Array, spectrum: FineSpectrum) -> NDArray[np.bool_]:
     return np.asarray((left[inside] > 0) | (right[inside] > 0))
 
 
-def _beside_orders(
+def _next_to_orders(
     place: Array, power: Array, step: float, base: float, spectrum: FineSpectrum, parts: TurningParts
 ) -> tuple[Array, Array]:
-    """Test of lines beside wide orders of a shaft against the points on the other side of these orders.
+    """Test of lines next to wide orders of a shaft against the points on the other side of these orders.
 
     Orders of a shaft are wider than the resolution where speed and vibration change within the record, or
     where the angle is not exact: to both sides alike, and neighbouring orders alike. Points at the same
@@ -306,7 +306,7 @@ def _beside_orders(
         return chance, over
     number = np.rint(place / step)
     off = place - number * step
-    image = (number[:, None] + np.arange(-BESIDE, BESIDE + 1)) * step - off[:, None]
+    image = (number[:, None] + np.arange(-ORDERS, ORDERS + 1)) * step - off[:, None]
     usable = _free(image.ravel(), spectrum, parts).reshape(image.shape)
     usable &= (image > 3.0 * spectrum.resolution) & (np.abs(off) < 0.25 * step)[:, None]
     level = np.sort(np.where(usable, spectrum.power(image), np.inf), axis=1)

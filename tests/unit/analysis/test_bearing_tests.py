@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lines of bearings beside orders of a shaft that are wider than the resolution of the record."""
+"""Lines of bearings next to orders of a shaft that are wider than the resolution of the record."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_a_wide_order_of_a_shaft_is_no_bearing(step: float, seed: int) -> None:
 
 
 @pytest.mark.parametrize("step", [0.0, 0.2, 0.4])
-def test_a_bearing_beside_wide_orders_is_found(step: float) -> None:
+def test_a_bearing_next_to_wide_orders_is_found(step: float) -> None:
     found = _part(fine_spectrum(_envelope(step, 1, 0.5), RATE), BALL, PARTS, 0.5 * RATE, SLIP)
     assert found.probability < 1e-4
     assert found.order / BALL / 1.007 == pytest.approx(round(found.order / BALL), rel=1e-3)
