@@ -26,7 +26,8 @@ from pitchpoint.analysis.tacho import tacho_angle
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.report.diagnosis.record import over_angle, read_record
+from pitchpoint.report.diagnosis.over_angle import over_angle
+from pitchpoint.report.diagnosis.record import read_record
 from pitchpoint.report.frequencies import turning_speeds
 from pitchpoint.report.machine_parts import parts_of
 

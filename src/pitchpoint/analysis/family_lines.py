@@ -81,7 +81,12 @@ def envelope_lines(values: Array, rate: float, parts: TurningParts, level: float
 
     Notes
     -----
-    The running median covers 128 lines or one order, whichever is more. Valid as `line_ratios`.
+    Levels above the running median [1]_, which covers 128 lines or one order, whichever is more. Valid as
+    `line_ratios`.
+
+    References
+    ----------
+    .. [1] R. B. Randall, Vibration-based Condition Monitoring, Wiley, 2011.
     """
     turns = values.size / rate
     count = background(turns)

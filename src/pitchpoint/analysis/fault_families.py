@@ -152,6 +152,15 @@ def families_in(
     ------
     SignalError
         As `fault_families`.
+
+    Notes
+    -----
+    As `fault_families`, with probabilities shared among the parts [1]_. Valid as there.
+
+    References
+    ----------
+    .. [1] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions,
+       Journal of the American Statistical Association 62, 1967, 626-633.
     """
     limits = (("tolerance", tolerance, 0.1), ("slip", slip, 0.1), ("false_alarm", false_alarm, 0.5))
     for name, value, limit in limits:

@@ -37,10 +37,10 @@ PAGE_ENDINGS = (".html", ".htm")
     "--speed",
     "speeds",
     multiple=True,
-    metavar="[SHAFT=]QUANTITY[±TOL]",
+    metavar="[SHAFT=]QUANTITY[±TOL]|LOW..HIGH",
     help="Nominal speed, such as 30Hz or fan=1800rpm±1%, of the first shaft or of a body of the model; "
-    "tolerance "
-    "without ±: 2 %. Lines of the record determine it more closely. Default: a speed that the file states.",
+    "tolerance without ±: 2 %. Lines of the record determine it more closely. Of a run-up the range, such as "
+    "600..1800rpm; the speed is found in the record. Default: a speed that the file states.",
 )
 @click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
 @click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
@@ -152,7 +152,7 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     if options["train"] is not None and (options["model"] or options["scenario"]):
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
     for text in options["speeds"]:
-        say_bare_option(text.rpartition("=")[2], "angular_speed", "--speed")
+        say_bare_option(text.rpartition("=")[2].rpartition("..")[2], "angular_speed", "--speed")
     options["units"] = pairs(options["units"], "--unit")
     request = Request(file=files[0] if folder is None else folder, more=files[1:], **options)
     if trend:

@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Bearing, Mesh, Shaft, TurningParts, train_parts
 from pitchpoint.report.diagnosis.channels import MOST, Places, every_quantity, given_places, preferred
-from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.study import Study, study
 
 RATE, TURNS = 200.0, 300.0

@@ -12,7 +12,7 @@ from pitchpoint.analysis.diagnosis import Diagnosis
 from pitchpoint.analysis.family_evidence import PARTLY
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import train_parts
-from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.tooth_places import gear_turns, one_gear, place_sentence
 from pitchpoint.report.diagnosis.words import nothing_found, observation, outcome, sentence, what_is_tested
 

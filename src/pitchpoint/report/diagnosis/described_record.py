@@ -17,7 +17,7 @@ from pitchpoint.analysis.sampled import Array, SignalError
 from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.report.diagnosis.record import OverAngle, over_angle
+from pitchpoint.report.diagnosis.over_angle import OverAngle, over_angle
 from pitchpoint.report.diagnosis.record_files import RecordFile
 from pitchpoint.report.diagnosis.request import Request, prepare
 

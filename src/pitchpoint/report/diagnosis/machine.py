@@ -37,7 +37,7 @@ class Machine:
     reference
         Reference shaft or body.
     frequency
-        Its rotation frequency [Hz]; NaN if unknown.
+        Its rotation frequency [Hz], of a range the upper limit; NaN if unknown.
     tolerance
         Relative tolerance of the frequency [-].
     names
@@ -48,6 +48,8 @@ class Machine:
         Source of the orders of each given bearing, in words.
     speed_source
         Number in the file that gives the speed, in words; empty if an option or the model gives it.
+    limits
+        Lowest and highest rotation frequency of the reference shaft [Hz], if a range is given.
     meshes_at
         Names of the meshes at each body of a model.
     """
@@ -60,6 +62,7 @@ class Machine:
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
     speed_source: str = ""
+    limits: tuple[float, float] | None = None
     meshes_at: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
@@ -85,7 +88,7 @@ def machine_of(request: Request, record: Record) -> Machine:
 def _of_options(request: Request, record: Record) -> Machine:
     """Machine of tooth numbers, belts and speeds; without tooth numbers it has one shaft, or those of
     belts."""
-    given = [given_speed(text) for text in request.speeds]
+    given = _given_speeds(request)
     where, source = request.tacho or request.angle or "", ""
     if not given and not where and record.speed is not None:
         given, source = (
@@ -110,6 +113,7 @@ def _of_options(request: Request, record: Record) -> Machine:
     reference = shaft_of(where, names) or parts.shafts[0].name
     parts = _counted_from(parts, reference)
     frequency, tolerance = _reference_speed(given, parts, names)
+    limits = _limits(given, frequency)
     if record.fault_orders and not request.bearings and len(parts.shafts) == 1:
         orders = ",".join(f"{fault}={order!r}" for fault, order in record.fault_orders.items())
         one = given_bearing(f"bearing:{orders}", parts, names)
@@ -117,7 +121,9 @@ def _of_options(request: Request, record: Record) -> Machine:
         sources: tuple[str, ...] = (f"bearing: fault orders of the file, {orders}",)
     else:
         sources = ()
-    return Machine(parts, reference, frequency, tolerance, names, sources=sources, speed_source=source)
+    return Machine(
+        parts, reference, frequency, tolerance, names, sources=sources, speed_source=source, limits=limits
+    )
 
 
 def _at(request: Request) -> str:
@@ -199,6 +205,24 @@ def _reference_speed(
     return frequency, tolerance
 
 
+def _given_speeds(request: Request) -> list[GivenSpeed]:
+    """Speeds of the options; a range is the only one."""
+    given = [given_speed(text) for text in request.speeds]
+    if len(given) > 1 and any(one.lowest is not None for one in given):
+        raise SignalError(
+            f"--speed: {len(given)} speeds, one of them a range (limit: a range alone); give the range of "
+            "one shaft"
+        )
+    return given
+
+
+def _limits(given: Sequence[GivenSpeed], highest: float) -> tuple[float, float] | None:
+    """Range of the reference shaft [Hz] from that of the given shaft; None without one."""
+    if not given or given[0].lowest is None:
+        return None
+    return highest * given[0].lowest / given[0].frequency, highest
+
+
 def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
     """The same machine with another reference shaft."""
     base = parts.shaft(reference).order
@@ -226,7 +250,8 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
         [] if where or request.speeds else [n for n in record.channels if owner(n, "angle") in model.bodies]
     )
     bodies = {body: body for body in model.bodies}
-    spins, tolerance, remarks = _spins(request, record, model)
+    given = _given_speeds(request)
+    spins, tolerance, remarks = _spins(request, record, model, given)
     if not any(spins.values()):
         measured = shaft_of(where, bodies) or next((owner(name, "angle") for name in angles), "")
         if not measured:
@@ -244,8 +269,16 @@ def _of_model(request: Request, record: Record, model: Model) -> Machine:
     parts, names, more = parts_of(model, spins, reference)
     parts, names = _with_shafts(parts, names, request.shafts)
     frequency = known[reference] / math.tau
-    meshes_at = meshes_at_bodies(model)
-    return Machine(parts, reference, frequency, tolerance, names, (*remarks, *more), meshes_at=meshes_at)
+    return Machine(
+        parts,
+        reference,
+        frequency,
+        tolerance,
+        names,
+        (*remarks, *more),
+        limits=_limits(given, frequency),
+        meshes_at=meshes_at_bodies(model),
+    )
 
 
 def _stated(record: Record) -> str:
@@ -255,12 +288,13 @@ def _stated(record: Record) -> str:
     return f"; the file states {60.0 * record.speed:.6g} rpm ({record.speed_source})"
 
 
-def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], float, list[str]]:
+def _spins(
+    request: Request, record: Record, model: Model, given: Sequence[GivenSpeed]
+) -> tuple[dict[str, float], float, list[str]]:
     """Speeds of all bodies [rad/s] from options or a scenario, and their tolerance; empty if neither gives
     any."""
     from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
 
-    given = [given_speed(text) for text in request.speeds]
     if given:
         names = [one.shaft or (next(iter(model.bodies)) if len(model.bodies) == 1 else "") for one in given]
         if "" in names:

@@ -50,6 +50,8 @@ class FileRow:
         Rotation frequency of the reference shaft [Hz]; None if it varies or is unknown.
     tolerance
         Its relative tolerance that remains [-].
+    speeds
+        Lowest and highest rotation frequency [Hz], if it varies.
     time
         Time that the diagnosis took [s].
     sentences
@@ -70,12 +72,15 @@ class FileRow:
     time: float = 0.0
     sentences: tuple[str, ...] = ()
     failed: bool = False
+    speeds: tuple[float, float] | None = None
 
     def cells(self) -> tuple[str, ...]:
         """Texts of the table."""
         evidence = "–" if self.value is None else f"{self.value:.1f} {self.unit} (limit {self.limit:.1f})"
         near = f" ±{100.0 * self.tolerance:.2g} %" if self.tolerance else ""
         speed = "–" if self.frequency is None else f"{60.0 * self.frequency:.5g} rpm{near}"
+        if self.speeds is not None:
+            speed = f"{60.0 * self.speeds[0]:.4g} to {60.0 * self.speeds[1]:.4g} rpm"
         verdict = f"{self.verdict}: {self.sentences[0]}" if self.failed else self.verdict
         test = f"{self.test}, {self.channel}" if self.test else "–"
         return (self.file, verdict, test, evidence, speed, f"{self.time:.1f} s")
@@ -251,6 +256,7 @@ def _row(file: str, study: Study) -> FileRow:
         unit=unit_of(best.kind),
         frequency=hertz if math.isfinite(hertz) else None,
         tolerance=study.over.tolerance,
+        speeds=study.over.speeds,
         sentences=tuple(
             text.removesuffix("; listed below")
             for k, words in enumerate(study.sentences)

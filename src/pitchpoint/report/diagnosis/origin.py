@@ -104,6 +104,9 @@ def _speed(found: Study) -> str:
     """Speed of the reference shaft."""
     shaft = next((s.name for s in found.parts.shafts if s.order == 1), "the input")
     hertz = found.over.frequency
+    if found.over.speeds is not None:
+        low, high = (60.0 * value for value in found.over.speeds)
+        return f"{shaft}: {low:.4g} to {high:.4g} rpm"
     if hertz != hertz:
         return f"{shaft}: variable"
     near = f" ±{100.0 * found.over.tolerance:.3g} %" if found.over.tolerance else ""

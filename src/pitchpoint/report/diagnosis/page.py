@@ -10,7 +10,7 @@ from pitchpoint import __version__
 from pitchpoint.report.diagnosis import tables
 from pitchpoint.report.diagnosis.change_page import change_section
 from pitchpoint.report.diagnosis.change_words import change_sentences
-from pitchpoint.report.diagnosis.pictures import add_channel
+from pitchpoint.report.diagnosis.pictures import add_channel, add_speed
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.words import percent
 from pitchpoint.viz.report.page import Section, page
@@ -101,6 +101,7 @@ def _assumed(study: Study) -> Section:
     section.add(tables.shaft_table(study))
     section.add(tables.mesh_table(study))
     section.add(tables.bearing_table(study))
+    add_speed(section, study, shown_channels(study)[0])
     return section
 
 

@@ -15,8 +15,11 @@ from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.mesh_angle import HARMONICS as MESH_HARMONICS
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import MIN_TURNS
+from pitchpoint.analysis.speed_track import ALONE
+from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.analysis.turning_parts import Shaft
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
@@ -24,6 +27,7 @@ from pitchpoint.report.diagnosis.tooth_places import GearTurn, gear_turns
 from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
 from pitchpoint.viz.quantities import amount, number, span
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.spectrum_plots import plot_time_frequency
 
 SIDEBANDS, BEARING_HARMONICS = 6, 3
 """Number of marked shaft orders on each side of a line, and of marked harmonics of a bearing part."""
@@ -66,6 +70,34 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
         section.add("<h3>Indicators of the mean turns</h3>")
         section.add(indicator_tables(rows, unit))
         section.add(f"<p>{ABOUT_INDICATORS}</p>")
+
+
+def add_speed(section: Section, study: Study, channel: str) -> None:
+    """Add a map of one channel over time and frequency with the speed found in the record."""
+    found = study.over.found
+    if found is None:
+        return
+    path, parts = found.track.path, study.parts
+    orders = {mesh.name: parts.mesh_order(mesh) for mesh in parts.meshes}
+    orders = orders or {shaft.name: float(shaft.order) for shaft in parts.shafts}
+    harmonics = MESH_HARMONICS if parts.meshes else ALONE
+    top = 1.1 * harmonics * max(orders.values()) * float(path.frequency.max())
+    data = time_frequency_map(
+        found.signals[channel],
+        found.sample_rate,
+        frame=round(found.sample_rate / path.resolution),
+        highest_frequency=min(top, 0.5 * found.sample_rate),
+        start=found.start,
+    )
+    speed = np.interp(data.time, found.start + path.time, path.frequency)
+    unit = study.units.get(channel, "")
+    curves = {name: order * speed for name, order in orders.items()}
+    section.add("<h3>Speed found in the record</h3>")
+    section.add_figure(
+        plot_time_frequency(data, unit=unit, quantity=channel, meshes=curves),
+        f"{channel} over time and frequency, with the lines expected at the speed found: "
+        f"{', '.join(orders)} and harmonics. The speed is wrong if the curves are not on the ridges.",
+    )
 
 
 def questions(study: Study, channel: str) -> list[Evidence]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Read a record over time from a file and resample its channels over the angle of a shaft."""
+"""Read a record over time from a file; its exact speed near a nominal one."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import LONG, fine_spectrum
-from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length, sample_rate_of
+from pitchpoint.analysis.mesh_angle import has_clear_mesh
+from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.analysis.speed_search import speed_from_lines
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import matching
+from pitchpoint.report.diagnosis.over_angle import OverAngle
+from pitchpoint.report.diagnosis.varying_speed import suggested_range
 
 Array = NDArray[np.float64]
-
-STEADY = 1e-3
-"""Relative spread of the speed within which frequencies are given in Hz."""
 
 
 @dataclass(frozen=True)
@@ -114,74 +114,6 @@ class Record:
     rate_source: str = ""
 
 
-@dataclass(frozen=True)
-class OverAngle:
-    """Channels over the angle of the reference shaft.
-
-    Attributes
-    ----------
-    signals
-        Values by channel, shape (n,) each.
-    samples_per_turn
-        Samples per turn [-].
-    frequency
-        Rotation frequency [Hz]; NaN if the speed varies.
-    sampled_per_turn
-        Samples per turn of the original record [-].
-    remarks
-        Remarks on the processing.
-    zeros
-        By shaft: its angle at the first sample, in its sense of rotation [rad], and the zero of this angle in
-        words; a shaft that is not listed has angle 0 at `began`.
-    began
-        First sample in words.
-    source
-        Source of the speed.
-    tolerance
-        Relative tolerance of the speed [-]; 0 if an angle, a tacho or lines of the record determine it.
-    lines
-        Lines that determine the speed: `mesh`, `shaft`, or empty.
-    """
-
-    signals: dict[str, Array]
-    samples_per_turn: float
-    frequency: float
-    sampled_per_turn: float
-    remarks: tuple[str, ...] = ()
-    zeros: Mapping[str, tuple[float, str]] = field(default_factory=dict)
-    began: str = "the start of the record"
-    source: str = ""
-    tolerance: float = 0.0
-    lines: str = ""
-
-
-def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
-    """Resample channels at equal steps of an angle [rad] recorded with them."""
-    from pitchpoint.analysis.orders import resample_over_angle
-
-    clock = as_increasing(time)
-    turned = as_signal(angle, "angle", 16)
-    same_length(turned, clock, "angle, time")
-    speed = np.gradient(turned, clock)
-    found, rate = {}, math.nan
-    for name, values in signals.items():
-        resampled = resample_over_angle(as_signal(values, name, 16), turned)
-        found[name], rate = resampled.values, resampled.samples_per_revolution
-    mean = abs(float(turned[-1] - turned[0])) / float(clock[-1] - clock[0]) / math.tau
-    tenths = np.abs(np.diff(turned[np.linspace(0, turned.size - 1, 11).astype(int)]))
-    steady = float(np.ptp(tenths)) < 10.0 * STEADY * float(tenths.mean())
-    remarks = (
-        []
-        if steady
-        else [
-            f"the speed varies from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
-            f"instead of frequencies"
-        ]
-    )
-    taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
-    return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks))
-
-
 def at_speed(
     signals: Mapping[str, Array],
     sample_rate: float,
@@ -218,7 +150,9 @@ def at_speed(
             f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of "
             f"{frequency:.6g} Hz; {omitted} are not tested, bearings over the whole range"
         )
-    per_turn = sample_rate / found.frequency
+    per_turn, advice = sample_rate / found.frequency, ""
+    if tolerance > 0.0 and parts.meshes and not (found.what and has_clear_mesh(signals, per_turn, parts)):
+        advice = suggested_range(signals, sample_rate, parts, frequency, tolerance)
     return OverAngle(
         dict(signals),
         per_turn,
@@ -227,11 +161,8 @@ def at_speed(
         tuple(remarks),
         tolerance=found.tolerance,
         lines=found.what,
+        advice=advice,
     )
-
-
-def _rpm(speed: float) -> float:
-    return float(speed) * 30.0 / math.pi
 
 
 def strongest_lines(values: Array, samples_per_turn: float) -> list[float]:

@@ -17,7 +17,8 @@ from pitchpoint.core.nearest import hint
 from pitchpoint.report.diagnosis.channels import Places, every_quantity, given_places, preferred
 from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
-from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
+from pitchpoint.report.diagnosis.over_angle import OverAngle, over_angle
+from pitchpoint.report.diagnosis.record import Record, at_speed
 from pitchpoint.report.diagnosis.severity import machine_group, severities
 from pitchpoint.report.diagnosis.study import Study, study, usable
 
@@ -176,7 +177,7 @@ def prepare(request: Request) -> Prepared:
 
 def _other_speed(record: Record, machine: Machine) -> list[str]:
     """Remark on a speed in the file that is the speed of no shaft."""
-    if record.speed is None or math.isnan(machine.frequency):
+    if record.speed is None or machine.limits or math.isnan(machine.frequency):
         return []
     speeds = [machine.frequency * float(shaft.order) for shaft in machine.parts.shafts]
     if any(abs(record.speed - speed) <= SAME_SPEED * speed for speed in speeds):
@@ -270,6 +271,12 @@ def _over_angle(request: Request, record: Record, machine: Machine, signals: dic
         name = (request.angle or own).partition("@")[0]
         source, zero = f"angle channel {name}", f"the zero of {name}"
         shaft = angle_channel(record.channels[name], time)
+    elif machine.limits is not None:
+        from pitchpoint.report.diagnosis.varying_speed import at_varying_speed
+
+        over = at_varying_speed(cut, np.asarray(time), machine.parts, machine.limits, machine.reference)
+        source = ", ".join(f"--speed {text}" for text in request.speeds) + ", found in the record"
+        return replace(over, source=source, began=_began(record, 0))
     elif math.isnan(machine.frequency):
         raise SignalError(
             f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speeds as users know them: a nominal value with a tolerance."""
+"""Speeds as users know them: a nominal value with a tolerance, or a range."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ the accuracy of drives and displays."""
 LARGEST = 0.1
 """Largest relative tolerance: beyond it harmonics of neighbouring numbers overlap."""
 _SIGN = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
+_NUMBER = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*")
 _HERTZ = re.compile(r"\s*[-+.\deE]+\s*[kM]?Hz\s*")
 
 
@@ -28,48 +29,72 @@ class GivenSpeed:
     shaft
         Name of the shaft; empty if not given.
     frequency
-        Nominal rotation frequency [Hz].
+        Nominal rotation frequency [Hz]; of a range the upper limit.
     tolerance
         Relative tolerance [-].
     stated
         Whether the tolerance was stated.
+    lowest
+        Lower limit of a range [Hz]; None if the speed is constant.
     """
 
     shaft: str
     frequency: float
     tolerance: float
     stated: bool
+    lowest: float | None = None
 
 
 def given_speed(text: str, option: str = "--speed") -> GivenSpeed:
-    """Speed of `[SHAFT=]QUANTITY[±TOLERANCE]`.
+    """Speed of `[SHAFT=]QUANTITY[±TOLERANCE]` or `[SHAFT=]LOW..HIGH`.
 
     Parameters
     ----------
     text
-        Such as "30Hz", "fan=1750rpm±2%" or "1750 rpm +- 20 rpm".
+        Such as "30Hz", "fan=1750rpm±2%", "1750 rpm +- 20 rpm" or "600..1800rpm".
     option
         Name of the option in messages.
 
     Raises
     ------
     SignalError
-        If the speed or its tolerance is not a quantity, or the tolerance is not below 10 %.
+        If the speed or its tolerance is not a quantity, the tolerance is not below 10 %, or a range is empty.
 
     Examples
     --------
     >>> given_speed("fan=1500rpm±1%")
-    GivenSpeed(shaft='fan', frequency=25.0, tolerance=0.01, stated=True)
+    GivenSpeed(shaft='fan', frequency=25.0, tolerance=0.01, stated=True, lowest=None)
     >>> given_speed("25 Hz +- 0.5 Hz").tolerance, given_speed("25 Hz").stated
     (0.02, False)
+    >>> given_speed("10..30Hz")
+    GivenSpeed(shaft='', frequency=30.0, tolerance=0.0, stated=True, lowest=10.0)
     """
     name, equals, quantity = text.rpartition("=")
+    if ".." in quantity:
+        low, high = _limits(quantity, option)
+        return GivenSpeed(name.strip() if equals else "", high, 0.0, True, low)
     nominal, *rest = _SIGN.split(quantity.strip())
     value = _frequency(nominal, option)
     tolerance = TOLERANCE
     if rest:
         tolerance = _tolerance(rest, value, option)
     return GivenSpeed(name.strip() if equals else "", value, tolerance, bool(rest))
+
+
+def _limits(text: str, option: str) -> tuple[float, float]:
+    """Limits of a range [Hz]; the lower one has the unit of the upper one unless it has its own."""
+    low, _, high = (part.strip() for part in text.partition(".."))
+    if not low or not high or high[0] == "." or ".." in high or _SIGN.search(text):
+        raise SignalError(f"{option}: {text!r} is not a range; write it as in 600..1800rpm")
+    if _NUMBER.fullmatch(low):
+        unit = _NUMBER.match(high)
+        low += high[unit.end() :] if unit else ""
+    limits = _frequency(low, option), _frequency(high, option)
+    if not limits[0] < limits[1]:
+        raise SignalError(
+            f"{option}: range {text} (limit: the lower speed first); write it as in 600..1800rpm"
+        )
+    return limits
 
 
 def _tolerance(rest: list[str], frequency: float, option: str) -> float:

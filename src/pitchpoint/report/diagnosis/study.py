@@ -19,7 +19,8 @@ from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import Places
 from pitchpoint.report.diagnosis.levels import ChannelLevel, at_sensors, nearest_sensor
-from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
+from pitchpoint.report.diagnosis.over_angle import OverAngle
+from pitchpoint.report.diagnosis.record import strongest_lines
 from pitchpoint.report.diagnosis.severity import ChannelSeverity, verdicts
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
 from pitchpoint.report.diagnosis.words import (
@@ -211,7 +212,7 @@ def study(
         speed_tolerance=over.tolerance,
         slip=slip,
     )
-    found, unnamed = _named(found, parts)
+    found, unnamed = _named(found, parts, over.names_gears)
     where = sensors or Places(parts)
     turns = next(iter(over.signals.values())).size / over.samples_per_turn
     found, levels = at_sensors(found, parts, turns, where)
@@ -219,11 +220,22 @@ def study(
     strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in listed.items()}
     about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
     if nothing:
-        raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
+        why = [text for text in about_meshes if "no mesh line" in text]
+        raise SignalError("; ".join(filter(None, (*why, over.advice))))
     if not found.tests:
-        raise SignalError("; ".join((*over.remarks, "give the speed more closely, --tacho or --angle")))
-    words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
-    notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
+        raise SignalError(
+            "; ".join((*over.remarks, over.advice or "give the speed more closely, --tacho or --angle"))
+        )
+    doubt = f"; {over.doubt}" if over.doubt else ""
+    words = tuple(sentence(finding, found, parts, over.frequency) + doubt for finding in found.findings)
+    notes = (
+        *over.remarks,
+        *filter(None, (over.advice,)),
+        *remarks,
+        *about_meshes,
+        *unnamed,
+        *_whole_ratios(parts),
+    )
     places = local_turns(found, over, parts)
     return Study(
         diagnosis=found,
@@ -248,8 +260,11 @@ def study(
     )
 
 
-def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
+def _named(found: Diagnosis, parts: TurningParts, names_gears: bool) -> tuple[Diagnosis, list[str]]:
     """Remove gears without a visible mesh line from findings: their tooth counts are not confirmed."""
+    if not names_gears:
+        every = (one if one.kind == "bearing" else replace(one, gears=()) for one in found.findings)
+        return replace(found, findings=tuple(every)), []
     seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
     shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
     findings, remarks = [], []

@@ -14,7 +14,7 @@ from pitchpoint.analysis.mean_turns import MeanTurn, mean_turn
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_periods import level_of
 from pitchpoint.analysis.turning_parts import TurningParts
-from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.words import percent
 from pitchpoint.viz.quantities import number
 
