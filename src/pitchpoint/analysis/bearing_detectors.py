@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from pitchpoint.analysis.envelope import band_envelope, square_in_parts
 from pitchpoint.analysis.family_lines import (
     FamilyLines,
@@ -25,6 +27,7 @@ from pitchpoint.analysis.fault_families import FaultFamilies, families_in
 from pitchpoint.analysis.kurtogram import kurtogram
 from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.sampled import Array, SignalError
+from pitchpoint.analysis.spectral_coherence import LONGEST
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.analysis.whitening import limited_tones
 
@@ -38,6 +41,8 @@ LIMITS = {
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""
 ABOVE = 1.25
 """Highest order of a squared envelope over that of the search: the background of its last lines."""
+SEGMENTS = 16
+"""Segments of a long record whose spectral coherence is averaged."""
 WIDE, BLOCKS = 3.0, 8
 """Minimum width of the band of the kurtogram in highest fault orders, and blocks against single shocks."""
 
@@ -142,9 +147,12 @@ def _in_kurtogram_band(values: Array, rate: float, parts: TurningParts, level: f
 
 
 def _by_coherence(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
-    """Enhanced envelope spectrum of the signal without tones; in averages all levels count."""
-    toneless, _ = square_in_parts(values, rate, rate, limited_tones)
-    return coherence_lines(toneless, rate, parts)
+    """Enhanced envelope spectrum of the signal without tones, of a long record that of some segments."""
+    if values.size <= LONG:
+        return coherence_lines(limited_tones(values), rate, parts)
+    starts = np.linspace(0, values.size - LONGEST, SEGMENTS).astype(np.int64)
+    segments = [limited_tones(values[start : start + LONGEST]) for start in starts]
+    return coherence_lines(np.concatenate(segments), rate, parts)
 
 
 def _lines(
