@@ -87,7 +87,7 @@ def test_a_wandering_speed_is_followed_by_the_mesh_line() -> None:
         followed = resample_over_angle(signals["a"], turned)
         return kurtosis(followed.values, followed.samples_per_revolution)
 
-    # the impacts have four samples per period: with the true angle the kurtosis depends on where the grid begins
+    # four samples per period of the impacts: the kurtosis depends on the first angle of the grid, too
     true = 2 * np.pi * (TURNED + drift)
     exact = [over(np.r_[true[0] - shift * 2 * np.pi / RATE, true[1:]]) for shift in (0.0, 0.25, 0.5, 0.75)]
     assert min(exact) - 0.5 < over(angle) < max(exact) + 0.5
