@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Boxes of the Mann generator: three files of 32-bit floats without header, one for each component.
 
-The order is that of HAWC2 and of the routine `IfW_HAWC_Init` of InflowWind in OpenFAST: z fastest, from bottom
-to top, then y from left to right, then x in the order of time. The files contain fluctuations.
+The order is that of HAWC2 and of the routine `IfW_HAWC_Init` of InflowWind in OpenFAST: z fastest, from
+bottom to top, then y from left to right, then x in the order of time. The files contain fluctuations.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import Message
 from pitchpoint.model.wind.ranges import Ranges
 
 
@@ -86,14 +86,14 @@ class WindBox:
     def y(self) -> NDArray[np.float64]:
         """Lateral positions [m], shape (n_y,), centred."""
         n = self.velocity.shape[2]
-        return (np.arange(n) - 0.5 * (n - 1)) * self.spacing[0]
+        return np.asarray((np.arange(n) - 0.5 * (n - 1)) * self.spacing[0], float)
 
     @property
     def z(self) -> NDArray[np.float64]:
         """Heights [m], shape (n_z,)."""
-        return self.bottom + np.arange(self.velocity.shape[1]) * self.spacing[1]
+        return np.asarray(self.bottom + np.arange(self.velocity.shape[1]) * self.spacing[1], float)
 
     @property
     def time(self) -> NDArray[np.float64]:
         """Times of the samples [s], shape (n_t,)."""
-        return np.arange(self.velocity.shape[0]) * self.time_step
+        return np.asarray(np.arange(self.velocity.shape[0]) * self.time_step, float)
