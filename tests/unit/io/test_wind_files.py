@@ -22,7 +22,7 @@ from pitchpoint.system.wind import WindField
 
 def box_of(shape: tuple[int, int, int] = (7, 3, 4), **more: object) -> WindBox:
     rng = np.random.default_rng(8)
-    velocity = (rng.standard_normal((*shape, 3)) + [9.0, 0.0, 0.0]).astype(np.float32)
+    velocity = rng.normal((9.0, 0.0, 0.0), 1.0, (*shape, 3)).astype(np.float32)
     numbers = {
         "time_step": 0.25,
         "spacing": (5.0, 8.0),

@@ -17,9 +17,15 @@ from pitchpoint.solvers.turbulence.box import frequencies, line_variances, make_
 from pitchpoint.solvers.turbulence.kaimal import coherence_decay, spectral_density
 
 WIND = KaimalTurbulence(
-    mean_speed=12.0, deviation=1.8, hub_height=90.0, size=(30.0, 45.0), points=(4, 4), duration=60.0, time_step=0.1,
+    mean_speed=12.0,
+    deviation=1.8,
+    hub_height=90.0,
+    size=(30.0, 45.0),
+    points=(4, 4),
+    duration=60.0,
+    time_step=0.1,
     coherent="uvw",
-)  # fmt: skip
+)
 SEEDS = 60
 SIGMAS = 5.0
 """Limit of all statistical comparisons in standard deviations of the estimate; 6e-7 is exceeded by chance."""
@@ -80,9 +86,16 @@ def test_both_square_roots_give_the_coherence_matrix(
     points: tuple[int, int], spacing: tuple[float, float], decay: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Column by column with unit vectors in place of random phases: B B* is exp(-c r) for all pairs."""
-    period = tuple(max(2, 2 * math.ceil(6.0 / (decay * d))) if n > 1 else 1 for n, d in zip(points, spacing, strict=True))  # fmt: skip
-    period = tuple(max(p, 2 * n) if n > 1 else 1 for p, n in zip(period, points, strict=True))
-    z, y = (g.ravel() for g in np.meshgrid(*(np.arange(n) * d for n, d in zip(points[::-1], spacing[::-1], strict=True)), indexing="ij"))  # fmt: skip
+    period = tuple(
+        max(2 * n, 2 * math.ceil(6.0 / (decay * d))) if n > 1 else 1
+        for n, d in zip(points, spacing, strict=True)
+    )
+    z, y = (
+        g.ravel()
+        for g in np.meshgrid(
+            np.arange(points[1]) * spacing[1], np.arange(points[0]) * spacing[0], indexing="ij"
+        )
+    )
     target = np.exp(-decay * np.hypot(y[:, None] - y, z[:, None] - z))
     rng = np.random.default_rng(0)
     for name, count in (("transform", period[0] * period[1]), ("cholesky", points[0] * points[1])):
