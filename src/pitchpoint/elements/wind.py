@@ -20,6 +20,8 @@ NO_GUST, OPERATING_GUST, RISE, VERTICAL_SHEAR, HORIZONTAL_SHEAR = 0, 1, 2, 3, 4
 """Shapes of the transient over time."""
 EDGE = 1e-6
 """Distance beyond the edge of a grid that counts as on it, in grid spacings: single precision of files."""
+LONGEST = 1e12
+"""Time from the begin of a box, in samples, up to which the place between two samples is resolved."""
 
 F8 = np.dtype("f8")
 F4 = np.dtype("f4")
@@ -65,9 +67,7 @@ QUERY = np.dtype(
 
 @kernel
 def mean_speed(w, z):
-    """Speed of the profile at a height [m/s]; zero at and below the ground."""
-    if z <= 0.0:
-        return 0.0
+    """Speed of the profile at a height above ground [m/s]."""
     if w["profile"] == POWER:
         return w["speed"] * math.pow(z / w["z_hub"], w["exponent"])
     if w["profile"] == LOGARITHMIC:
@@ -120,13 +120,13 @@ def box_velocity(w, along, across, z, t):
     n_t = w["n_t"]
     box = view(w["box"], (n_t, w["n_z"], w["n_y"], 3), F4)
     step = (t - (along - w["shift"]) / w["convection"]) / w["dt"]
-    if not math.isfinite(step):
-        return 0.0, 0.0, 0.0, NOT_FINITE
+    if not abs(step) < LONGEST:
+        return 0.0, 0.0, 0.0, TABLE_RANGE
     if w["periodic"]:
         step -= n_t * math.floor(step / n_t)
+        step = step if 0.0 <= step < n_t else 0.0
         i = int(step)
         e = step - i
-        i = i if i < n_t else 0
         i_next = i + 1 if i + 1 < n_t else 0
         inside = 1
     else:
@@ -153,12 +153,19 @@ def box_velocity(w, along, across, z, t):
 
 @kernel
 def wind_velocity(w, x, y, z, t):
-    """Velocity along x, y and z [m/s] at a point [m] and a time [s], and status."""
+    """Velocity along x, y and z [m/s] at a point [m] and a time [s], and status.
+
+    The velocity is zero at and below the ground.
+    """
+    if not math.isfinite(x + y + z + t):
+        return 0.0, 0.0, 0.0, NOT_FINITE
+    if z <= 0.0:
+        return 0.0, 0.0, 0.0, OK
     cos, sin = math.cos(w["direction"]), math.sin(w["direction"])
     along = cos * x + sin * y
     across = cos * y - sin * x
     more, turn = transient(w, across, z, t)
-    speed = mean_speed(w, z) + more if z > 0.0 else 0.0
+    speed = mean_speed(w, z) + more
     turn += w["veer"] * (z - w["z_hub"])
     level = speed * math.cos(w["inflow"])
     u = level * math.cos(turn)

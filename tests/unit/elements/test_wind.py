@@ -44,6 +44,7 @@ def test_no_wind_at_and_below_the_ground() -> None:
     for profile in ("uniform", "power", "logarithmic"):
         for z in (0.0, -3.0):
             assert not at(WindField(replace(STEADY, profile=profile)), z=z).any()
+            assert not at(WindField(STEADY, box=some_box()), z=z).any()
     assert at(WindField(replace(STEADY, profile="logarithmic")), z=0.02)[0] == 0.0
 
 
@@ -184,6 +185,35 @@ def test_points_outside_are_named() -> None:
     with pytest.raises(SolverError, match="not a number") as raised:
         WindField(STEADY, box=some_box()).velocity([inside], math.nan)
     assert raised.value.status == NOT_FINITE
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("place", range(4))
+def test_points_and_times_that_are_no_numbers(place: int, bad: float) -> None:
+    """No index of a grid is computed from them."""
+    values = [0.0, 1.0, 90.0, 2.0]
+    values[place] = bad
+    for field in (
+        WindField(STEADY),
+        WindField(STEADY, box=some_box()),
+        WindField(box=some_box(periodic=False)),
+    ):
+        found = np.zeros((1, 3))
+        assert field.fill(np.array([values[:3]]), values[3], found) == NOT_FINITE
+
+
+@pytest.mark.nojit
+def test_huge_places_and_times_are_outside_or_wrapped() -> None:
+    for periodic in (True, False):
+        field = WindField(STEADY, box=some_box(periodic=periodic))
+        for size in (1e6, 1e11, 1e14, 1e300):
+            for x, y, z, t in ((size, 0, 90, 0), (-size, 0, 90, 0), (0, 0, 90, size), (0, 0, 90, -size)):
+                found = np.zeros((1, 3))
+                status = field.fill(np.array([[x, y, z]], float), t, found)
+                assert status == (OK if periodic and size < 1e12 else TABLE_RANGE)
+                assert np.abs(found).max() < 20.0
+            for y, z in ((size, 90.0), (-size, 90.0), (0.0, size)):
+                assert field.fill(np.array([[0.0, y, z]]), 0.0, np.zeros((1, 3))) == TABLE_RANGE
 
 
 def test_evaluation_allocates_no_arrays() -> None:

@@ -23,7 +23,7 @@ class WindBox:
     ----------
     velocity
         Velocities along x, y and z [m/s], shape (n_t, n_z, n_y, 3), float32; z from bottom to top, y from
-        right to left for a view downwind.
+        right to left for a view downwind. Along an axis with one point the wind is uniform.
     time_step
         Time between samples [s].
     spacing
