@@ -33,8 +33,10 @@ WIND = np.dtype(
         ("profile", "i8"),  # UNIFORM, POWER, LOGARITHMIC
         ("exponent", "f8"),  # of the power law
         ("roughness", "f8"),  # roughness length [m]
-        ("inflow", "f8"),  # angle above the horizontal plane [rad]
-        ("direction", "f8"),  # from x towards y [rad]
+        ("level", "f8"),
+        ("rise", "f8"),  # cosine and sine of the angle above the horizontal plane
+        ("cos", "f8"),
+        ("sin", "f8"),  # cosine and sine of the direction from x towards y
         ("veer", "f8"),  # change of direction with height [rad/m]
         ("gust", "i8"),  # shape of the transient
         ("start", "f8"),
@@ -139,15 +141,14 @@ def box_velocity(w, along, across, z, t):
     u = 0.0
     v = 0.0
     up = 0.0
-    for corner in range(8):
+    for corner in range(4):
         a = i_next if corner & 1 else i
         b = k_next if corner & 2 else k
-        c = j_next if corner & 4 else j
         share = (e if corner & 1 else 1.0 - e) * (g if corner & 2 else 1.0 - g)
-        share *= f if corner & 4 else 1.0 - f
-        u += share * box[a, b, c, 0]
-        v += share * box[a, b, c, 1]
-        up += share * box[a, b, c, 2]
+        left, right = share * f, share * (1.0 - f)
+        u += right * box[a, b, j, 0] + left * box[a, b, j_next, 0]
+        v += right * box[a, b, j, 1] + left * box[a, b, j_next, 1]
+        up += right * box[a, b, j, 2] + left * box[a, b, j_next, 2]
     return u, v, up, OK if inside and inside_y and inside_z else TABLE_RANGE
 
 
@@ -161,16 +162,17 @@ def wind_velocity(w, x, y, z, t):
         return 0.0, 0.0, 0.0, NOT_FINITE
     if z <= 0.0:
         return 0.0, 0.0, 0.0, OK
-    cos, sin = math.cos(w["direction"]), math.sin(w["direction"])
+    cos, sin = w["cos"], w["sin"]
     along = cos * x + sin * y
     across = cos * y - sin * x
     more, turn = transient(w, across, z, t)
     speed = mean_speed(w, z) + more
     turn += w["veer"] * (z - w["z_hub"])
-    level = speed * math.cos(w["inflow"])
-    u = level * math.cos(turn)
-    v = level * math.sin(turn)
-    up = speed * math.sin(w["inflow"])
+    u = speed * w["level"]
+    v = 0.0
+    if turn != 0.0:
+        u, v = u * math.cos(turn), u * math.sin(turn)
+    up = speed * w["rise"]
     status = OK
     if w["box"] != 0:
         du, dv, dup, status = box_velocity(w, along, across, z, t)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -52,11 +53,10 @@ class WindField:
             row["speed"], row["z_hub"] = steady.speed, steady.hub_height
             row["profile"] = PROFILES.index(steady.profile)
             row["exponent"], row["roughness"] = steady.exponent, steady.roughness_length
-            row["inflow"], row["direction"], row["veer"] = (
-                steady.inflow_angle,
-                steady.direction,
-                steady.veer,
-            )
+            row["level"], row["rise"] = math.cos(steady.inflow_angle), math.sin(steady.inflow_angle)
+            row["veer"] = steady.veer
+        direction = steady.direction if steady is not None else 0.0
+        row["cos"], row["sin"] = math.cos(direction), math.sin(direction)
         if gust is not None:
             row["gust"] = 1 + GUSTS.index(gust.shape)
             for name in ("start", "duration", "amplitude", "angle", "diameter"):
