@@ -11,6 +11,7 @@ import pytest
 from scipy.integrate import quad
 
 from pitchpoint.core.errors import ModelError
+from pitchpoint.model.wind.iec import WindClass
 from pitchpoint.model.wind.turbulence import KaimalTurbulence
 from pitchpoint.solvers.turbulence import coherent_phases
 from pitchpoint.solvers.turbulence.box import frequencies, line_variances, make_turbulence
@@ -71,6 +72,18 @@ def test_spectrum_and_coherence_against_pyconturb() -> None:
     ):
         found = np.exp(-10.0 * coherence_decay([0.01, 0.1], k, 12.0, 90.0))
         np.testing.assert_allclose(found, expected, rtol=1e-7)
+
+
+def test_lines_against_a_record_of_pyconturb() -> None:
+    """First point of `gen_turb` of pyconturb 2.7.4: T 60 s, 600 samples, 12 m/s, class B, lines 1, 2, 6, 60.
+
+    It takes the density at the middle of each band, half of it at the last one, and 599/600 of σ².
+    """
+    reference = np.array([1.62338788, 0.64538895, 0.12326555, 0.00289255])
+    density = spectral_density(np.arange(1, 301) / 60.0, 0, 1.0, 12.0, 90.0)
+    variance = (0.14 * 14.6) ** 2
+    middle = density / (density.sum() - 0.5 * density[-1]) * variance * 599.0 / 600.0
+    np.testing.assert_allclose(middle[[0, 1, 5, 59]], reference, rtol=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -165,6 +178,14 @@ def test_components_without_coherence_have_their_spectrum_exactly() -> None:
         power = 2.0 * np.abs(np.fft.rfft(velocity[..., component], axis=0)[1:300] / 600.0) ** 2
         expected = line_variances(WIND, component)[:, None, None]
         np.testing.assert_allclose(power, np.broadcast_to(expected, power.shape), rtol=1e-3)
+
+
+def test_deviations_are_those_of_a_file_of_turbsim() -> None:
+    """`TurbSim_NoTwr.bts` of openfast_toolbox, TurbSim 2.00.07a, class B at 8 m/s: v 1.2992, w 0.8120 m/s."""
+    deviation = WindClass("I", "B").normal_deviation(8.0)
+    wind = replace(WIND, mean_speed=8.0, deviation=deviation, coherent="u")
+    found = make_turbulence(wind, 1).velocity.std(axis=(0, 1, 2), dtype=float)
+    assert found[1:] == pytest.approx([1.2992, 0.8120], abs=1e-4)
 
 
 def test_spectra_of_all_components_within_their_spread(lines: np.ndarray) -> None:
