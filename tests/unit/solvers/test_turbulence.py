@@ -210,7 +210,8 @@ def test_coherence_of_all_pairs_within_its_spread(lines: np.ndarray, component: 
     x = lines[..., component].reshape(SEEDS, 299, 16)
     cross = np.einsum("ski,skj->kij", x, x.conj()).real / SEEDS
     y, z = (g.ravel() for g in np.meshgrid(np.arange(4) * 10.0, np.arange(4) * 15.0))
-    decay = coherence_decay(frequencies(WIND), component, 12.0, 90.0)
+    scale = 42.0 * (8.1, 2.7, 0.66)[component]
+    decay = 12.0 * np.sqrt((np.arange(1, 300) / 60.0 / 12.0) ** 2 + (0.12 / scale) ** 2)
     target = np.exp(-decay[:, None, None] * np.hypot(y[:, None] - y, z[:, None] - z))
     pairs = ~np.eye(16, dtype=bool)
     for low, high in ((0, 1), (1, 3), (3, 10), (10, 40), (40, 299)):
