@@ -204,20 +204,45 @@ def test_variance_within_its_spread(lines: np.ndarray) -> None:
         assert np.abs(found - deviation**2).max() < limit
 
 
+def coherence_matrices(component: int) -> tuple[np.ndarray, np.ndarray]:
+    """Products c r of decay and distance, and the target exp(-c r), shape (line, point, point)."""
+    scale = 42.0 * (8.1, 2.7, 0.66)[component]
+    decay = 12.0 * np.sqrt((np.arange(1, 300) / 60.0 / 12.0) ** 2 + (0.12 / scale) ** 2)
+    y, z = (g.ravel() for g in np.meshgrid(np.arange(4) * 10.0, np.arange(4) * 15.0))
+    product = decay[:, None, None] * np.hypot(y[:, None] - y, z[:, None] - z)
+    return product, np.exp(-product)
+
+
 @pytest.mark.parametrize("component", range(3))
 def test_coherence_of_all_pairs_within_its_spread(lines: np.ndarray, component: int) -> None:
     """Mean of Re X_i X_j* over seeds and lines: C, standard deviation at most sqrt((1 + C²)/(2 averages))."""
     x = lines[..., component].reshape(SEEDS, 299, 16)
     cross = np.einsum("ski,skj->kij", x, x.conj()).real / SEEDS
-    y, z = (g.ravel() for g in np.meshgrid(np.arange(4) * 10.0, np.arange(4) * 15.0))
-    scale = 42.0 * (8.1, 2.7, 0.66)[component]
-    decay = 12.0 * np.sqrt((np.arange(1, 300) / 60.0 / 12.0) ** 2 + (0.12 / scale) ** 2)
-    target = np.exp(-decay[:, None, None] * np.hypot(y[:, None] - y, z[:, None] - z))
+    target = coherence_matrices(component)[1]
     pairs = ~np.eye(16, dtype=bool)
     for low, high in ((0, 1), (1, 3), (3, 10), (10, 40), (40, 299)):
         error = (cross - target)[low:high, pairs].mean(axis=0)
         spread = np.sqrt((1.0 + target[low:high, pairs] ** 2).mean(axis=0) / (2.0 * SEEDS * (high - low)))
         assert (np.abs(error) < SIGMAS * spread).all()
+
+
+@pytest.mark.parametrize("component", range(3))
+def test_decay_of_the_coherence_from_all_pairs_together(lines: np.ndarray, component: int) -> None:
+    """Score of a factor on the decay: expectation 0, standard deviation of the factor 1/sqrt(information).
+
+    With C' = dC/dln c it is tr(C⁻¹ C' C⁻¹ (X X* - C)), its variance tr(C⁻¹ C' C⁻¹ C') for Gaussian X, less
+    for sums of waves with random phases.
+    """
+    x = lines[..., component].reshape(SEEDS, 299, 16)
+    cross = np.einsum("ski,skj->kij", x, x.conj()).real / SEEDS
+    product, target = coherence_matrices(component)
+    weight = np.linalg.solve(target, -product * target)
+    information = np.einsum("kij,kji->", weight, weight)
+    excess = np.linalg.solve(target, cross - target)
+    factor = np.einsum("kij,kji->", weight, excess) / information
+    limit = SIGMAS / math.sqrt(SEEDS * information)
+    assert limit < 0.08  # a decay that is wrong by 16 % is always noticed
+    assert abs(factor) < limit
 
 
 def test_quadrature_components_and_seeds_are_independent(lines: np.ndarray) -> None:
