@@ -130,8 +130,8 @@ def _of_elements(text: str, what: str) -> dict[str, float]:
         )
     if not 0.0 <= angle < 0.5 * math.pi:
         raise SignalError(
-            f"--bearing: {text!r}: contact angle {math.degrees(angle):.4g} deg (limit 0 to 90 deg); state its "
-            "unit"
+            f"--bearing: {text!r}: contact angle {math.degrees(angle):.4g} deg (limit 0 to 90 deg); state "
+            "its unit"
         )
     return orders
 
