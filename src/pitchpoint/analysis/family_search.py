@@ -27,6 +27,8 @@ SIDEBANDS = 3
 SPREAD, STRONG = 4.0, 3.0
 """How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts
 whose sharpness varies with the load have weak higher harmonics."""
+CLEARER = 1.0
+"""How much higher the level of a family is at least than that of its sidebands [dB]."""
 MIN_EVENTS = 16.0
 SEPARATE = 2.5
 """Distance of lines of the record from which they are separate with a Hann window."""
@@ -277,6 +279,24 @@ class FamilySearch:
             sidebands=np.full((needed, 4), np.nan),
         )
         return self._with_sidebands(found, slip) if part.spacing else found
+
+    def carrier(self, family: FaultFamily, shaft: float) -> FaultFamily | None:
+        """Clearer family of lines whose sidebands at the speed of a shaft are the lines of this one, if any.
+
+        Impacts of a part that is not given have lines k f and sidebands k f ± j n: those with j = k are at
+        multiples of f ± n, as those of a given part may be.
+        """
+        order = family.order * family.scale
+        near = 1.5 * self.step
+        found = []
+        for other in (order - shaft, order + shaft):
+            if other > shaft:
+                name = f"impacts at {other:.4g} per revolution, of no given part"
+                part = BearingPart("", name, other, shaft)
+                reach = near / (part.harmonics * other)
+                found.append(self.family(part, (1.0 - reach, 1.0 + reach), 0.0))
+        clearer = [one for one in found if one.strength > family.strength + CLEARER]
+        return max(clearer, key=lambda one: one.strength, default=None)
 
     def explains(self, one: FaultFamily, other: FaultFamily) -> bool:
         """Whether one part can cause all lines of the other, but not vice versa."""

@@ -175,9 +175,19 @@ def families_in(
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))
     first = trials = {part: search.family(part, span, slip) for part in tested}
     found: dict[BearingPart, FaultFamily] = {}
+    carriers: dict[BearingPart, str] = {}
+    turning = [] if np.isnan(scale) else [scale * float(shaft.order) for shaft in parts.shafts]
     while clear := {part: t for part, t in trials.items() if t.is_clear(search.limits, chance)}:
         own = [t for t in clear.values() if not any(search.explains(o, t) for o in clear.values())]
         best = min(own or clear.values(), key=lambda t: (t.line_probability.max(), -t.prominence.min()))
+        unknown = [one for shaft in turning if (one := search.carrier(best, shaft)) is not None]
+        if unknown:
+            carriers |= {part: unknown[0].part for part, t in clear.items() if t is best}
+            search.remove(unknown[0])
+            trials = {part: search.family(part, span, slip) for part in tested if part not in found}
+            if any(trials[part].is_clear(search.limits, chance) for part in carriers if part in trials):
+                break
+            continue
         alike = {part: t for part, t in clear.items() if t is best or search.alike(best, t)}
         for part, t in alike.items():
             others = tuple(o.name for o in alike.values() if o is not t)
@@ -193,6 +203,7 @@ def families_in(
                 found[cage] = replace(found[cage], same_lines=(*found[cage].same_lines, t.name))
         seemed = first[part].is_clear(search.limits, chance)
         same = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
+        same += [carriers[part]] if part in carriers else []
         rest.append(replace(t, same_lines=tuple(same)))
     rest.sort(key=lambda t: t.probability)
     return FaultFamilies((*found.values(), *rest), scale, search.step, tuple(notes))
