@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Steady loads and performance of a rotor by blade-element momentum theory."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import Message, ModelError, SolverError
+from pitchpoint.core.kernel import invoke
+from pitchpoint.core.provenance import content_hash, provenance
+from pitchpoint.core.status import OK
+from pitchpoint.elements.rotor.loads import stations_entry
+from pitchpoint.elements.rotor.record import AIR, BATCH, POINT, SKEW, polar_rows, station_records
+from pitchpoint.geometry.rotor.blade import Rotor
+from pitchpoint.geometry.rotor.flow import RotorFlow
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+
+
+def solve_rotor_performance(
+    rotor: Rotor,
+    wind_speed: ArrayLike,
+    rotor_speed: ArrayLike | None = None,
+    pitch: ArrayLike = 0.0,
+    *,
+    tip_speed_ratio: ArrayLike | None = None,
+    flow: RotorFlow | None = None,
+) -> xr.Dataset:
+    """Thrust, torque, power and distributed loads of a rotor in steady wind.
+
+    One equation for the inflow angle of each blade station, with a root that is always bracketed (Ning 2014);
+    tip and hub loss by Prandtl, heavily loaded rotors by Buhl, skewed wake by Pitt and Peters. Loads are
+    averaged over one revolution.
+
+    Parameters
+    ----------
+    rotor
+        The rotor.
+    wind_speed
+        Wind speeds at hub height, number or shape (n,) [m/s].
+    rotor_speed
+        Rotor speeds, number or shape (n,) [rad/s].
+    pitch
+        Pitch angles, leading edge upwind positive, number or shape (n,) [rad].
+    tip_speed_ratio
+        Instead of `rotor_speed`: Ω R / U with the tip radius R and the wind speed at hub height.
+    flow
+        Air and options.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `point`: `thrust` along the axis, downwind positive [N], `torque` [N m], `power` [W],
+        `thrust_coefficient` and `power_coefficient` with ½ ρ U² π R² and U, `root_flap_moment` of one blade
+        about its root, bending it downwind [N m]. Over `point` and `radius`, means over the azimuth:
+        `normal_force` and `tangential_force` per length of the blade [N/m], `pitching_moment` per length [N],
+        `axial_induction`, `tangential_induction`, `inflow_angle` and `angle_of_attack` [rad],
+        `relative_speed` [m/s], `loss_factor`.
+
+    Raises
+    ------
+    ModelError
+        If values are out of range.
+    SolverError
+        If the balance of momentum of a station has no solution; `partial` contains the result without
+        induction at these stations.
+
+    Examples
+    --------
+    Blade of constant angle of attack in the middle of the span, loaded to a = 1/3: C_P is just below Betz'
+    limit 16/27 = 0.593.
+
+    >>> import numpy as np
+    >>> from pitchpoint.geometry.rotor.blade import Blade, Rotor
+    >>> from pitchpoint.geometry.rotor.polar import Polar
+    >>> plate = Polar(alpha=np.radians([-180, -90, -20, 0, 20, 90, 180]),
+    ...               lift=[0, 0, -2, 0, 2, 0, 0], drag=np.zeros(7))
+    >>> span = np.linspace(0.0, 47.5, 200)
+    >>> ratio = (2.5 + span) / 50 * 12  # local speed ratio
+    >>> phi = 2 / 3 * np.arctan(1 / ratio)  # optimum rotor of Glauert
+    >>> lift = plate.at(np.radians(5))[0]
+    >>> chord = 8 * np.pi * (2.5 + span) / (3 * lift) * (1 - np.cos(phi))
+    >>> blade = Blade(span=span, chord=chord, twist=phi - np.radians(5), polars=[plate],
+    ...               polar_index=np.zeros(200, int))
+    >>> rotor = Rotor(blade=blade, hub_radius=2.5)
+    >>> free = RotorFlow(tip_loss=False, hub_loss=False, sectors=1)
+    >>> found = solve_rotor_performance(rotor, 8.0, tip_speed_ratio=12.0, flow=free)
+    >>> round(float(found.power_coefficient[0]), 4)
+    0.5863
+    """
+    begun = time.perf_counter()
+    flow = flow or RotorFlow()
+    operation = _operation(rotor, wind_speed, rotor_speed, pitch, tip_speed_ratio)
+    points = _points(rotor, flow, *operation)
+    status = evaluate_stations(rotor, flow, points)
+    data = _dataset(rotor, flow, operation, points)
+    data.attrs |= provenance(
+        model_hash=content_hash(rotor),
+        solver="rotor_performance",
+        options=asdict(flow),
+        status=status,
+        wall_s=time.perf_counter() - begun,
+    )
+    if status != OK:
+        count = int((points["status"] != OK).sum())
+        sentence = f"the balance of momentum has no solution at {count} of {points.size} stations"
+        raise SolverError(f"{sentence}; check the polars for jumps", status, data)
+    return data
+
+
+def evaluate_stations(rotor: Rotor, flow: RotorFlow, points: NDArray[Any]) -> int:
+    """Fill the results of station records in place.
+
+    Parameters
+    ----------
+    rotor, flow
+        Rotor and options.
+    points
+        Records of the type `elements.rotor.record.POINT`, contiguous, any shape.
+
+    Returns
+    -------
+    int
+        Worst status.
+    """
+    stations = station_records(rotor, flow.tip_loss, flow.hub_loss)
+    knots = polar_rows(rotor)
+    air = np.zeros(1, AIR)
+    air["rho"], air["axial"], air["swirl"] = flow.density, flow.axial_induction, flow.tangential_induction
+    air["axial_drag"], air["swirl_drag"] = flow.drag_in_axial_induction, flow.drag_in_tangential_induction
+    air["skew"] = SKEW if flow.skewed_wake else 0.0
+    batch = np.zeros(1, BATCH)
+    batch["stations"], batch["n"] = stations.ctypes.data, stations.size
+    batch["knots"], batch["rows"], batch["air"] = knots.ctypes.data, len(knots), air.ctypes.data
+    return invoke(stations_entry, batch.ctypes.data, points.ctypes.data, points.size)
+
+
+def _operation(
+    rotor: Rotor,
+    wind_speed: ArrayLike,
+    rotor_speed: ArrayLike | None,
+    pitch: ArrayLike,
+    tip_speed_ratio: ArrayLike | None,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Wind speeds, rotor speeds and pitch angles, all of one shape (n,)."""
+    if (rotor_speed is None) == (tip_speed_ratio is None):
+        raise ModelError([Message("operation", "needs a rotor_speed or a tip_speed_ratio, and not both")])
+    wind = np.atleast_1d(np.asarray(wind_speed, float))
+    if rotor_speed is None:
+        speed = np.asarray(tip_speed_ratio, float) * wind / rotor.tip_radius
+    else:
+        speed = np.asarray(rotor_speed, float)
+    try:
+        wind, speed, angle = np.broadcast_arrays(wind, np.atleast_1d(speed), np.asarray(pitch, float))
+    except ValueError:
+        shapes = ", ".join(str(np.shape(x)) for x in (wind_speed, speed, pitch))
+        raise ModelError(
+            [Message("operation", "are shapes of wind, speed and pitch", shapes, "equal, or single numbers")]
+        ) from None
+    problems = [
+        Message(f"operation.{name}", "is not finite", remedy="give numbers")
+        for name, values in (("wind_speed", wind), ("rotor_speed", speed), ("pitch", angle))
+        if not np.isfinite(values).all()
+    ]
+    if not (wind > 0.0).all():
+        problems.append(Message("operation.wind_speed", "is out of range", f"{wind.min():g} m/s", "> 0"))
+    if problems:
+        raise ModelError(problems)
+    return wind, speed, angle
+
+
+def _points(
+    rotor: Rotor, flow: RotorFlow, wind: FloatArray, speed: FloatArray, pitch: FloatArray
+) -> NDArray[Any]:
+    """Station records over points, azimuths and stations."""
+    azimuth = 2.0 * np.pi * np.arange(flow.sectors) / flow.sectors
+    st, ct = math.sin(rotor.tilt), math.cos(rotor.tilt)
+    axis, up, left = np.array([ct, 0.0, -st]), np.array([st, 0.0, ct]), np.array([0.0, 1.0, 0.0])
+    cos, sin = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
+    outward, motion = cos * up - sin * left, -cos * left - sin * up  # azimuth 0: blade up
+    direction = np.array([math.cos(flow.yaw), -math.sin(flow.yaw), 0.0])
+    height = rotor.hub_height + outward[:, None, 2] * rotor.radius + axis[2] * rotor.axial
+    if flow.shear_exponent != 0.0 and (height <= 0.0).any():
+        low = f"{height.min():g} m"
+        raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
+    profile = np.ones_like(height)
+    if flow.shear_exponent != 0.0:
+        profile = (height / rotor.hub_height) ** flow.shear_exponent
+    slope = rotor.inclination
+    normal = np.cos(slope)[:, None] * axis + np.sin(slope)[:, None] * outward[:, None, :]
+    points = np.zeros((wind.size, azimuth.size, slope.size), POINT)
+    points["station"] = np.arange(slope.size)
+    points["vx"] = wind[:, None, None] * profile * (normal @ direction)
+    points["vy"] = (
+        speed[:, None, None] * rotor.radius - wind[:, None, None] * profile * (motion @ direction)[:, None]
+    )
+    points["pitch"] = pitch[:, None, None]
+    along = float(axis @ direction)
+    across = direction - along * axis
+    points["yaw"] = math.atan2(float(np.linalg.norm(across)), along)
+    if np.linalg.norm(across) > 0.0:
+        points["downwind"] = (outward @ across / np.linalg.norm(across))[:, None]
+    return points
+
+
+def _along_blade(rotor: Rotor, flow: RotorFlow, values: FloatArray) -> FloatArray:
+    """Integral of loads per length over the blade, last axis; with tip and hub loss they end at zero."""
+    z = rotor.blade.span
+    length = np.r_[
+        0.0,
+        np.cumsum(np.diff(z) / np.cos(0.5 * (rotor.blade.curve_angle[1:] + rotor.blade.curve_angle[:-1]))),
+    ]
+    return np.trapezoid(values, length, axis=-1)
+
+
+def _dataset(
+    rotor: Rotor, flow: RotorFlow, operation: tuple[FloatArray, ...], points: NDArray[Any]
+) -> xr.Dataset:
+    """Totals and means over the azimuth."""
+    import xarray as xr
+
+    wind, speed, pitch = operation
+    mean = {
+        name: points[name].mean(axis=1) for name in POINT.names or () if name not in ("station", "status")
+    }
+    f_n, f_t = mean["f_n"], mean["f_t"]
+    axial, radial = f_n * np.cos(rotor.inclination), f_n * np.sin(rotor.inclination)
+    thrust = rotor.blades * _along_blade(rotor, flow, axial)
+    torque = rotor.blades * _along_blade(rotor, flow, f_t * rotor.radius)
+    arm = rotor.radius - rotor.root_radius, rotor.axial - rotor.axial[0]
+    flap = _along_blade(rotor, flow, axial * arm[0] - radial * arm[1])
+    pressure = 0.5 * flow.density * wind**2 * rotor.area
+    totals = {
+        "thrust": (thrust, "N", "thrust along the rotor axis"),
+        "torque": (torque, "N m", "torque about the rotor axis"),
+        "power": (torque * speed, "W", "power of the rotor"),
+        "thrust_coefficient": (thrust / pressure, "1", "thrust coefficient"),
+        "power_coefficient": (torque * speed / (pressure * wind), "1", "power coefficient"),
+        "root_flap_moment": (flap, "N m", "flapwise moment at the root of a blade"),
+    }
+    fields = {
+        "normal_force": ("f_n", "N/m", "force normal to the blade per length"),
+        "tangential_force": ("f_t", "N/m", "force in the direction of rotation per length"),
+        "pitching_moment": ("m_c", "N", "pitching moment per length"),
+        "axial_induction": ("a", "1", "axial induction factor"),
+        "tangential_induction": ("a_prime", "1", "tangential induction factor"),
+        "inflow_angle": ("phi", "rad", "angle of the relative wind from the rotor plane"),
+        "angle_of_attack": ("alpha", "rad", "angle of attack"),
+        "relative_speed": ("speed", "m/s", "speed of the air relative to the blade"),
+        "loss_factor": ("loss", "1", "factor of tip and hub loss"),
+    }
+    data: dict[str, Any] = {
+        name: (("point",), values, {"units": unit, "long_name": text})
+        for name, (values, unit, text) in totals.items()
+    }
+    for name, (key, unit, text) in fields.items():
+        data[name] = (("point", "radius"), mean[key], {"units": unit, "long_name": text})
+    ratio = speed * rotor.tip_radius / wind
+    coords = {
+        "radius": (("radius",), rotor.radius, {"units": "m", "long_name": "distance from the rotor axis"}),
+        "wind_speed": (("point",), wind, {"units": "m/s", "long_name": "wind speed at hub height"}),
+        "rotor_speed": (("point",), speed, {"units": "rad/s", "long_name": "rotor speed"}),
+        "pitch": (("point",), pitch, {"units": "rad", "long_name": "pitch angle"}),
+        "tip_speed_ratio": (("point",), ratio, {"units": "1", "long_name": "tip-speed ratio"}),
+    }
+    return xr.Dataset(data, coords=coords)
