@@ -80,6 +80,17 @@ GROUPS = {
     ),
     "Many runs": ("sweep_speed", "run_cases", "cases_dataset", "run_study"),
     "Analyse": ("analyse", "by_component", "plot"),
+    "Wind turbine rotors": (
+        "Rotor",
+        "Blade",
+        "Polar",
+        "Tower",
+        "RotorFlow",
+        "extrapolate_polar",
+        "read_aerodyn",
+        "read_airfoil",
+        "solve_rotor_performance",
+    ),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (
         "PitchpointError",

@@ -20,8 +20,9 @@ BLADE = FOLDER / "5MW_Baseline" / "NRELOffshrBsline5MW_AeroDyn_blade.dat"
 
 # stations of NREL/TP-500-38060, Table 3-1: radius, chord [m], twist [deg], airfoil
 _REPORT = """
-2.8667 3.542 13.308 0 | 5.6 3.854 13.308 0 | 8.3333 4.167 13.308 1 | 11.75 4.557 13.308 2 | 15.85 4.652 11.48 3
-19.95 4.458 10.162 3 | 24.05 4.249 9.011 4 | 28.15 4.007 7.795 5 | 32.25 3.748 6.544 5 | 36.35 3.502 5.361 6
+2.8667 3.542 13.308 0 | 5.6 3.854 13.308 0 | 8.3333 4.167 13.308 1 | 11.75 4.557 13.308 2
+15.85 4.652 11.48 3 | 19.95 4.458 10.162 3 | 24.05 4.249 9.011 4
+28.15 4.007 7.795 5 | 32.25 3.748 6.544 5 | 36.35 3.502 5.361 6
 40.45 3.256 4.188 6 | 44.55 3.01 3.125 7 | 48.65 2.764 2.319 7 | 52.75 2.518 1.526 7 | 56.1667 2.313 0.863 7
 58.9 2.086 0.37 7 | 61.6333 1.419 0.106 7
 """
@@ -35,7 +36,7 @@ def aerodyn() -> AeroDynInput:
 
 
 def report_rotor(polars: tuple[Polar, ...] | None = None, cone: float = 0.0, tilt: float = 0.0) -> Rotor:
-    """Rotor with the stations of the report, and with hub and tip, where the loads vanish; angles in degrees."""
+    """Rotor with the stations of the report, with hub and tip, where loads vanish; angles in degrees."""
     table = np.array([row.split() for row in _REPORT.replace("\n", "|").split("|") if row.strip()], float)
     table = np.vstack([table[0], table, table[-1]])
     table[0, 0], table[-1, 0] = HUB, TIP
@@ -50,7 +51,7 @@ def report_rotor(polars: tuple[Polar, ...] | None = None, cone: float = 0.0, til
 
 
 def polar_of(lift: Callable, drag: Callable, within: float = 60.0, step: float = 0.05) -> Polar:
-    """Polar of two functions of the angle of attack [rad] up to some degrees; beyond it, values that close."""
+    """Polar of two functions of the angle of attack [rad] up to some degrees, then to the closing values."""
     inner = np.radians(np.arange(-within, within + 0.5 * step, step))
     alpha = np.r_[-np.pi, inner, np.pi]
     ends = np.zeros(1), np.full(1, float(drag(inner[-1])))

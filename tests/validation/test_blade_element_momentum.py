@@ -20,7 +20,7 @@ RPM = np.pi / 30.0
 
 
 def test_ingram_blade() -> None:
-    """Ingram 2005, "Wind Turbine Blade Analysis", as converged in the tests of CCBlade.jl (MIT): λ 8, no loss.
+    """Ingram 2005, "Wind Turbine Blade Analysis", converged in the tests of CCBlade.jl (MIT): λ 8, no loss.
 
     Printed to four digits, hence 1e-4 and 1e-3 deg. Their β is the complement of our φ.
     """
@@ -155,10 +155,10 @@ def test_cone_and_tilt_as_ccblade() -> None:
     wind, rpm = [8.0, 12.0, 15.0, 20.0], np.array([9.156, 12.1, 12.1, 12.1])
     pitch = np.radians([0.0, 3.823, 9.9572, 17.0944])
     found = solve_rotor_performance(rotor, wind, rpm * RPM, pitch, flow=RotorFlow(skewed_wake=False))
-    assert found.power.values / 1e3 == pytest.approx(
+    assert found.rotor_power.values / 1e3 == pytest.approx(
         [1872.67892, 5261.48975, 5587.24277, 5708.94541], rel=1e-3
     )
-    assert found.thrust.values / 1e3 == pytest.approx(
+    assert found.rotor_thrust.values / 1e3 == pytest.approx(
         [378.549499, 583.811242, 444.925175, 341.300957], rel=1e-3
     )
 
@@ -184,6 +184,6 @@ def test_report_of_the_nrel_5mw() -> None:
         blade=aerodyn().blade, hub_radius=1.5, precone=np.radians(2.5), tilt=np.radians(5.0), hub_height=90.0
     )
     found = solve_rotor_performance(rotor, u, rpm * RPM, flow=aerodyn().flow)
-    assert found.thrust.values / 1e3 == pytest.approx(thrust - WEIGHT, rel=0.03)
-    assert found.power.values / 1e3 == pytest.approx(power, rel=0.03)
-    assert found.torque.values / 1e3 == pytest.approx(torque, rel=0.03)
+    assert found.rotor_thrust.values / 1e3 == pytest.approx(thrust - WEIGHT, rel=0.03)
+    assert found.rotor_power.values / 1e3 == pytest.approx(power, rel=0.03)
+    assert found.rotor_torque.values / 1e3 == pytest.approx(torque, rel=0.03)

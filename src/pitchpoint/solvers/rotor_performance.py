@@ -17,6 +17,7 @@ from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotor.loads import stations_entry
 from pitchpoint.elements.rotor.record import AIR, BATCH, POINT, SKEW, polar_rows, station_records
+from pitchpoint.elements.rotor.tower import TOWER_POINT, tower_entry
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 
@@ -59,12 +60,12 @@ def solve_rotor_performance(
     Returns
     -------
     xarray.Dataset
-        Over `point`: `thrust` along the axis, downwind positive [N], `torque` [N m], `power` [W],
-        `thrust_coefficient` and `power_coefficient` with ½ ρ U² π R² and U, `root_flap_moment` of one blade
-        about its root, bending it downwind [N m]. Over `point` and `radius`, means over the azimuth:
-        `normal_force` and `tangential_force` per length of the blade [N/m], `pitching_moment` per length [N],
-        `axial_induction`, `tangential_induction`, `inflow_angle` and `angle_of_attack` [rad],
-        `relative_speed` [m/s], `loss_factor`.
+        Over `point`: `rotor_thrust` along the axis, downwind positive [N], `rotor_torque` [N m],
+        `rotor_power` [W], `thrust_coefficient` and `power_coefficient` with ½ ρ U² π R² and U,
+        `root_flap_moment` of one blade about its root, bending it downwind [N m]. Over `point` and `radius`,
+        means over the azimuth: `normal_force` and `tangential_force` per length of the blade [N/m],
+        `pitching_moment` per length [N], `axial_induction`, `tangential_induction`, `inflow_angle` and
+        `angle_of_attack` [rad], `relative_speed` [m/s], `loss_factor`.
 
     Raises
     ------
@@ -185,35 +186,63 @@ def _points(
     azimuth = 2.0 * np.pi * np.arange(flow.sectors) / flow.sectors
     st, ct = math.sin(rotor.tilt), math.cos(rotor.tilt)
     axis, up, left = np.array([ct, 0.0, -st]), np.array([st, 0.0, ct]), np.array([0.0, 1.0, 0.0])
-    cos, sin = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
+    cos, sin = np.cos(azimuth)[:, None, None], np.sin(azimuth)[:, None, None]
     outward, motion = cos * up - sin * left, -cos * left - sin * up  # azimuth 0: blade up
-    direction = np.array([math.cos(flow.yaw), -math.sin(flow.yaw), 0.0])
-    height = rotor.hub_height + outward[:, None, 2] * rotor.radius + axis[2] * rotor.axial
-    if flow.shear_exponent != 0.0 and (height <= 0.0).any():
-        low = f"{height.min():g} m"
-        raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
-    profile = np.ones_like(height)
-    if flow.shear_exponent != 0.0:
-        profile = (height / rotor.hub_height) ** flow.shear_exponent
-    slope = rotor.inclination
-    normal = np.cos(slope)[:, None] * axis + np.sin(slope)[:, None] * outward[:, None, :]
+    slope = rotor.inclination[:, None]
+    normal = np.cos(slope) * axis + np.sin(slope) * outward
+    centre = (rotor.axial[:, None] - rotor.overhang) * axis + rotor.radius[:, None] * outward
+    height = rotor.hub_height + rotor.overhang * axis[2] + centre[..., 2]
+    field = wind_field(rotor, flow, centre, height)
     points = np.zeros((wind.size, azimuth.size, slope.size), POINT)
     points["station"] = np.arange(slope.size)
-    points["vx"] = wind[:, None, None] * profile * (normal @ direction)
-    points["vy"] = (
-        speed[:, None, None] * rotor.radius - wind[:, None, None] * profile * (motion @ direction)[:, None]
-    )
+    points["vx"] = wind[:, None, None] * (normal * field).sum(axis=-1)
+    points["vy"] = speed[:, None, None] * rotor.radius - wind[:, None, None] * (motion * field).sum(axis=-1)
     points["pitch"] = pitch[:, None, None]
+    direction = np.array([math.cos(flow.yaw), -math.sin(flow.yaw), 0.0])
     along = float(axis @ direction)
     across = direction - along * axis
     points["yaw"] = math.atan2(float(np.linalg.norm(across)), along)
     if np.linalg.norm(across) > 0.0:
-        points["downwind"] = (outward @ across / np.linalg.norm(across))[:, None]
+        points["downwind"] = outward @ across / np.linalg.norm(across)
     return points
 
 
-def _along_blade(rotor: Rotor, flow: RotorFlow, values: FloatArray) -> FloatArray:
-    """Integral of loads per length over the blade, last axis; with tip and hub loss they end at zero."""
+def wind_field(rotor: Rotor, flow: RotorFlow, position: FloatArray, height: FloatArray) -> FloatArray:
+    """Wind over the wind speed at hub height, in axes of the nacelle: downwind, left, up.
+
+    Parameters
+    ----------
+    rotor, flow
+        Rotor, and wind profile, yaw and tower.
+    position
+        Points from the axis of the tower in these axes, shape (..., 3) [m].
+    height
+        Their heights above ground, shape (...) [m].
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Velocities over the wind speed.
+    """
+    profile = np.ones_like(height)
+    if flow.shear_exponent != 0.0:
+        if (height <= 0.0).any():
+            low = f"{height.min():g} m"
+            raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
+        profile = (height / rotor.hub_height) ** flow.shear_exponent
+    c, s = math.cos(flow.yaw), math.sin(flow.yaw)
+    along, across = np.array([c, -s, 0.0]), np.array([s, c, 0.0])
+    if flow.tower is None:
+        return profile[..., None] * along
+    rows = np.zeros(height.shape, TOWER_POINT)
+    rows["x"], rows["y"] = position @ along, position @ across
+    rows["radius"] = flow.tower.radius_at(height)
+    invoke(tower_entry, 0, rows.ctypes.data, rows.size)
+    return profile[..., None] * (rows["along"][..., None] * along + rows["across"][..., None] * across)
+
+
+def _along_blade(rotor: Rotor, values: FloatArray) -> FloatArray:
+    """Integral of loads per length over the length of the blade, last axis."""
     z = rotor.blade.span
     length = np.r_[
         0.0,
@@ -234,15 +263,15 @@ def _dataset(
     }
     f_n, f_t = mean["f_n"], mean["f_t"]
     axial, radial = f_n * np.cos(rotor.inclination), f_n * np.sin(rotor.inclination)
-    thrust = rotor.blades * _along_blade(rotor, flow, axial)
-    torque = rotor.blades * _along_blade(rotor, flow, f_t * rotor.radius)
+    thrust = rotor.blades * _along_blade(rotor, axial)
+    torque = rotor.blades * _along_blade(rotor, f_t * rotor.radius)
     arm = rotor.radius - rotor.root_radius, rotor.axial - rotor.axial[0]
-    flap = _along_blade(rotor, flow, axial * arm[0] - radial * arm[1])
+    flap = _along_blade(rotor, axial * arm[0] - radial * arm[1])
     pressure = 0.5 * flow.density * wind**2 * rotor.area
     totals = {
-        "thrust": (thrust, "N", "thrust along the rotor axis"),
-        "torque": (torque, "N m", "torque about the rotor axis"),
-        "power": (torque * speed, "W", "power of the rotor"),
+        "rotor_thrust": (thrust, "N", "thrust along the rotor axis"),
+        "rotor_torque": (torque, "N m", "torque about the rotor axis"),
+        "rotor_power": (torque * speed, "W", "power of the rotor"),
         "thrust_coefficient": (thrust / pressure, "1", "thrust coefficient"),
         "power_coefficient": (torque * speed / (pressure * wind), "1", "power coefficient"),
         "root_flap_moment": (flap, "N m", "flapwise moment at the root of a blade"),

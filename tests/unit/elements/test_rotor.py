@@ -6,12 +6,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotor.record import POINT
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
-from pitchpoint.solvers.rotor_performance import evaluate_stations, solve_rotor_performance
+from pitchpoint.geometry.rotor.tower import Tower
+from pitchpoint.solvers.rotor_performance import evaluate_stations, solve_rotor_performance, wind_field
 from tests.support.rotors import aerodyn, plain_blade, polar_of, report_rotor
 
 FREE = RotorFlow(tip_loss=False, hub_loss=False, sectors=1)
@@ -115,6 +117,7 @@ def test_optimum_rotor(ratio: float) -> None:
         assert float(found.thrust_coefficient[0]) == pytest.approx(8 / 9 * ring, rel=1e-3)
 
 
+@pytest.mark.nojit
 def test_tip_loss_of_prandtl() -> None:
     """F = 2/π acos exp(-B/2 (R - r)/(r sin φ)), and no load at the very tip."""
     rotor = report_rotor()
@@ -170,10 +173,11 @@ def test_turning_the_wind_and_the_azimuth_together_changes_nothing() -> None:
     left, right = (
         solve_rotor_performance(rotor, 10.0, 1.2, flow=RotorFlow(yaw=yaw, sectors=24)) for yaw in (0.3, -0.3)
     )
-    for name in ("thrust", "torque", "root_flap_moment"):
+    for name in ("rotor_thrust", "rotor_torque", "root_flap_moment"):
         assert float(left[name][0]) == pytest.approx(float(right[name][0]), rel=1e-10)
 
 
+@pytest.mark.nojit
 def test_still_air_and_standstill() -> None:
     """Hovering propeller: momentum gives T = 2 ρ A v²; parked rotor: finite loads."""
     sym = polar_of(lambda a: 2 * np.pi * np.sin(a) * np.cos(a), lambda a: 0.0 * a, within=179.9, step=0.1)
@@ -208,3 +212,81 @@ def test_polar_of_the_kernel_is_that_of_python_and_smooth() -> None:
         left, right = (polar.at(x) - polar.at(x - h)) / h, (polar.at(x + h) - polar.at(x)) / h
         assert left == pytest.approx(right, abs=1e-2)
     assert rows["lift"].max() <= polar.lift.max() and rows["drag"].min() >= polar.drag.min()
+
+
+@pytest.mark.nojit
+def test_wind_around_the_tower() -> None:
+    """Potential flow: stagnation at the tower, twice the wind beside it, 1 - (R/x)² in front, no source."""
+    tower = Tower(elevation=[0.0, 100.0], diameter=[6.0, 6.0])
+    rotor = Rotor(blade=aerodyn().blade, hub_radius=1.5, overhang=6.0)
+    flow = RotorFlow(tower=tower, sectors=36, yaw=0.4)
+    c, s = np.cos(0.4), np.sin(0.4)
+    along, across = np.array([c, -s, 0.0]), np.array([s, c, 0.0])
+
+    def wind(x: float, y: float, height: float = 50.0) -> np.ndarray:
+        found = wind_field(rotor, flow, (x * along + y * across)[None], np.array([height]))[0]
+        return np.array([found @ along, found @ across])
+
+    assert wind(-3.0, 0.0) == pytest.approx([0.0, 0.0], abs=1e-12)
+    assert wind(0.0, 3.0) == pytest.approx([2.0, 0.0], abs=1e-12)
+    assert wind(-6.0, 0.0) == pytest.approx([1 - 0.25, 0.0], abs=1e-12)
+    assert wind(-6.0, 0.0, 101.0) == pytest.approx([1.0, 0.0], abs=1e-12)
+    h = 1e-5
+    x, y = -5.0, 2.0
+    source = (wind(x + h, y) - wind(x - h, y))[0] + (wind(x, y + h) - wind(x, y - h))[1]
+    curl = (wind(x + h, y) - wind(x - h, y))[1] - (wind(x, y + h) - wind(x, y - h))[0]
+    assert (source / h, curl / h) == pytest.approx((0.0, 0.0), abs=1e-8)
+    angle = np.radians(np.arange(0, 360, 5.0))
+    radial = [wind(3 * np.cos(t), 3 * np.sin(t)) @ [np.cos(t), np.sin(t)] for t in angle]
+    assert radial == pytest.approx(np.zeros(angle.size), abs=1e-12)
+
+
+def test_tower_changes_the_mean_power_little() -> None:
+    """In potential flow the disturbance has no mean along a line across the wind: below 1 % of the power."""
+    tower = Tower(elevation=[0.0, 87.6], diameter=[6.0, 3.87])
+    rotor = Rotor(blade=aerodyn().blade, hub_radius=1.5, overhang=5.0, tilt=0.087, precone=0.044)
+    free, behind = (
+        solve_rotor_performance(rotor, 8.0, 0.95, flow=RotorFlow(tower=shadow, sectors=72)).rotor_power.item()
+        for shadow in (None, tower)
+    )
+    assert 0.99 < behind / free < 0.9999
+
+
+def test_shear_and_yaw_of_the_wind_field() -> None:
+    """Power law of the height; the wind turns against a yawed nacelle."""
+    rotor = Rotor(blade=aerodyn().blade, hub_radius=1.5, hub_height=90.0)
+    height = np.array([45.0, 90.0, 135.0])
+    found = wind_field(rotor, RotorFlow(shear_exponent=0.2, yaw=0.1), np.zeros((3, 3)), height)
+    assert np.hypot(found[:, 0], found[:, 1]) == pytest.approx((height / 90.0) ** 0.2)
+    assert found[1] == pytest.approx([np.cos(0.1), -np.sin(0.1), 0.0])
+    with pytest.raises(ModelError, match="lowest station above ground"):
+        solve_rotor_performance(
+            Rotor(blade=aerodyn().blade, hub_radius=1.5, hub_height=50.0),
+            8.0,
+            1.0,
+            flow=RotorFlow(shear_exponent=0.2),
+        )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        ({}, "needs a rotor_speed or a tip_speed_ratio"),
+        ({"rotor_speed": 1.0, "tip_speed_ratio": 7.0}, "and not both"),
+        ({"rotor_speed": [1.0, 1.1, 1.2]}, "equal, or single numbers"),
+        ({"rotor_speed": np.nan}, "operation.rotor_speed: is not finite"),
+        ({"rotor_speed": 1.0, "wind_speed": [0.0, 5.0]}, "0 m/s is out of range (limit > 0)"),
+    ],
+)
+def test_bad_operation(arguments: dict, expected: str) -> None:
+    arguments = {"wind_speed": [5.0, 6.0], **arguments}
+    with pytest.raises(ModelError) as error:
+        solve_rotor_performance(report_rotor(), **arguments)
+    assert expected in str(error.value)
+
+
+def test_bad_flow() -> None:
+    with pytest.raises(ModelError, match="4 problems"):
+        RotorFlow(density=0.0, yaw=4.0, shear_exponent=-1.0, sectors=0)
+    with pytest.raises(ModelError, match="12 is out of range"):
+        RotorFlow(tower=Tower(elevation=[0, 1], diameter=[1, 1]))

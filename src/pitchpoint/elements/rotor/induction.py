@@ -158,8 +158,8 @@ def inflow_angle(b, air, knots, flow):
 
     The angle lies between 0 and 90° (windmill, propeller), otherwise between -45° and 0 (propeller brake) or
     between 90° and 180°; one of these intervals brackets a root (Ning 2014). Where none does, because of an
-    unusual polar, all angles are searched in small intervals. Zero: a section without lift turns in still air,
-    and no air flows through the rotor.
+    unusual polar, all angles are searched in small intervals. Zero: a section without lift turns in still
+    air, and no air flows through the rotor.
     """
     quarter = 0.5 * math.pi
     if opposite(b, air, knots, flow, _EDGE, quarter):

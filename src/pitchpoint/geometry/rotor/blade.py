@@ -113,9 +113,9 @@ class Blade:
                 value = str(self.polar_index[k] + 1)
                 yield Message(
                     f"blade.polar_index, station {k + 1}",
-                    "is the number of no polar",
+                    "is not the number of a polar",
                     value,
-                    f"1 to {count}" if count else "no polar is given",
+                    f"1 to {count}" if count else "none is given",
                 )
         for polar in self.polars:
             if not polar.complete:
@@ -151,7 +151,10 @@ class Rotor:
     tilt
         Inclination of the axis, positive with the upwind end raised [rad].
     hub_height
-        Height of the rotor centre above ground [m]; used for the wind profile.
+        Height of the rotor centre above ground [m]; used for the wind profile and the tower.
+    overhang
+        Distance of the rotor centre from the axis of the tower, along the rotor axis, positive upwind [m];
+        used for the tower.
 
     Raises
     ------
@@ -172,6 +175,7 @@ class Rotor:
     precone: float = 0.0
     tilt: float = 0.0
     hub_height: float = 90.0
+    overhang: float = 0.0
 
     def __post_init__(self) -> None:
         problems = []
@@ -181,6 +185,8 @@ class Rotor:
             value = getattr(self, name)
             if not (0.0 < value < math.inf):
                 problems.append(Message(f"rotor.{name}", "is out of range", f"{value:g} m", "> 0"))
+        if not abs(self.overhang) < math.inf:
+            problems.append(Message("rotor.overhang", "is not finite", remedy="give a number"))
         for name in ("precone", "tilt"):
             value = getattr(self, name)
             if not abs(value) < 0.5:

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.geometry.rotor.tower import Tower
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,8 +30,11 @@ class RotorFlow:
         Whether Prandtl's losses are used.
     skewed_wake
         Whether induction varies over the azimuth of a tilted or yawed rotor (Pitt and Peters).
+    tower
+        Tower whose potential flow changes the wind at the blades; None without.
     sectors
-        Number of azimuths over which the loads are averaged; 1 is sufficient for axial flow.
+        Number of azimuths over which the loads are averaged; 1 is sufficient for axial flow,
+        at least 36 are required with a tower.
 
     Raises
     ------
@@ -48,6 +52,7 @@ class RotorFlow:
     tip_loss: bool = True
     hub_loss: bool = True
     skewed_wake: bool = True
+    tower: Tower | None = None
     sectors: int = 12
 
     def __post_init__(self) -> None:
@@ -59,7 +64,8 @@ class RotorFlow:
         if not 0.0 <= self.shear_exponent < 1.0:
             shown = f"{self.shear_exponent:g}"
             problems.append(Message("flow.shear_exponent", "is out of range", shown, "0 to 1"))
-        if self.sectors < 1:
-            problems.append(Message("flow.sectors", "is out of range", str(self.sectors), ">= 1"))
+        least = 1 if self.tower is None else 36
+        if self.sectors < least:
+            problems.append(Message("flow.sectors", "is out of range", str(self.sectors), f">= {least}"))
         if problems:
             raise ModelError(problems)

@@ -91,18 +91,22 @@ class _Stalled:
 
     def at(self, alpha: float) -> tuple[float, float, float]:
         """Lift, drag and moment outside the table."""
-        size = min(abs(alpha), math.pi - abs(alpha))
-        sign = math.copysign(1.0, alpha)
-        beyond = abs(alpha) > 0.5 * math.pi
-        lift, drag = self._plate(max(size, self.high))
-        if size < self.high:  # between reversed flow and 180°, or below the table
-            lift *= size / self.high
-        lift *= sign * (1.0 if sign > 0.0 and not beyond else _REFLECTED) * (-1.0 if beyond else 1.0)
-        if not beyond and -self.high < alpha < self.low[0]:
-            t = (alpha + self.high) / (self.low[0] + self.high)
-            edge = -_REFLECTED * self.lift, self._plate(self.high)[1]
-            lift, drag = (1.0 - t) * edge[0] + t * self.low[1], (1.0 - t) * edge[1] + t * self.low[2]
-        elif size < self.high:
-            drag = self.most * math.sin(size) ** 2 + self.b * math.cos(size)
+        lift, drag = self._lift_and_drag(alpha)
         normal = lift * math.cos(alpha) + drag * math.sin(alpha)
-        return lift, max(drag, 0.01), -0.25 * normal * abs(alpha) / (0.5 * math.pi)
+        return lift, max(drag, 0.0), -0.25 * normal * abs(alpha) / (0.5 * math.pi)
+
+    def _lift_and_drag(self, alpha: float) -> tuple[float, float]:
+        """Stalled plate, reflected for negative angles and reversed flow; straight lines in between."""
+        if -self.high < alpha < self.low[0]:
+            t = (alpha + self.high) / (self.low[0] + self.high)
+            lift, drag = self._plate(self.high)
+            return -(1.0 - t) * _REFLECTED * lift + t * self.low[1], (1.0 - t) * drag + t * self.low[2]
+        sign = math.copysign(1.0, alpha)
+        size = min(abs(alpha), math.pi - abs(alpha))
+        lift, drag = self._plate(max(size, self.high))
+        if size < self.high:
+            lift *= size / self.high
+            drag = self.most * math.sin(size) ** 2 + self.b * math.cos(size)
+        if abs(alpha) > 0.5 * math.pi:
+            return -sign * _REFLECTED * lift, drag
+        return (lift if sign > 0.0 else -_REFLECTED * lift), drag

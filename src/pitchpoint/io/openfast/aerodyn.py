@@ -14,6 +14,7 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
+from pitchpoint.geometry.rotor.tower import Tower
 from pitchpoint.io.openfast.airfoil import read_airfoil
 from pitchpoint.io.openfast.text import InputText, Line, read_input
 
@@ -120,9 +121,7 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
         )
         text.stop()
     at = [names.index(name.lower()) for name in _COLUMNS]
-    rows = np.array(text.rows(start, count, max(at) + 1, "stations"), dtype=float).reshape(
-        count if False else -1, max(at) + 1
-    )
+    rows = np.array(text.rows(start, count, max(at) + 1, "stations"), dtype=float).reshape(-1, max(at) + 1)
     text.stop()
     data = rows[:, at]
     index = data[:, 6]
@@ -130,7 +129,7 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
     if not whole.all():
         k = int(np.argmin(whole))
         text.problem(
-            f"BlAFID, row {k + 1}", "is no number of an airfoil", f"{index[k]:g}", f"1 to {len(polars)}"
+            f"BlAFID, row {k + 1}", "is not the number of an airfoil", f"{index[k]:g}", f"1 to {len(polars)}"
         )
         text.stop()
     try:
@@ -160,7 +159,10 @@ def _in_file(error: ModelError, name: str) -> list[Message]:
 
 def _airfoil_files(text: InputText) -> list[str]:
     """Names of the airfoil files."""
+    before = len(text.problems)
     count = text.count("NumAFfiles")
+    if len(text.problems) > before:
+        return []
     first = text.find("AFNames")
     if first is None:
         text.problem("AFNames", "is missing", None, None, remedy="give the names of the airfoil files")
@@ -199,9 +201,11 @@ def _flow(text: InputText) -> tuple[RotorFlow, list[str]]:
         notes.append("WakeMod 2: the loads are steady, without dynamic inflow")
     if text.number("AFAeroMod", "UA_Mod", default=1.0) > (0.0 if text.find("UA_Mod") else 1.0):
         notes.append("the loads are steady, without dynamic stall")
-    for name in ("TwrPotent", "TwrShadow"):
-        if text.number(name, default=0.0) != 0.0:
-            notes.append(f"{name}: the influence of the tower on the wind is not used")
+    if text.number("TwrShadow", default=0.0) != 0.0:
+        notes.append("TwrShadow: the wake of the tower is not used")
+    potential = text.number("TwrPotent", default=0.0)
+    if potential == 2.0:
+        notes.append("TwrPotent 2: potential flow around the tower without Bak's correction")
     if text.find("Skew_Mod"):
         skewed = (
             text.number("Skew_Mod", default=1.0) == 1.0 and text.number("SkewRedistr_Mod", default=1.0) == 1.0
@@ -219,9 +223,23 @@ def _flow(text: InputText) -> tuple[RotorFlow, list[str]]:
             tip_loss=text.flag("TipLoss", default=True),
             hub_loss=text.flag("HubLoss", default=True),
             skewed_wake=skewed,
+            tower=_tower(text) if potential in (1.0, 2.0) else None,
+            sectors=72 if potential in (1.0, 2.0) else 12,
         )
     except ModelError as error:
-        line = text.find("AirDens")
-        text.problems += [p.changed(line=line.number if line else None) for p in error.problems]
+        text.problems += [p.changed(file=text.path.name) for p in error.problems]
         flow = RotorFlow()
     return flow, notes
+
+
+def _tower(text: InputText) -> Tower | None:
+    """Elevations and diameters of the tower."""
+    start = text.find("NumTwrNds")
+    if start is None:
+        text.problem("NumTwrNds", "is missing", None, None, remedy="set TwrPotent to 0")
+        return None
+    rows = text.rows(start, text.count("NumTwrNds"), 2, "tower")
+    if text.problems:
+        return None
+    table = np.array(rows).reshape(-1, 2)
+    return Tower(elevation=table[:, 0], diameter=table[:, 1])

@@ -52,7 +52,7 @@ def read_airfoil(
     if not starts:
         text.problem("NumAlf", "is missing", None, None, remedy="give an airfoil file of AeroDyn v15")
     elif not 1 <= table <= len(starts):
-        text.problem("table", "is no table of the file", str(table), f"1 to {len(starts)}")
+        text.problem("table", "is not a table of the file", str(table), f"1 to {len(starts)}")
     elif tables != len(starts):
         line = text.find("NumTabs")
         number = line.number if line else None
@@ -62,7 +62,8 @@ def read_airfoil(
     count = text.value(start, 0, "NumAlf")
     if not (math.isfinite(count) and 3 <= count <= 1_000_000 and count == int(count)):
         if math.isfinite(count):
-            text.problem("NumAlf", "is no number of rows", f"{count:g}", "a whole number >= 3", start.number)
+            limit = "a whole number >= 3"
+            text.problem("NumAlf", "is not a number of rows", f"{count:g}", limit, start.number)
         text.stop()
     rows = np.array(text.rows(start, int(count), max(columns), "table of coefficients"))
     text.stop()

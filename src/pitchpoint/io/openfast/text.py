@@ -76,13 +76,13 @@ class InputText:
         return self.value(line, 0, names[0])
 
     def count(self, *names: str) -> int:
-        """Number of rows or files; 0 with a problem if it is no whole number."""
+        """Number of rows or files; 0 with a problem if it is not a whole number."""
         value = self.number(*names)
         if not (0 <= value <= 1_000_000 and value == int(value)):
             line = self.find(*names)
             if line is not None and math.isfinite(value):
                 self.problem(
-                    names[0], "is no number of lines", f"{value:g}", "a whole number >= 0", line.number
+                    names[0], "is not a number of lines", f"{value:g}", "a whole number >= 0", line.number
                 )
             return 0
         return int(value)
@@ -95,14 +95,15 @@ class InputText:
         word = line.tokens[0].strip(".").lower()
         if word in ("true", "t", "false", "f"):
             return word.startswith("t")
-        self.problem(names[0], "is no flag", line.tokens[0], "True or False", line.number)
+        self.problem(names[0], "is not a flag", line.tokens[0], "True or False", line.number)
         return default
 
     def value(self, line: Line, k: int, name: str) -> float:
         """Token k of a line as a finite number."""
         token = line.tokens[k] if k < len(line.tokens) else ""
         if not _NUMBER.fullmatch(token):
-            self.problem(name, "is no number", f"'{token[:40]}'" if token else "nothing", None, line.number)
+            shown = f"'{token[:40]}'" if token else "nothing"
+            self.problem(name, "is not a number", shown, None, line.number)
             return math.nan
         value = float(token.replace("d", "e").replace("D", "e"))
         if not math.isfinite(value):
@@ -165,7 +166,7 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
     Raises
     ------
     ModelError
-        If it cannot be read, is too large, or is no text.
+        If it cannot be read, is too large, or not text.
     """
     path = Path(path)
     try:
@@ -180,7 +181,7 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
         ) from None
     if b"\0" in data:
         raise ModelError(
-            [Message("", "is no text file", remedy="give the input file of OpenFAST")], str(path)
+            [Message("", "is not a text file", remedy="give the input file of OpenFAST")], str(path)
         )
     lines = []
     for k, text in enumerate(data.decode("utf-8", errors="replace").splitlines(), 1):
