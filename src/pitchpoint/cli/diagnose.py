@@ -156,8 +156,7 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     options["units"] = pairs(options["units"], "--unit")
     request = Request(file=files[0] if folder is None else folder, more=files[1:], **options)
     if trend:
-        show_trend(request, target, as_json, quiet)
-        return None
+        return show_trend(request, target, as_json, quiet)
     if folder is not None:
         return diagnose_records(request, folder, target, as_json=as_json, quiet=quiet)
     found = diagnose_file(request)

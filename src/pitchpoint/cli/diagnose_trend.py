@@ -28,8 +28,12 @@ def print_change(change: Change) -> None:
     table("Largest deviations from healthy records", HEAD, deviation_rows(change, LISTED))
 
 
-def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool) -> None:
-    """Compute, write and print the trend of a folder."""
+def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool) -> int:
+    """Compute, write and print the trend of a folder; after Ctrl-C that of the records so far.
+
+    Returns the exit code.
+    """
+    from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.report.diagnosis.change_page import TREND_HEAD, trend_page, trend_rows
     from pitchpoint.report.diagnosis.change_words import trend_sentences
     from pitchpoint.report.diagnosis.reference import trend
@@ -39,9 +43,10 @@ def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool
         from pitchpoint.io.target import write_file
 
         write_file(target, trend_page(found, request.file))
+    code = exit_code_of(KeyboardInterrupt()) if found.missing else OK
     if as_json:
         emit_json(found.as_data())
-        return
+        return code
     for text in trend_sentences(found):
         show(text)
     show()
@@ -50,3 +55,4 @@ def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool
         show_notes(found.notes)
         if target is not None:
             show(f"report written to {target}")
+    return code

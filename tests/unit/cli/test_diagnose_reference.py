@@ -169,3 +169,27 @@ def test_tables_and_names_of_folders(tmp_path: Path) -> None:
         table.write_text(text, encoding="utf-8")
         with pytest.raises(SignalError, match=message):
             record_files([str(tmp_path)], None, "--reference")
+
+
+def test_an_interrupted_trend_has_the_records_so_far(
+    rig: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The five healthy records and three of the history are read; the command ends with exit code 130."""
+    from pitchpoint.report.diagnosis import described_record
+
+    own, read = described_record.prepare, []
+
+    def stops(request: object) -> object:
+        """Interrupted at the ninth record."""
+        read.append(request)
+        if len(read) == 9:
+            raise KeyboardInterrupt
+        return own(request)
+
+    monkeypatch.setattr(described_record, "prepare", stops)
+    page = tmp_path / "trend.html"
+    arguments = [*MACHINE, "--reference", str(rig / "healthy"), "--load-from", "_{load}pc", "-o", str(page)]
+    assert run_command(["diagnose", str(rig / "history"), *arguments]) == 130
+    assert "interrupted by the user: 3 of 6 records are not compared" in capsys.readouterr().out
+    text = page.read_text(encoding="utf-8")
+    assert "run7.mat" in text and "run6.mat" not in text

@@ -63,8 +63,10 @@ def described(file: RecordFile, over: OverAngle, parts: TurningParts, slip: floa
     return Described(file, features, over.frequency)
 
 
-def read_described(request: Request, files: Sequence[RecordFile]) -> list[Described]:
-    """Records of files; all that cannot be read are named."""
+def read_described(
+    request: Request, files: Sequence[RecordFile], *, partial: bool = False
+) -> list[Described]:
+    """Records of files; all that cannot be read are named. With `partial`, Ctrl-C keeps those read so far."""
     found, problems = [], []
     for file in files:
         speeds = (file.speed,) if file.speed and not request.speeds else request.speeds
@@ -74,6 +76,10 @@ def read_described(request: Request, files: Sequence[RecordFile]) -> list[Descri
             found.append(described(file, made.over, made.machine.parts, request.slip))
         except PitchpointError as error:
             problems.append(str(error) if file.path in str(error) else f"{file.path}: {error}")
+        except KeyboardInterrupt:
+            if not partial or not found:
+                raise
+            break
     if problems:
         raise SignalError("; ".join(problems))
     return found

@@ -155,7 +155,9 @@ def nearest_sensor(finding: Finding, rows: Sequence[ChannelLevel], places: Place
     at = f"{best.channel}{_beside(finding, best.channel, places)}"
     if apart >= 0.5:
         at += f" (by {'' if seen else 'more than '}{apart:.0f} {best.unit})"
-    listed = [f"{row.value:.0f} {row.unit} in {row.channel}" for row in seen[:LISTED]]
+    listed = [
+        f"{row.value - row.limit:.0f} {row.unit} above the limit in {row.channel}" for row in seen[:LISTED]
+    ]
     listed += [f"less in {len(seen) - LISTED} more"] * (len(seen) > LISTED)
     hidden = [row.channel for row in others if not row.visible]
     named = ", ".join(hidden) if len(hidden) <= LISTED else f"{len(hidden)} others"

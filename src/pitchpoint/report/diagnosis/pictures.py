@@ -281,6 +281,11 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     except SignalError as reason:
         section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
         return
+    found = {
+        (e.gear, e.shaft): e.order
+        for e in study.diagnosis.evidence
+        if e.channel == channel and e.detectors and e.found
+    }
     marks = [
         Lines(
             _named(study, f"{bearing.name}, {part}", order),
@@ -290,7 +295,9 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
             symbol=list(PARTS).index(part),
         )
         for look, bearing in enumerate(alike(parts.bearings), start=1)
-        for part, order in bearing.orders.items()
+        for part, nominal in bearing.orders.items()
+        # of a part that is found with its slip
+        for order in [found.get((bearing.name, part), nominal)]
     ]
     there = {part for bearing in parts.bearings for part in bearing.orders}
     shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]

@@ -141,12 +141,15 @@ class Trend:
         Number of the record at which the trend left the healthy range; None if it did not.
     notes
         Remarks.
+    missing
+        Number of records that were not compared because the user interrupted the command.
     """
 
     changes: tuple[Change, ...]
     limits: HealthyRange
     left: int | None
     notes: tuple[str, ...] = ()
+    missing: int = 0
 
     def as_data(self) -> dict[str, Any]:
         """Complete trend as plain data."""
@@ -208,10 +211,12 @@ def trend(request: Request) -> Trend:
     healthy_files = record_files(request.references, request.load_from, "--reference")
     others = [one for one in files if not any(_same_file(one, two) for two in healthy_files)]
     healthy = read_described(request, healthy_files)
-    later = {one.file.path: one for one in read_described(request, others)}
+    later = {one.file.path: one for one in read_described(request, others, partial=True)}
     changes = []
     for file in files:
         same = next((one for one in healthy if _same_file(one.file, file)), None)
+        if same is None and file.path not in later:
+            continue
         rest = [one for one in healthy if one is not same]
         changes.append(change_of(same or later[file.path], rest, every=healthy))
     outside = next((change for change in changes if change.file not in healthy), None)
@@ -225,7 +230,10 @@ def trend(request: Request) -> Trend:
     left = left_at([change.found.distance for change in changes], limits.limit)
     # a healthy record at the end of the range is always extrapolated from the others
     notes = dict.fromkeys(n for change in changes if change.file not in healthy for n in change.notes)
-    return Trend(tuple(changes), limits, left, tuple(notes))
+    missing = len(files) - len(changes)
+    if missing:
+        notes[f"interrupted by the user: {missing} of {len(files)} records are not compared"] = None
+    return Trend(tuple(changes), limits, left, tuple(notes), missing)
 
 
 def change_of(
