@@ -90,6 +90,7 @@ GROUPS = {
         "read_aerodyn",
         "read_airfoil",
         "solve_rotor_performance",
+        "solve_rotor_transient",
     ),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (

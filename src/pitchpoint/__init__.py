@@ -81,6 +81,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
+    from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
@@ -172,6 +173,7 @@ __all__ = [
     "solve_modal",
     "solve_quasistatic",
     "solve_rotor_performance",
+    "solve_rotor_transient",
     "solve_time",
     "state_space",
     "sweep_speed",
@@ -264,6 +266,7 @@ _HOMES = {
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
     "solvers.rotor_performance": ("solve_rotor_performance",),
+    "solvers.rotor_transient": ("solve_rotor_transient",),
     "solvers.state_space": ("state_space",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
@@ -17,9 +16,9 @@ from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotor.loads import stations_entry
 from pitchpoint.elements.rotor.record import AIR, BATCH, POINT, SKEW, polar_rows, station_records
-from pitchpoint.elements.rotor.tower import TOWER_POINT, tower_entry
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
+from pitchpoint.solvers.rotor_wind import station_points
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -100,8 +99,9 @@ def solve_rotor_performance(
     """
     begun = time.perf_counter()
     flow = flow or RotorFlow()
-    operation = _operation(rotor, wind_speed, rotor_speed, pitch, tip_speed_ratio)
-    points = _points(rotor, flow, *operation)
+    operation = operating_points(rotor, wind_speed, rotor_speed, pitch, tip_speed_ratio)
+    azimuth = 2.0 * np.pi * np.arange(flow.sectors)[None] / flow.sectors
+    points = station_points(rotor, flow, operation, azimuth)
     status = evaluate_stations(rotor, flow, points)
     data = _dataset(rotor, flow, operation, points)
     data.attrs |= provenance(
@@ -133,26 +133,54 @@ def evaluate_stations(rotor: Rotor, flow: RotorFlow, points: NDArray[Any]) -> in
     int
         Worst status.
     """
-    stations = station_records(rotor, flow.tip_loss, flow.hub_loss)
-    knots = polar_rows(rotor)
-    air = np.zeros(1, AIR)
-    air["rho"], air["axial"], air["swirl"] = flow.density, flow.axial_induction, flow.tangential_induction
-    air["axial_drag"], air["swirl_drag"] = flow.drag_in_axial_induction, flow.drag_in_tangential_induction
-    air["skew"] = SKEW if flow.skewed_wake else 0.0
-    batch = np.zeros(1, BATCH)
-    batch["stations"], batch["n"] = stations.ctypes.data, stations.size
-    batch["knots"], batch["rows"], batch["air"] = knots.ctypes.data, len(knots), air.ctypes.data
-    return invoke(stations_entry, batch.ctypes.data, points.ctypes.data, points.size)
+    batch = StationBatch(rotor, flow)
+    return invoke(stations_entry, batch.at, points.ctypes.data, points.size)
 
 
-def _operation(
+class StationBatch:
+    """Records of the stations, polars and air of a rotor, for calls of kernels.
+
+    Parameters
+    ----------
+    rotor, flow
+        Rotor and options.
+    stall
+        Whether the stall of sections with lift is dynamic.
+    """
+
+    def __init__(self, rotor: Rotor, flow: RotorFlow, stall: bool = False) -> None:
+        self.stations = station_records(rotor, flow.tip_loss, flow.hub_loss, stall)
+        self.knots = polar_rows(rotor)
+        self.air = air = np.zeros(1, AIR)
+        air["rho"], air["axial"], air["swirl"] = flow.density, flow.axial_induction, flow.tangential_induction
+        air["axial_drag"] = flow.drag_in_axial_induction
+        air["swirl_drag"] = flow.drag_in_tangential_induction
+        air["skew"] = SKEW if flow.skewed_wake else 0.0
+        self.record = batch = np.zeros(1, BATCH)
+        batch["stations"], batch["n"] = self.stations.ctypes.data, self.stations.size
+        batch["knots"], batch["rows"] = self.knots.ctypes.data, len(self.knots)
+        batch["air"] = air.ctypes.data
+
+    @property
+    def at(self) -> int:
+        """Address of the record; valid while this object exists."""
+        return int(self.record.ctypes.data)
+
+
+def operating_points(
     rotor: Rotor,
     wind_speed: ArrayLike,
     rotor_speed: ArrayLike | None,
     pitch: ArrayLike,
     tip_speed_ratio: ArrayLike | None,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Wind speeds, rotor speeds and pitch angles, all of one shape (n,)."""
+    """Wind speeds, rotor speeds and pitch angles, all of one shape (n,).
+
+    Parameters
+    ----------
+    rotor, wind_speed, rotor_speed, pitch, tip_speed_ratio
+        As for `solve_rotor_performance`.
+    """
     if (rotor_speed is None) == (tip_speed_ratio is None):
         raise ModelError([Message("operation", "needs a rotor_speed or a tip_speed_ratio, and not both")])
     wind = np.atleast_1d(np.asarray(wind_speed, float))
@@ -179,70 +207,16 @@ def _operation(
     return wind, speed, angle
 
 
-def _points(
-    rotor: Rotor, flow: RotorFlow, wind: FloatArray, speed: FloatArray, pitch: FloatArray
-) -> NDArray[Any]:
-    """Station records over points, azimuths and stations."""
-    azimuth = 2.0 * np.pi * np.arange(flow.sectors) / flow.sectors
-    st, ct = math.sin(rotor.tilt), math.cos(rotor.tilt)
-    axis, up, left = np.array([ct, 0.0, -st]), np.array([st, 0.0, ct]), np.array([0.0, 1.0, 0.0])
-    cos, sin = np.cos(azimuth)[:, None, None], np.sin(azimuth)[:, None, None]
-    outward, motion = cos * up - sin * left, -cos * left - sin * up  # azimuth 0: blade up
-    slope = rotor.inclination[:, None]
-    normal = np.cos(slope) * axis + np.sin(slope) * outward
-    centre = (rotor.axial[:, None] - rotor.overhang) * axis + rotor.radius[:, None] * outward
-    height = rotor.hub_height + rotor.overhang * axis[2] + centre[..., 2]
-    field = wind_field(rotor, flow, centre, height)
-    points = np.zeros((wind.size, azimuth.size, slope.size), POINT)
-    points["station"] = np.arange(slope.size)
-    points["vx"] = wind[:, None, None] * (normal * field).sum(axis=-1)
-    points["vy"] = speed[:, None, None] * rotor.radius - wind[:, None, None] * (motion * field).sum(axis=-1)
-    points["pitch"] = pitch[:, None, None]
-    direction = np.array([math.cos(flow.yaw), -math.sin(flow.yaw), 0.0])
-    along = float(axis @ direction)
-    across = direction - along * axis
-    points["yaw"] = math.atan2(float(np.linalg.norm(across)), along)
-    if np.linalg.norm(across) > 0.0:
-        points["downwind"] = outward @ across / np.linalg.norm(across)
-    return points
-
-
-def wind_field(rotor: Rotor, flow: RotorFlow, position: FloatArray, height: FloatArray) -> FloatArray:
-    """Wind over the wind speed at hub height, in axes of the nacelle: downwind, left, up.
+def along_blade(rotor: Rotor, values: FloatArray) -> FloatArray:
+    """Integral of loads per length over the length of the blade.
 
     Parameters
     ----------
-    rotor, flow
-        Rotor, and wind profile, yaw and tower.
-    position
-        Points from the axis of the tower in these axes, shape (..., 3) [m].
-    height
-        Their heights above ground, shape (...) [m].
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        Velocities over the wind speed.
+    rotor
+        The rotor.
+    values
+        Loads per length at the stations, shape (..., n).
     """
-    profile = np.ones_like(height)
-    if flow.shear_exponent != 0.0:
-        if (height <= 0.0).any():
-            low = f"{height.min():g} m"
-            raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
-        profile = (height / rotor.hub_height) ** flow.shear_exponent
-    c, s = math.cos(flow.yaw), math.sin(flow.yaw)
-    along, across = np.array([c, -s, 0.0]), np.array([s, c, 0.0])
-    if flow.tower is None:
-        return profile[..., None] * along
-    rows = np.zeros(height.shape, TOWER_POINT)
-    rows["x"], rows["y"] = position @ along, position @ across
-    rows["radius"] = flow.tower.radius_at(height)
-    invoke(tower_entry, 0, rows.ctypes.data, rows.size)
-    return profile[..., None] * (rows["along"][..., None] * along + rows["across"][..., None] * across)
-
-
-def _along_blade(rotor: Rotor, values: FloatArray) -> FloatArray:
-    """Integral of loads per length over the length of the blade, last axis."""
     z = rotor.blade.span
     length = np.r_[
         0.0,
@@ -263,10 +237,10 @@ def _dataset(
     }
     f_n, f_t = mean["f_n"], mean["f_t"]
     axial, radial = f_n * np.cos(rotor.inclination), f_n * np.sin(rotor.inclination)
-    thrust = rotor.blades * _along_blade(rotor, axial)
-    torque = rotor.blades * _along_blade(rotor, f_t * rotor.radius)
+    thrust = rotor.blades * along_blade(rotor, axial)
+    torque = rotor.blades * along_blade(rotor, f_t * rotor.radius)
     arm = rotor.radius - rotor.root_radius, rotor.axial - rotor.axial[0]
-    flap = _along_blade(rotor, axial * arm[0] - radial * arm[1])
+    flap = along_blade(rotor, axial * arm[0] - radial * arm[1])
     pressure = 0.5 * flow.density * wind**2 * rotor.area
     totals = {
         "rotor_thrust": (thrust, "N", "thrust along the rotor axis"),

@@ -13,7 +13,8 @@ from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.tower import Tower
-from pitchpoint.solvers.rotor_performance import evaluate_stations, solve_rotor_performance, wind_field
+from pitchpoint.solvers.rotor_performance import evaluate_stations, solve_rotor_performance
+from pitchpoint.solvers.rotor_wind import wind_field
 from tests.support.rotors import aerodyn, plain_blade, polar_of, report_rotor
 
 FREE = RotorFlow(tip_loss=False, hub_loss=False, sectors=1)

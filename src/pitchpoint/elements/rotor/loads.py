@@ -9,7 +9,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotor.induction import inflow_angle, loss_factor, momentum
 from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
-from pitchpoint.elements.rotor.record import AIR, BATCH, POINT, STATION
+from pitchpoint.elements.rotor.record import AIR, BATCH, COLUMNS, POINT, STATION
 from pitchpoint.multibody.channels import F8
 
 
@@ -46,44 +46,65 @@ def skewed(air, b, p, a):
 
 
 @kernel
-def station_loads(b, air, knots, p):
-    """Inflow, induction and loads of one station; writes the results of the record p, returns a status.
-
-    At the very tip and root of a blade with losses there is no circulation and no load.
-    """
+def steady_inflow(b, air, knots, p):
+    """Velocities of the air relative to a station with its steady induction, and status; writes the loss."""
     vx = p["vx"]
     vy = p["vy"]
-    ux = vx
-    uy = vy
     p["loss"] = 1.0
-    status = OK
-    free = b["tip"] <= 0.0 or b["hub"] <= 0.0
-    if free:
+    if b["tip"] <= 0.0 or b["hub"] <= 0.0:
         p["loss"] = 0.0
-    elif (air["axial"] != 0 or air["swirl"] != 0) and (vx != 0.0 or vy != 0.0):
-        ux, uy, status = induced(b, air, knots, p)
-    a = 1.0 - ux / vx if vx != 0.0 else 0.0
-    if air["skew"] != 0.0 and p["yaw"] != 0.0 and a != 0.0:
-        a = skewed(air, b, p, a)
-        ux = vx * (1.0 - a)
-    p["a"] = a
-    p["a_prime"] = uy / vy - 1.0 if vy != 0.0 else 0.0
+        return vx, vy, OK
+    if (air["axial"] == 0 and air["swirl"] == 0) or (vx == 0.0 and vy == 0.0):
+        return vx, vy, OK
+    ux, uy, status = induced(b, air, knots, p)
+    if air["skew"] != 0.0 and p["yaw"] != 0.0 and vx != 0.0:
+        ux = vx * (1.0 - skewed(air, b, p, 1.0 - ux / vx))
+    return ux, uy, status
+
+
+@kernel
+def set_angles(b, p, ux, uy):
+    """Write induction factors, relative speed, inflow angle and angle of attack for the velocities."""
+    p["a"] = 1.0 - ux / p["vx"] if p["vx"] != 0.0 else 0.0
+    p["a_prime"] = uy / p["vy"] - 1.0 if p["vy"] != 0.0 else 0.0
     p["speed"] = math.sqrt(ux * ux + uy * uy)
     p["phi"] = math.atan2(ux, uy)
     p["alpha"] = wrapped(p["phi"] - b["twist"] - p["pitch"])
+
+
+@kernel
+def set_coefficients(b, knots, p):
+    """Write the steady coefficients at the angle of attack; returns the row of the polar."""
     i = interval(knots, b["first"], b["last"], p["alpha"])
-    cl, _ = coefficient(knots, i, 1, p["alpha"])
-    cd, _ = coefficient(knots, i, 3, p["alpha"])
-    cm, _ = coefficient(knots, i, 5, p["alpha"])
-    p["lift"] = cl
-    p["drag"] = cd
-    p["moment"] = cm
+    p["lift"], _ = coefficient(knots, i, 1, p["alpha"])
+    p["drag"], _ = coefficient(knots, i, 3, p["alpha"])
+    p["moment"], _ = coefficient(knots, i, 5, p["alpha"])
+    return i
+
+
+@kernel
+def set_forces(b, air, p):
+    """Write forces and moment per length.
+
+    At the very tip and root of a blade with losses there is no circulation and no load.
+    """
     s = math.sin(p["phi"])
     c = math.cos(p["phi"])
-    q = 0.0 if free else 0.5 * air["rho"] * p["speed"] * p["speed"] * b["chord"]
-    p["f_n"] = q * (cl * c + cd * s)
-    p["f_t"] = q * (cl * s - cd * c)
-    p["m_c"] = q * b["chord"] * cm
+    q = 0.5 * air["rho"] * p["speed"] * p["speed"] * b["chord"]
+    if p["loss"] == 0.0:
+        q = 0.0
+    p["f_n"] = q * (p["lift"] * c + p["drag"] * s)
+    p["f_t"] = q * (p["lift"] * s - p["drag"] * c)
+    p["m_c"] = q * b["chord"] * p["moment"]
+
+
+@kernel
+def station_loads(b, air, knots, p):
+    """Inflow, induction and loads of one station; writes the results of the record p, returns a status."""
+    ux, uy, status = steady_inflow(b, air, knots, p)
+    set_angles(b, p, ux, uy)
+    set_coefficients(b, knots, p)
+    set_forces(b, air, p)
     p["status"] = status
     return status
 
@@ -93,7 +114,7 @@ def stations_entry(ctl, rec, n):
     """Loads of n points; ctl is the address of a BATCH record, rec that of the points."""
     batch = view(ctl, 1, BATCH)[0]
     stations = view(batch["stations"], batch["n"], STATION)
-    knots = view(batch["knots"], (batch["rows"], 7), F8)
+    knots = view(batch["knots"], (batch["rows"], COLUMNS), F8)
     air = view(batch["air"], 1, AIR)[0]
     points = view(rec, n, POINT)
     worst = OK

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rates of the states of a blade station: dynamic inflow and dynamic stall (Øye 1990, 1991; Hansen 2008).
+"""States of a blade station: dynamic inflow and dynamic stall (Øye 1990, 1991; Hansen 2008).
 
 Induced velocities follow their steady values through two filters in series,
 W_int + τ1 dW_int/dt = W_qs + k τ1 dW_qs/dt and W + τ2 dW/dt = W_int. The state z = W_int - k W_qs makes the
@@ -29,15 +29,19 @@ def inflow_times(a, share, radius, speed):
 
 
 @kernel
-def inflow_rates(z, w, steady, first, second):
-    """Rates of z and of the induced velocity w, for the steady induced velocity and both time constants."""
-    return ((1.0 - SHARE) * steady - z) / first, (z + SHARE * steady - w) / second
+def advance_inflow(z, w, steady, times, h):
+    """z and w after a time h with constant steady induction, exact; `times` are τ1 > τ2."""
+    first, second = times
+    end = (1.0 - SHARE) * steady
+    slow = math.exp(-h / first)
+    part = (z - end) * first / (first - second)
+    return end + (z - end) * slow, steady + part * slow + (w - steady - part) * math.exp(-h / second)
 
 
 @kernel
-def separation_rate(f, steady, chord, speed):
-    """Rate of the point of separation, for its steady value and the relative speed."""
-    return (steady - f) * speed / (CHORDS * chord)
+def advance_separation(f, steady, chord, speed, h):
+    """Point of separation after a time h with a constant steady value, exact."""
+    return steady + (f - steady) * math.exp(-h * speed / (CHORDS * chord))
 
 
 @kernel

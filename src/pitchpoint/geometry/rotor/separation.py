@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.rotor.polar import Polar
 
 FloatArray = NDArray[np.float64]
@@ -36,7 +35,7 @@ class Separation:
     f: FloatArray
 
 
-def separation(polar: Polar) -> Separation:
+def separation(polar: Polar) -> Separation | None:
     """Point of separation of a polar.
 
     c_l = c_lα (α - α_0) (1 + √f)²/4 of a flat plate in Kirchhoff flow, solved for f (Hansen 2008). c_lα is
@@ -49,13 +48,9 @@ def separation(polar: Polar) -> Separation:
 
     Returns
     -------
-    Separation
-        Constants of attached flow and f at the points of the table.
-
-    Raises
-    ------
-    GeometryError
-        If lift does not change its sign with positive slope within 20° of 0.
+    Separation or None
+        Constants of attached flow and f at the points of the table; None for a section without lift, such as
+        a cylinder, whose lift does not rise through zero within 20° of 0.
 
     Examples
     --------
@@ -68,12 +63,7 @@ def separation(polar: Polar) -> Separation:
     near = np.abs(alpha) <= _LINEAR
     rising = np.flatnonzero(near[:-1] & near[1:] & (lift[:-1] <= 0.0) & (lift[1:] > 0.0))
     if rising.size == 0:
-        raise GeometryError(
-            "lift does not rise through zero",
-            where=polar.name,
-            limit="within -20 to 20 deg",
-            remedy="use such sections without dynamic stall",
-        )
+        return None
     k = int(rising[np.argmin(np.abs(alpha[rising]))])
     alpha_0 = float(alpha[k] - lift[k] * (alpha[k + 1] - alpha[k]) / (lift[k + 1] - lift[k]))
     away = near & (np.abs(alpha - alpha_0) > math.radians(0.5))
