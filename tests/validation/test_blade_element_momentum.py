@@ -181,9 +181,16 @@ def test_report_of_the_nrel_5mw() -> None:
     """
     u, rpm, power, thrust, torque = np.array(REPORT).T
     rotor = Rotor(
-        blade=aerodyn().blade, hub_radius=1.5, precone=np.radians(2.5), tilt=np.radians(5.0), hub_height=90.0
+        blade=aerodyn().blade,
+        hub_radius=1.5,
+        precone=np.radians(2.5),
+        tilt=np.radians(5.0),
+        hub_height=90.0,
+        overhang=5.02,
     )
     found = solve_rotor_performance(rotor, u, rpm * RPM, flow=aerodyn().flow)
     assert found.rotor_thrust.values / 1e3 == pytest.approx(thrust - WEIGHT, rel=0.03)
     assert found.rotor_power.values / 1e3 == pytest.approx(power, rel=0.03)
     assert found.rotor_torque.values / 1e3 == pytest.approx(torque, rel=0.03)
+    shown = [0.419, 1.868, 3.648]  # docs/howto/rotor_performance.md
+    assert found.rotor_power.values[:3] / 1e6 == pytest.approx(shown, abs=5e-4)

