@@ -177,7 +177,8 @@ WEIGHT = 110e3 * 9.81 * np.sin(np.radians(5.0)) / 1e3
 def test_report_of_the_nrel_5mw() -> None:
     """Thrust, power and torque within 3 % of the report.
 
-    The report includes the flexible structure and a controller that settles; codes differ by 2 to 3 %.
+    Its tower had no influence on the wind. It includes the flexible structure and a controller that settles;
+    codes differ by 2 to 3 %. Seen: thrust -3.0 (5 m/s) to -0.9 %, power -1.9 (5 m/s) to +0.1 %.
     """
     u, rpm, power, thrust, torque = np.array(REPORT).T
     rotor = Rotor(
@@ -188,9 +189,10 @@ def test_report_of_the_nrel_5mw() -> None:
         hub_height=90.0,
         overhang=5.02,
     )
-    found = solve_rotor_performance(rotor, u, rpm * RPM, flow=aerodyn().flow)
+    found = solve_rotor_performance(rotor, u, rpm * RPM, flow=replace(aerodyn().flow, tower=None))
     assert found.rotor_thrust.values / 1e3 == pytest.approx(thrust - WEIGHT, rel=0.03)
     assert found.rotor_power.values / 1e3 == pytest.approx(power, rel=0.03)
     assert found.rotor_torque.values / 1e3 == pytest.approx(torque, rel=0.03)
+    found = solve_rotor_performance(rotor, u, rpm * RPM, flow=aerodyn().flow)
     shown = [0.419, 1.868, 3.648]  # docs/howto/rotor_performance.md
     assert found.rotor_power.values[:3] / 1e6 == pytest.approx(shown, abs=5e-4)
