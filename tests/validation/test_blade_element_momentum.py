@@ -196,3 +196,36 @@ def test_report_of_the_nrel_5mw() -> None:
     found = solve_rotor_performance(rotor, u, rpm * RPM, flow=aerodyn().flow)
     shown = [0.419, 1.868, 3.648]  # docs/howto/rotor_performance.md
     assert found.rotor_power.values[:3] / 1e6 == pytest.approx(shown, abs=5e-4)
+
+
+# OpenFAST with flexible blades and tower (welib, data/NREL5MW/NREL5MW_Oper.csv, MIT): U, rpm, pitch [deg],
+# RtAeroFxh [kN], RtAeroMxh [kN m]
+OPENFAST = [
+    (5.0, 7.4952, 0.0, 171.7068, 534.3242),
+    (6.0, 7.9277, 0.0, 232.1686, 927.1606),
+    (7.0, 8.4562, 0.0, 300.9974, 1408.0558),
+    (8.0, 9.1311, 0.0, 379.5113, 1946.9009),
+    (9.0, 10.2583, 0.0, 477.8789, 2455.6833),
+    (10.0, 11.3764, 0.0, 586.3114, 3022.4045),
+    (11.0, 11.8731, 0.0, 682.5527, 3814.5120),
+    (12.0, 12.1003, 3.4514, 596.2327, 4180.8431),
+    (13.0, 12.1001, 6.3100, 508.6410, 4179.4291),
+    (15.0, 12.1000, 10.2564, 414.8642, 4181.0608),
+]
+
+
+def test_openfast_with_flexible_blades() -> None:
+    """Within 3 %, as codes differ; ours is rigid. Seen at 8 m/s: thrust -0.6 %, torque +0.3 %.
+
+    Up to 11 m/s thrust -1.4 to +0.9 % and torque 0 to +1.8 %; thrust +2.3 % at 15 m/s. Another table of the
+    same source, rigid and of another version of OpenFAST, is 5 % below this one.
+    """
+    u, rpm, pitch, thrust, torque = np.array(OPENFAST).T
+    rotor = Rotor(
+        blade=aerodyn().blade, hub_radius=1.5, precone=np.radians(2.5), tilt=np.radians(5.0), overhang=5.0191
+    )
+    found = solve_rotor_performance(rotor, u, rpm * RPM, np.radians(pitch), flow=aerodyn().flow)
+    assert found.rotor_thrust.values / 1e3 == pytest.approx(thrust, rel=0.03)
+    assert found.rotor_torque.values / 1e3 == pytest.approx(torque, rel=0.03)
+    assert float(found.rotor_thrust[3]) / 1e3 == pytest.approx(379.5113, rel=0.01)
+    assert float(found.rotor_torque[3]) / 1e3 == pytest.approx(1946.9009, rel=0.005)

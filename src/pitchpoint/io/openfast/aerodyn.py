@@ -198,9 +198,9 @@ def _flow(text: InputText) -> tuple[RotorFlow, list[str]]:
             "use 1",
         )
     if wake == 2:
-        notes.append("WakeMod 2: the loads are steady, without dynamic inflow")
+        notes.append("WakeMod 2: dynamic inflow in solve_rotor_transient only, with time constants that vary")
     if text.number("AFAeroMod", "UA_Mod", default=1.0) > (0.0 if text.find("UA_Mod") else 1.0):
-        notes.append("the loads are steady, without dynamic stall")
+        notes.append("dynamic stall in solve_rotor_transient only, by the model of Øye")
     if text.number("TwrShadow", default=0.0) != 0.0:
         notes.append("TwrShadow: the wake of the tower is not used")
     potential = text.number("TwrPotent", default=0.0)
