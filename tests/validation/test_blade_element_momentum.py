@@ -163,6 +163,25 @@ def test_cone_and_tilt_as_ccblade() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("yaw", "shear", "power", "thrust"),
+    [
+        (0.0, 0.2, 3583.70580, 582.570793),
+        (20.0, 0.0, 3022.53478, 539.324586),
+        (-20.0, 0.2, 2943.29306, 535.542556),
+    ],
+)
+def test_shear_and_yaw_as_ccblade(yaw: float, shear: float, power: float, thrust: float) -> None:
+    """CCBlade of WISDEM with our polars, 10 m/s, 11.431 rpm, 12 sectors, cone 2.5°, tilt 5°.
+
+    Radii differ by 0.1 % as above; a wrong sign of tilt would change the power in shear by 0.45 %.
+    """
+    flow = RotorFlow(skewed_wake=False, yaw=np.radians(yaw), shear_exponent=shear)
+    found = solve_rotor_performance(report_rotor(cone=2.5, tilt=5.0), 10.0, 11.431 * RPM, flow=flow)
+    assert float(found.rotor_power[0]) / 1e3 == pytest.approx(power, rel=1.2e-3)
+    assert float(found.rotor_thrust[0]) / 1e3 == pytest.approx(thrust, rel=1e-3)
+
+
 # NREL/TP-500-38060 (FAST with AeroDyn 12) as in the test of CCBlade: U, rpm, pitch, aerodynamic power [kW],
 # thrust [kN] with the weight of the rotor along the axis, torque [kN m]
 REPORT = [
