@@ -53,7 +53,7 @@ def main() -> None:
         ("contact of tooth surfaces", lambda: flank_contact.rows(bare[0])),
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
-        ("wind-turbine drive train, planetary set in all directions", wind.rows),
+        ("wind-turbine drive train, planetary set in all directions, wind", wind.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("gearbox from REXS", rexs.rows),
         ("tolerance study of a two-stage gearbox", study.rows),

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
+    from pitchpoint.io.wind.mann import MannGeometry, read_mann, write_mann
+    from pitchpoint.io.wind.turbsim import read_turbsim, write_turbsim
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -67,6 +69,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.unbalance import Unbalance
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.model.wind.box import WindBox
+    from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass
+    from pitchpoint.model.wind.steady import SteadyWind
+    from pitchpoint.model.wind.turbulence import KaimalTurbulence
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
@@ -84,11 +90,13 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space
     from pitchpoint.solvers.time import solve_time
+    from pitchpoint.solvers.turbulence.box import make_turbulence
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
     from pitchpoint.sweep.study.run_study import run_study
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import planet_loads
+    from pitchpoint.system.wind import WindField, add_mean
 
 __all__ = [
     "BasicRack",
@@ -110,12 +118,15 @@ __all__ = [
     "Gear",
     "GearPair",
     "GeometryError",
+    "Gust",
     "HousingBody",
     "HousingMatrix",
     "Joint",
+    "KaimalTurbulence",
     "Load",
     "LoadCase",
     "Lubricant",
+    "MannGeometry",
     "Maxwell",
     "Mesh",
     "Model",
@@ -133,11 +144,13 @@ __all__ = [
     "RollingBearing",
     "Rotor",
     "RotorFlow",
+    "RotorSite",
     "Scenario",
     "ScissorGear",
     "Shaft",
     "SolverError",
     "Spring",
+    "SteadyWind",
     "SurfaceContact",
     "TorsionMaxwell",
     "TorsionSpring",
@@ -145,7 +158,11 @@ __all__ = [
     "Unbalance",
     "UnitError",
     "ValidityWarning",
+    "WindBox",
+    "WindClass",
+    "WindField",
     "__version__",
+    "add_mean",
     "analyse",
     "by_component",
     "cases_dataset",
@@ -154,13 +171,16 @@ __all__ = [
     "extrapolate_polar",
     "import_rexs",
     "load_model",
+    "make_turbulence",
     "open_result",
     "planet_loads",
     "plot",
     "read_aerodyn",
     "read_airfoil",
+    "read_mann",
     "read_measured",
     "read_rexs",
+    "read_turbsim",
     "reduce_system",
     "run_cases",
     "run_study",
@@ -177,8 +197,10 @@ __all__ = [
     "solve_time",
     "state_space",
     "sweep_speed",
+    "write_mann",
     "write_model",
     "write_report",
+    "write_turbsim",
 ]
 
 __version__: str
@@ -274,6 +296,14 @@ _HOMES = {
     "sweep.study.run_study": ("run_study",),
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
+    "io.wind.mann": ("MannGeometry", "read_mann", "write_mann"),
+    "io.wind.turbsim": ("read_turbsim", "write_turbsim"),
+    "model.wind.box": ("WindBox",),
+    "model.wind.iec": ("Gust", "RotorSite", "WindClass"),
+    "model.wind.steady": ("SteadyWind",),
+    "model.wind.turbulence": ("KaimalTurbulence",),
+    "solvers.turbulence.box": ("make_turbulence",),
+    "system.wind": ("WindField", "add_mean"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

@@ -37,6 +37,9 @@ from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.frames import body_frame
 from pitchpoint.model.phasing import tooth_twist
+from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass
+from pitchpoint.model.wind.steady import SteadyWind
 from pitchpoint.multibody import bodies as joints
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
@@ -52,6 +55,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import System, assemble
+from pitchpoint.system.wind import WindField
 from tests.support.bevel_files import bevel_file
 from tests.support.mesh_alone import moved
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
@@ -948,6 +952,43 @@ def test_friction_acts_against_the_slip_speed() -> None:
     assert get("slip_speed[n]") == pytest.approx(2.0)
     assert get("torque[n]") == pytest.approx(-5.0)
     assert get("friction_power[n]") == pytest.approx(10.0)
+
+
+# ----------------------------------------------------------------------------------------------- wind
+
+
+def test_the_wind_turns_from_x_towards_y() -> None:
+    plain = SteadyWind(speed=8.0, hub_height=90.0)
+    up = SteadyWind(speed=8.0, hub_height=90.0, inflow_angle=0.1)
+    left = SteadyWind(speed=8.0, hub_height=90.0, direction=0.2)
+    veer = SteadyWind(speed=8.0, hub_height=90.0, veer=0.01)
+    turned = Gust(shape="rise", start=0.0, duration=1.0, amplitude=0.0, angle=0.3)
+    assert WindField(plain).velocity([[0.0, 0.0, 90.0]], 0.0)[0] == pytest.approx([8.0, 0.0, 0.0])
+    assert WindField(up).velocity([[0.0, 0.0, 90.0]], 0.0)[0, 2] == pytest.approx(8.0 * math.sin(0.1))
+    for wind, gust, z, angle in (
+        (left, None, 90.0, 0.2),
+        (veer, None, 100.0, 0.1),
+        (plain, turned, 90.0, 0.3),
+    ):
+        v = WindField(wind, gust).velocity([[0.0, 0.0, z]], 2.0)[0]
+        assert math.atan2(v[1], v[0]) == pytest.approx(angle)
+
+
+def test_a_positive_shear_is_faster_above_and_at_the_left() -> None:
+    steady = SteadyWind(speed=8.0, hub_height=90.0, profile="uniform")
+    site = RotorSite(WindClass("I", "A"), hub_height=90.0, diameter=100.0)
+    for direction, point in (("vertical", [0.0, 0.0, 110.0]), ("horizontal", [0.0, 20.0, 90.0])):
+        gust = site.wind_shear(8.0, direction, sign=1)
+        assert WindField(steady, gust).velocity([point], 6.0)[0, 0] > 9.0
+
+
+def test_a_box_moves_downwind() -> None:
+    velocity = np.arange(48, dtype=np.float32).reshape(4, 2, 2, 3)
+    numbers = {"spacing": (6.0, 8.0), "bottom": 86.0, "hub_height": 90.0, "mean_speed": 10.0}
+    field = WindField(box=WindBox(velocity=velocity, time_step=1.0, **numbers))
+    for x, t in ((0.0, 1.0), (10.0, 2.0), (-10.0, 0.0)):
+        assert field.velocity([[x, -3.0, 86.0]], t)[0] == pytest.approx(velocity[1, 0, 0])
+        assert field.velocity([[x, 3.0, 94.0]], t)[0] == pytest.approx(velocity[1, 1, 1])
 
 
 # -------------------------------------------------------------------------------------------- signals

@@ -87,7 +87,7 @@ def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evi
         alike = {name for by in part.by for name in part.families[by].same_lines}
     elif family.same_lines:
         explained = " and ".join(family.same_lines)
-    elif family.probability < allowed and family.strength < limit - SPREAD:
+    elif family.level.max() >= limit > family.level.min() + SPREAD:
         explained = PARTLY
     return Evidence(
         channel=channel,

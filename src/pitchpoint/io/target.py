@@ -117,6 +117,7 @@ PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
+TURBSIM_MARK = b"This full-field file was written by pitchpoint."
 PNG_MARK = b"Software\x00pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
 SCHEMA_TITLE = '"title": "pitchpoint model file"'
@@ -159,6 +160,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
+    "turbsim": ("a wind file of pitchpoint (TurbSim)", lambda _, head: head[70:].startswith(TURBSIM_MARK)),
 }
 """Description and identification function of each kind of file, by name."""
 

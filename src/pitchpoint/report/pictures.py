@@ -34,7 +34,7 @@ def plot(thing: Any, name: str = "") -> go.Figure | Picture:
     ----------
     thing
         Dataset of a solver, of `open_result` or of `analyse`; contact analyses of several meshes; a spectrum,
-        order map or time–frequency map; a mesh cycle; a gear, a pair, a model.
+        order map or time–frequency map; a mesh cycle; a box of wind; a gear, a pair, a model.
     name
         Which picture; default the main one, for a time response its main channels. A kind without owner
         gives the first of that kind. A model: `gearbox`, in section. Results of time: a quantity
@@ -94,8 +94,9 @@ def _of_object(thing: Any) -> Figures:
     from pitchpoint.analysis.orders import OrderMap
     from pitchpoint.analysis.spectra import Spectrum
     from pitchpoint.analysis.time_frequency import TimeFrequencyMap
+    from pitchpoint.model.wind.box import WindBox
     from pitchpoint.report.result_pictures import meshes_figures
-    from pitchpoint.viz import mesh_cycle_plot, spectrum_plots
+    from pitchpoint.viz import mesh_cycle_plot, spectrum_plots, wind_plot
 
     if isinstance(thing, Spectrum):
         return {"spectrum": spectrum_plots.plot_spectrum({"": thing}, unit="")}
@@ -103,6 +104,8 @@ def _of_object(thing: Any) -> Figures:
         return {"order_map": spectrum_plots.plot_order_map(thing, unit="")}
     if isinstance(thing, TimeFrequencyMap):
         return {"time_frequency": spectrum_plots.plot_time_frequency(thing, unit="")}
+    if isinstance(thing, WindBox):
+        return {"time": wind_plot.plot_wind_over_time(thing), "plane": wind_plot.plot_wind_plane(thing)}
     if hasattr(thing, "stiffness_ratio") and hasattr(thing, "phase"):
         return {"mesh_stiffness": mesh_cycle_plot.plot_mesh_stiffness(thing)}
     analyses = getattr(thing, "meshes", None)

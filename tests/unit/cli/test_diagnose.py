@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
@@ -104,3 +105,23 @@ def test_an_unknown_designation_names_the_nearest_and_the_options(
     said = capsys.readouterr().err
     assert "6025 is not in the table of bearings" in said and "did you mean" in said
     assert "BPFO=3.58" in said and "radial_static_load_rating" not in said
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--bearing", "a:6205", "--slip", "30%"], "--slip: 0.3 (limit 0 to 0.1)"),
+        (["--bearing", "a:BPFO=5.4,BPFI=3.6"], "BPFO 5.4 (limit below BPFI 3.6 if the inner ring rotates)"),
+        (["--bearing", "a:9,7.94mm,39mm,15"], "contact angle 859.4 deg (limit 0 to 90 deg)"),
+        (["--bearing", "a:40,7.9mm,33.5mm"], "40 rolling elements (limit 13 on this pitch diameter)"),
+        (["--bearing", "a:6205", "--speed", "600..900rpm"], "a range of speeds requires gears"),
+    ],
+)
+def test_impossible_bearings_slips_and_ranges_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
+) -> None:
+    path = tmp_path / "noise.csv"
+    np.savetxt(path, np.random.default_rng(1).standard_normal(20_000), header="acc", comments="")
+    speed = [] if "--speed" in options else ["--speed", "900rpm"]
+    assert run_command(["diagnose", str(path), "--sample-rate", "2kHz", *speed, *options]) == 2
+    assert words in capsys.readouterr().err

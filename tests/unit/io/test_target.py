@@ -27,10 +27,12 @@ from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.rexs.housing_file import matrix_text
 from pitchpoint.io.rexs.writing.text import rexs_bytes
 from pitchpoint.io.target import KINDS, PDF_TITLE, OutputError, check_target, write_file
+from pitchpoint.io.wind.turbsim import write_turbsim
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.schema import json_schema
+from pitchpoint.model.wind.box import WindBox
 from pitchpoint.report.diagnosis.many import FileRow, FolderDiagnosis
 from pitchpoint.report.figure_picture import marked_png
 from pitchpoint.report.stiffness_tables import StiffnessTable, csv_text
@@ -82,6 +84,10 @@ def own_file(kind: str, path: Path) -> Path:
         path.write_text(table.csv_text(), encoding="utf-8")
     elif kind == "schema":
         path.write_text(json.dumps(json_schema(), indent=2), encoding="utf-8")
+    elif kind == "turbsim":
+        calm = np.ones((2, 1, 1, 3), np.float32)
+        numbers = {"time_step": 1.0, "spacing": (1.0, 1.0), "bottom": 9.0, "hub_height": 9.0}
+        write_turbsim(path, WindBox(velocity=calm, mean_speed=1.0, with_mean=True, **numbers))
     else:
         if kind == "step":
             pytest.importorskip("OCP", reason="OCC (the extra cad) is not installed")

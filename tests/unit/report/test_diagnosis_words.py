@@ -24,7 +24,7 @@ def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Eviden
 @pytest.mark.parametrize(
     ("beyond", "words"),
     [
-        (0, "none of 5 tests exceeds its limit (noise alone would in 1 % of records)"),
+        (0, "none of 5 tests exceeds its limit"),
         (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage; listed below"),
         (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage; listed below"),
     ],

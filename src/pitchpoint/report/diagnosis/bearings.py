@@ -99,6 +99,12 @@ def _of_orders(text: str, what: str) -> dict[str, float]:
                 "events per revolution of the shaft, such as BPFO=3.58"
             )
         found[part] = times * order
+    inner, outer = found.get("inner ring", math.inf), found.get("outer ring", 0.0)
+    if outer >= inner:
+        raise SignalError(
+            f"--bearing: {text!r}: BPFO {outer:g} (limit below BPFI {inner:g} if the inner ring rotates); "
+            "exchange them"
+        )
     return found
 
 
@@ -110,14 +116,24 @@ def _of_elements(text: str, what: str) -> dict[str, float]:
     if len(fields) not in (3, 4):
         raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
     try:
-        return _orders(
-            int(fields[0]),
-            parse_quantity(fields[1].strip(), "length", positive=True),
-            parse_quantity(fields[2].strip(), "length", positive=True),
-            parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0,
-        )
+        count = int(fields[0])
+        diameter = parse_quantity(fields[1].strip(), "length", positive=True)
+        pitch = parse_quantity(fields[2].strip(), "length", positive=True)
+        angle = parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0
+        orders = _orders(count, diameter, pitch, angle)
     except (ValueError, UnitError) as error:
         raise SignalError(f"--bearing: {text!r}: {error}; write it as in {EXAMPLES}") from None
+    if diameter > pitch * math.sin(math.pi / count):
+        most = int(math.pi / math.asin(diameter / pitch))
+        raise SignalError(
+            f"--bearing: {text!r}: {count} rolling elements (limit {most} on this pitch diameter)"
+        )
+    if not 0.0 <= angle < 0.5 * math.pi:
+        raise SignalError(
+            f"--bearing: {text!r}: contact angle {math.degrees(angle):.4g} deg (limit 0 to 90 deg); state "
+            "its unit"
+        )
+    return orders
 
 
 def _of_designation(text: str, what: str) -> tuple[dict[str, float], str]:

@@ -108,9 +108,10 @@ def _assumed(study: Study) -> Section:
 def _tests(study: Study) -> Section:
     section = Section("tests", "All tests")
     section.add(
-        f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
-        f"{percent(study.diagnosis.false_alarm)} of records of noise alone have a finding. “By noise” is the "
-        "probability that any test of such a record reaches this value. Combs and periods are rated in "
+        f"<p>The limits of the {study.diagnosis.tests} tests are exceeded in at most "
+        f"{percent(study.diagnosis.false_alarm)} of records of noise alone; those of bearings without gears "
+        "are higher, as lines of sound parts of real machines are. “By noise” is the probability that noise "
+        "alone reaches this value in a test of the channel. Combs and periods are rated in "
         "standard deviations, lines in decibels above the adjacent spectrum. “Result” gives the reason "
         "if a value above its limit is not a finding.</p>"
     )

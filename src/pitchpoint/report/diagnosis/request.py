@@ -29,6 +29,10 @@ SIMULATED = 20.0
 """Default signal-to-noise ratio of simulation results [dB]."""
 
 
+LARGEST_SLIP = 0.1
+"""Largest slip of rolling elements that is searched [-]."""
+
+
 @dataclass(frozen=True)
 class Request:
     """Options of the command as given."""
@@ -106,6 +110,11 @@ def diagnose_file(request: Request) -> Study:
         If the file, the machine or an option cannot be used.
     """
     group = machine_group(request.machine_group) if request.machine_group else ""
+    slip = SLIP if request.slip is None else request.slip
+    if not 0.0 <= slip <= LARGEST_SLIP:
+        raise SignalError(
+            f"--slip: {slip:g} (limit 0 to {LARGEST_SLIP:g}); rolling elements slip by 0.01 to 0.02"
+        )
     prepared = prepare(request)
     record, machine, over = prepared.record, prepared.machine, prepared.over
     other = _other_speed(record, machine)
@@ -117,7 +126,7 @@ def diagnose_file(request: Request) -> Study:
             false_alarm=request.false_alarm,
             remarks=[*remarks, *prepared.remarks],
             units=prepared.units,
-            slip=SLIP if request.slip is None else request.slip,
+            slip=slip,
             sensors=prepared.places,
         )
     except SignalError as error:

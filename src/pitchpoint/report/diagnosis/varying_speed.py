@@ -46,8 +46,13 @@ def at_varying_speed(
     Raises
     ------
     SignalError
-        If nothing in the record determines the speed.
+        If there are no gears, or nothing in the record determines the speed.
     """
+    if not parts.meshes:
+        raise SignalError(
+            "speed: a range of speeds requires gears, whose mesh lines determine it (limit 1 mesh); give "
+            "--tacho or --angle, or the speed of a steady part of the record"
+        )
     rate = sample_rate_of(time)
     track = speed_track(signals, rate, parts, *limits)
     over = over_angle(signals, time, track.angle)

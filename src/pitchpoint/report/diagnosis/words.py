@@ -42,10 +42,7 @@ def nothing_found(diagnosis: Diagnosis) -> str:
     if beyond:
         which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
         return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
-    return (
-        f"nothing found: none of {tests} exceeds its limit "
-        f"(noise alone would in {percent(diagnosis.false_alarm)} of records)"
-    )
+    return f"nothing found: none of {tests} exceeds its limit"
 
 
 def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, frequency: float) -> str:
