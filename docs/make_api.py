@@ -96,6 +96,18 @@ GROUPS = {
     ),
     "Many runs": ("sweep_speed", "run_cases", "cases_dataset", "run_study"),
     "Analyse": ("analyse", "by_component", "plot"),
+    "Wind turbine rotors": (
+        "Rotor",
+        "Blade",
+        "Polar",
+        "Tower",
+        "RotorFlow",
+        "extrapolate_polar",
+        "read_aerodyn",
+        "read_airfoil",
+        "solve_rotor_performance",
+        "solve_rotor_transient",
+    ),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (
         "PitchpointError",

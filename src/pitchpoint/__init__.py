@@ -24,7 +24,14 @@ if TYPE_CHECKING:
         ValidityWarning,
     )
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+    from pitchpoint.geometry.rotor.blade import Blade, Rotor
+    from pitchpoint.geometry.rotor.flow import RotorFlow
+    from pitchpoint.geometry.rotor.polar import Polar
+    from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
+    from pitchpoint.geometry.rotor.tower import Tower
     from pitchpoint.io.measured.reading import read_measured
+    from pitchpoint.io.openfast.aerodyn import read_aerodyn
+    from pitchpoint.io.openfast.airfoil import read_airfoil
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
@@ -79,6 +86,8 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
+    from pitchpoint.solvers.rotor_performance import solve_rotor_performance
+    from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.solvers.turbulence.box import make_turbulence
@@ -95,6 +104,7 @@ __all__ = [
     "Bearing",
     "BevelGear",
     "BevelMesh",
+    "Blade",
     "Body",
     "Bushing",
     "CamContact",
@@ -126,11 +136,14 @@ __all__ = [
     "PitchpointError",
     "PlainBearing",
     "PlanetaryStage",
+    "Polar",
     "Ratio",
     "ReliefPlan",
     "RigidHousing",
     "Rod",
     "RollingBearing",
+    "Rotor",
+    "RotorFlow",
     "RotorSite",
     "Scenario",
     "ScissorGear",
@@ -141,6 +154,7 @@ __all__ = [
     "SurfaceContact",
     "TorsionMaxwell",
     "TorsionSpring",
+    "Tower",
     "Unbalance",
     "UnitError",
     "ValidityWarning",
@@ -154,12 +168,15 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "extrapolate_polar",
     "import_rexs",
     "load_model",
     "make_turbulence",
     "open_result",
     "planet_loads",
     "plot",
+    "read_aerodyn",
+    "read_airfoil",
     "read_mann",
     "read_measured",
     "read_rexs",
@@ -175,6 +192,8 @@ __all__ = [
     "solve_mesh_response",
     "solve_modal",
     "solve_quasistatic",
+    "solve_rotor_performance",
+    "solve_rotor_transient",
     "solve_time",
     "state_space",
     "sweep_speed",
@@ -199,7 +218,14 @@ _HOMES = {
         "ValidityWarning",
     ),
     "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
+    "geometry.rotor.blade": ("Blade", "Rotor"),
+    "geometry.rotor.flow": ("RotorFlow",),
+    "geometry.rotor.polar": ("Polar",),
+    "geometry.rotor.polar_range": ("extrapolate_polar",),
+    "geometry.rotor.tower": ("Tower",),
     "io.measured.reading": ("read_measured",),
+    "io.openfast.aerodyn": ("read_aerodyn",),
+    "io.openfast.airfoil": ("read_airfoil",),
     "io.results": ("open_result",),
     "io.rexs.importing": ("import_rexs",),
     "io.rexs.reading": ("read_rexs",),
@@ -261,6 +287,8 @@ _HOMES = {
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
+    "solvers.rotor_performance": ("solve_rotor_performance",),
+    "solvers.rotor_transient": ("solve_rotor_transient",),
     "solvers.state_space": ("state_space",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lines of OpenFAST's input files: a value and its name, or rows of numbers."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from pitchpoint.core.errors import FileLine, Message, ModelError
+
+_MOST = 20_000_000
+"""Largest file that is read [bytes]."""
+_TOKEN = re.compile(r'"[^"]*"|\'[^\']*\'|[^\s,]+')
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
+
+
+@dataclass(frozen=True)
+class Line:
+    """Line of a file: its number, from 1, and its tokens without quotes."""
+
+    number: int
+    tokens: tuple[str, ...]
+
+
+@dataclass
+class InputText:
+    """Input file with the problems found in it so far.
+
+    Parameters
+    ----------
+    path
+        The file.
+    lines
+        Its lines without comments and empty ones.
+    """
+
+    path: Path
+    lines: list[Line]
+    problems: list[Message] = field(default_factory=list)
+
+    def problem(
+        self,
+        where: str,
+        text: str,
+        value: str | None,
+        limit: str | None,
+        line: int | None = None,
+        remedy: str | None = None,
+    ) -> None:
+        """Add a problem at a line of this file."""
+        at = None if line is None else FileLine(line, self.path.name)
+        self.problems.append(Message(where, text, value, limit, remedy, at, file=self.path.name))
+
+    def stop(self) -> None:
+        """Raise the problems found, if any."""
+        if self.problems:
+            raise ModelError(self.problems, str(self.path))
+
+    def find(self, *names: str) -> Line | None:
+        """Line whose second token is one of these names, whatever their case."""
+        wanted = {name.lower() for name in names}
+        return next((ln for ln in self.lines if len(ln.tokens) > 1 and ln.tokens[1].lower() in wanted), None)
+
+    def number(self, *names: str, default: float | None = None) -> float:
+        """Number with one of these names; its default if it is missing or the word "default"."""
+        line = self.find(*names)
+        if line is None or (line.tokens[0].lower() == "default" and default is not None):
+            if default is None:
+                self.problem(
+                    names[0], "is missing", None, None, remedy="add the line, or use an AeroDyn v15 file"
+                )
+            return math.nan if default is None else default
+        return self.value(line, 0, names[0])
+
+    def count(self, *names: str) -> int:
+        """Number of rows or files; 0 with a problem if it is not a whole number."""
+        value = self.number(*names)
+        if not (0 <= value <= 1_000_000 and value == int(value)):
+            line = self.find(*names)
+            if line is not None and math.isfinite(value):
+                self.problem(
+                    names[0], "is not a number of lines", f"{value:g}", "a whole number >= 0", line.number
+                )
+            return 0
+        return int(value)
+
+    def flag(self, *names: str, default: bool) -> bool:
+        """Value True or False, in Fortran's spellings."""
+        line = self.find(*names)
+        if line is None or line.tokens[0].lower() == "default":
+            return default
+        word = line.tokens[0].strip(".").lower()
+        if word in ("true", "t", "false", "f"):
+            return word.startswith("t")
+        self.problem(names[0], "is not a flag", line.tokens[0], "True or False", line.number)
+        return default
+
+    def value(self, line: Line, k: int, name: str) -> float:
+        """Token k of a line as a finite number."""
+        token = line.tokens[k] if k < len(line.tokens) else ""
+        if not _NUMBER.fullmatch(token):
+            shown = f"'{token[:40]}'" if token else "nothing"
+            self.problem(name, "is not a number", shown, None, line.number)
+            return math.nan
+        value = float(token.replace("d", "e").replace("D", "e"))
+        if not math.isfinite(value):
+            self.problem(name, "is not finite", token[:40], None, line.number)
+        return value
+
+    def rows(self, after: Line, count: int, width: int, name: str) -> list[list[float]]:
+        """Rows of numbers after a line; titles and units in between are skipped.
+
+        Parameters
+        ----------
+        after
+            Line with the number of rows.
+        count
+            Number of rows.
+        width
+            Least number of columns.
+        name
+            What the rows are, for messages.
+        """
+        start = self.lines.index(after) + 1
+        while start < len(self.lines) and not _NUMBER.fullmatch(self.lines[start].tokens[0]):
+            start += 1
+        found = self.lines[start : start + count]
+        out = []
+        for k, line in enumerate(found):
+            if not _NUMBER.fullmatch(line.tokens[0]):
+                found = found[:k]
+                break
+            if len(line.tokens) < width:
+                self.problem(
+                    f"{name}, row {k + 1}",
+                    "columns are too few",
+                    str(len(line.tokens)),
+                    f">= {width}",
+                    line.number,
+                )
+                continue
+            out.append([self.value(line, c, f"{name}, row {k + 1}, column {c + 1}") for c in range(width)])
+        if len(found) < count:
+            self.problem(
+                name,
+                "is the number of rows before the table ends",
+                str(len(found)),
+                f"{count} as stated",
+                after.number,
+                "complete the file or correct the number",
+            )
+        return out
+
+
+def read_input(path: str | os.PathLike[str]) -> InputText:
+    """Lines of an input file; lines that begin with !, #, %, --- or === are comments.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Raises
+    ------
+    ModelError
+        If it cannot be read, is too large, or not text.
+    """
+    path = Path(path)
+    try:
+        size = path.stat().st_size
+        if size > _MOST:
+            raise ModelError([Message("", "is too large", f"{size} bytes", f"{_MOST} bytes")], str(path))
+        data = path.read_bytes()
+    except OSError as error:
+        reason = error.strerror or "failed"
+        raise ModelError(
+            [Message("", "cannot be read", reason, remedy="check the name")], str(path)
+        ) from None
+    if b"\0" in data:
+        raise ModelError(
+            [Message("", "is not a text file", remedy="give the input file of OpenFAST")], str(path)
+        )
+    lines = []
+    for k, text in enumerate(data.decode("utf-8", errors="replace").splitlines(), 1):
+        bare = text.strip()
+        if not bare or bare[0] in "!#%" or bare.startswith(("---", "===")):
+            continue
+        tokens = tuple(token.strip("\"'") for token in _TOKEN.findall(bare))
+        if tokens:
+            lines.append(Line(k, tokens))
+    return InputText(path, lines)
