@@ -109,8 +109,8 @@ def _tests(study: Study) -> Section:
     section = Section("tests", "All tests")
     section.add(
         f"<p>The limits of the {study.diagnosis.tests} tests are exceeded in at most "
-        f"{percent(study.diagnosis.false_alarm)} of records of noise alone; those of bearings without gears "
-        "are higher, as lines of sound parts of real machines are. “By noise” is the probability that noise "
+        f"{percent(study.diagnosis.false_alarm)} of records of noise alone. Those of bearing parts are "
+        "higher if they were counted on real machines. “By noise” is the probability that noise "
         "alone reaches this value in a test of the channel. Combs and periods are rated in "
         "standard deviations, lines in decibels above the adjacent spectrum. “Result” gives the reason "
         "if a value above its limit is not a finding.</p>"
