@@ -207,10 +207,7 @@ def diagnose(
         untested += remarks
         modulated |= {(name, note.subject) for note in remarks if note.reason == FROM_MESHES}
     by_meshes = [note for note in untested if note.reason == FROM_MESHES]
-    untested = [note for note in untested if note.reason != FROM_MESHES]
-    named = {note.subject for note in untested}
-    unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
-    untested += [note for note in unseen if note.subject not in named]
+    untested = _with_unseen([note for note in untested if note.reason != FROM_MESHES], raw)
     few = _too_few(turns)
     tests = sum(1 for row in raw if row[4].lines > 0) + len(families)
     if not tests and speed_tolerance == 0.0:
@@ -228,6 +225,13 @@ def diagnose(
     return Diagnosis(
         findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed
     )
+
+
+def _with_unseen(untested: list[Note], raw: list[tuple[str, str, str, str, Measured]]) -> list[Note]:
+    """Remarks on tests that could not be performed, with those without usable lines."""
+    named = {note.subject for note in untested}
+    unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
+    return [*untested, *(note for note in unseen if note.subject not in named)]
 
 
 def _too_few(turns: Mapping[str, float]) -> list[Note]:

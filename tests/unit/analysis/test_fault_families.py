@@ -179,3 +179,16 @@ def test_measured_records_of_known_damage() -> None:
                 assert np.all(found.named[0].prominence > 14.0)
             for family in found.families:
                 assert family.named or family.average > 1 or family.prominence.min() < 12.0
+
+
+def test_sidebands_of_a_part_that_is_not_given_are_not_named() -> None:
+    """Impacts of an inner ring in the load zone: lines k (f - n) are those of a ring of the order f - 1."""
+    values = impacts("inner ring", 4, noise=0.5, slip=0.002)
+    (true,) = fault_families(values, SAMPLES, PARTS).named
+    other = {"inner ring": true.order * true.scale - 1.0}
+    wrong = TurningParts((ROTOR,), (), (Bearing("other", other, "rotor"),))
+    (family,) = fault_families(values, SAMPLES, wrong, tolerance=0.0, prominence=8.0).families
+    assert not family.named
+    assert family.same_lines == (
+        f"impacts at {true.order * true.scale:.4g} per revolution, of no given part",
+    )
