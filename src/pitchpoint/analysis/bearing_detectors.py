@@ -35,7 +35,7 @@ COHERENCE = "spectral coherence"
 LIMITS = {
     "cepstral whitening": 15.0,
     "median whitening": 17.0,
-    "kurtogram band": 20.0,
+    "kurtogram band": 22.0,
     COHERENCE: 27.0,
 }
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""

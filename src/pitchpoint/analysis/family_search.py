@@ -226,16 +226,21 @@ class FamilySearch:
                     tested.append(part)
         return tested, notes
 
-    def shaft_scale(self, parts: TurningParts, tolerance: float) -> float:
+    def shaft_scale(self, parts: TurningParts, tolerance: float, slip: float) -> float:
         """Scale of the lines of the reference shaft; NaN if it is not known and they are not prominent.
 
-        Otherwise the lines of all shafts are removed: they are not evidence for bearings.
+        Otherwise the lines of all shafts are removed: they are not evidence for bearings. A known speed is
+        corrected by at most the slip: the lines from which it follows may be those of the electric supply,
+        behind which an induction motor slips, whereas impacts are modulated at the speed of the shaft.
         """
         order = float(parts.shafts[0].order)
         if order * self.turns < MIN_EVENTS:
             return float("nan")
-        lines = self.family(BearingPart("", "shaft", order), (1.0 - tolerance, 1.0 + tolerance), 0.0)
-        prominent = bool(np.all(lines.line_probability <= self.limits.line))
+        for reach in (max(tolerance, slip), tolerance):
+            lines = self.family(BearingPart("", "shaft", order), (1.0 - reach, 1.0 + reach), 0.0)
+            prominent = bool(np.all(lines.line_probability <= self.limits.line))
+            if prominent:
+                break
         if tolerance > 0.0 and not prominent:
             return float("nan")
         for shaft in parts.shafts:
