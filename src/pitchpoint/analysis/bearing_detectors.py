@@ -217,6 +217,7 @@ def part_levels(
     share = false_alarm / len(lines)
     found: dict[str, FaultFamilies] = {}
     turns = values.size / rate
+    envelopes = [one for name, one in lines.items() if name != COHERENCE]
     for name, one in lines.items():
         limits = (
             LevelLimits.of_probability(LIMITS[name])
@@ -225,7 +226,7 @@ def part_levels(
         )
         search = FamilySearch(one, turns, limits)
         try:
-            found[name] = families_in(search, parts, tolerance, slip, share)
+            found[name] = families_in(search, parts, tolerance, slip, share, envelopes)
         except SignalError:
             if not found:
                 raise
