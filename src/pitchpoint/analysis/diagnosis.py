@@ -186,9 +186,15 @@ def diagnose(
             raise SignalError(f"{name}: is constant; nothing can be read from it")
         alone = bool(parts.bearings) and not parts.meshes
         if alone:  # before the spectrum, which would be in the memory at the same time
-            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
             rows, notes, foreign = family_evidence(
-                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
+                name,
+                x,
+                rate,
+                parts,
+                tolerance=speed_tolerance,
+                slip=slip,
+                false_alarm=allowed,
+                channels=len(signals),
             )
             families += rows
             untested += notes

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from pitchpoint.analysis.bearing_detectors import LIMITS, PartLevels, part_levels
 from pitchpoint.analysis.bearing_tests import MIN_SAMPLES, alike
 from pitchpoint.analysis.family_search import SPREAD
@@ -27,6 +29,7 @@ def family_evidence(
     tolerance: float,
     slip: float,
     false_alarm: float,
+    channels: int = 1,
 ) -> tuple[list[Evidence], list[Note], list[Note]]:
     """Test all bearing parts jointly in one channel.
 
@@ -45,7 +48,9 @@ def family_evidence(
     slip
         Maximum relative deviation of the bearing orders due to slip [-].
     false_alarm
-        Probability that noise alone leads to a detection in this channel [-].
+        Probability that noise alone leads to a detection in any channel [-].
+    channels
+        Number of channels that share it [-].
 
     Returns
     -------
@@ -70,14 +75,15 @@ def family_evidence(
     if values.size < MIN_SAMPLES:
         few = f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}"
         return [], [Note(few)], []
+    share = -float(np.expm1(np.log1p(-false_alarm) / channels))
     merged = replace(parts, bearings=tuple(alike(parts.bearings)))
     try:
         found, notes = part_levels(
-            values, samples_per_turn, merged, tolerance=tolerance, slip=slip, false_alarm=false_alarm
+            values, samples_per_turn, merged, tolerance=tolerance, slip=slip, false_alarm=share
         )
     except SignalError as error:
         return [], [Note(f"{channel}: {error}")], []
-    tests = sum(len(part.families) for part in found)
+    tests = channels * sum(len(part.families) for part in found)
     rows = [_evidence(channel, part, tests, false_alarm) for part in found]
     foreign = [
         Note(
@@ -116,4 +122,5 @@ def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evi
         explained=explained,
         alike=tuple(sorted(alike)),
         detectors=part.by,
+        levels={name: (one.strength, LIMITS[name]) for name, one in part.families.items()},
     )

@@ -66,6 +66,7 @@ def test_the_damaged_part_is_named_alone_at_any_speed_offset(part: str, noise: f
         (family,) = found.named
         assert family.part == part
         assert family.probability < 1e-9
+        assert family.strength >= 12.0
         assert abs(family.scale * (1.0 + offset) - 1.0) < 0.0115
 
 
