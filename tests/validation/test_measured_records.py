@@ -85,14 +85,41 @@ def test_a_fault_of_a_bearing_that_is_not_given_is_not_named_at_the_other_one() 
     The faults at the drive end have lines near those of its parts, such as 10 cage orders of 3.593/9 = 0.3992
     near its rolling element, 3.987. In the average of adjacent lines such sharp lines count only up to the
     limit of a single line; without this, the two records OR021@6 name the rolling element, and with lines of
-    the drive end that only the sensor there shows, IR014_2 its inner ring.
+    the drive end that only the sensor there shows, IR014_2 its inner ring: f - n/2 of the damaged one.
     """
     for record in motor_records():
         request = Request(file=str(record.file), sample_rate=12_000.0, bearings=("FE:6203-2RS JEM",))
         found = diagnose_file(request).diagnosis
         assert found.findings == (), record.file.name
         if record.file.stem == "IR014_2":
-            assert any("not visible in " in text for text in found.unreported)
+            (text,) = found.unreported
+            assert "impacts at 5.414 per revolution, of no given part" in text
+
+
+@pytest.mark.parametrize("bearing", ["6304", "6007", "6210"])
+def test_bearings_that_the_motor_does_not_have_are_not_named(bearing: str) -> None:
+    """Orders of their rings are sidebands of the impacts, f - n, f + n and f + n/2, in 8 of 30 cases.
+
+    A note states the order of the impacts, that of the damaged part within its slip.
+    """
+    told = 0
+    for record in motor_records():
+        if record.diagnosable:
+            request = Request(
+                file=str(record.file),
+                channels=(record.channel,),
+                speeds=(f"{record.speed}rpm",),
+                sample_rate=12_000.0,
+                bearings=(f"B:{bearing}",),
+            )
+            found = diagnose_file(request).diagnosis
+            assert found.findings == (), record.file.name
+            notes = [text for text in found.unreported if "of no given part" in text]
+            told += bool(notes)
+            for text in notes:
+                order = float(text.partition("impacts at ")[2].partition(" ")[0])
+                assert order == pytest.approx(ORDERS[record.part], rel=0.01)
+    assert told > 0
 
 
 def test_the_speed_is_that_of_the_file() -> None:
