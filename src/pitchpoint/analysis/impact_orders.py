@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from pitchpoint.analysis.family_lines import FamilyLines
-from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS, FaultFamily
+from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS, FaultFamily, Places
 from pitchpoint.analysis.line_prominence import OMITTED
 from pitchpoint.analysis.sampled import Array
 
+FIRST = np.arange(1, HARMONICS + 1)
 ELEMENTS = 5, 40
 """Numbers of rolling elements whose passage a cage may modulate, from and up to."""
 
@@ -56,14 +57,15 @@ def impact_order(
     .. [1] P. D. McFadden, J. D. Smith, Model for the vibration produced by a single point defect in a rolling
        element bearing, Journal of Sound and Vibration 96(1), 1984, 69-82.
     """
-    own = _mean_level(family.order * family.scale, spectra)
-    step = spectra[0].step
-    levels = {}
+    own = _mean_level(family.order * family.scale, spectra, family.harmonic)
+    near = SEPARATE * spectra[0].step
+    clearer = {}
     for order, shaft in _candidates(family, shafts):
-        multiple = any(abs(order - round(order / n) * n) < SEPARATE * step for n in shafts)
-        if order > min(shafts) and not multiple:
-            levels[order, shaft] = _mean_level(order, spectra)
-    clearer = {pair: level for pair, level in levels.items() if level > own}
+        multiples = [one for n in shafts if abs(order - (one := round(order / n) * n)) < near]
+        level = _mean_level(order, spectra) if order > min(shafts) else np.nan
+        # a line of a shaft is widened by the window, and highest in its middle
+        if level > own and all(level > _mean_level(one, spectra) for one in multiples):
+            clearer[order, shaft] = level
     return max(clearer, key=lambda pair: clearer[pair], default=None)
 
 
@@ -81,16 +83,16 @@ def _candidates(family: FaultFamily, shafts: Sequence[float]) -> Iterator[tuple[
                     yield (order - 0.5 * halves * shaft) / times, shaft
 
 
-def _mean_level(order: float, spectra: Sequence[FamilyLines]) -> float:
-    """Mean level of the first three harmonics of an order in all spectra [dB]; NaN outside of them."""
-    return float(np.mean([_levels(order, lines) for lines in spectra]))
+def _mean_level(order: float, spectra: Sequence[FamilyLines], harmonics: Places = FIRST) -> float:
+    """Mean level of some harmonics of an order in all spectra [dB]; NaN outside of them."""
+    return float(np.mean([_levels(order * harmonics, lines) for lines in spectra]))
 
 
-def _levels(order: float, lines: FamilyLines) -> Array:
-    """Levels of the first three harmonics of an order, each the highest within one line [dB], shape (3,)."""
+def _levels(orders: Array, lines: FamilyLines) -> Array:
+    """Levels of increasing orders, each the highest within one line [dB], shape of `orders`."""
     level = lines.levels[1].prominence
-    at = np.rint(order * np.arange(1, HARMONICS + 1) / lines.step).astype(np.int64) - OMITTED
+    at = np.rint(orders / lines.step).astype(np.int64) - OMITTED
     if at[-1] + 1 >= level.size:
-        return np.full(HARMONICS, np.nan)
+        return np.full(orders.size, np.nan)
     near = np.maximum(at[:, None] + np.arange(-1, 2), 0)
     return np.asarray(level[near].max(axis=1), dtype=np.float64)
