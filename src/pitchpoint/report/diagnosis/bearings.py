@@ -19,7 +19,7 @@ EXAMPLES = (
     "left:8,7.94 mm,33.5 mm,0 deg@2 (elements, diameter, pitch diameter, contact angle), left:6205@2, or "
     "left:BPFO=3.58,BPFI=5.42,BSF=2.36,FTF=0.398@2"
 )
-_OPTION = re.compile(r"([^:@]+):([^@]+)(?:@(.+))?")
+_OPTION = re.compile(r"(?:([^:@]+):)?([^:@][^@]*)(?:@(.+))?")
 _FAULTS = {
     "BPFO": ("outer ring", 1.0),
     "BPFI": ("inner ring", 1.0),
@@ -39,6 +39,8 @@ class GivenBearing:
 def given_bearing(text: str, parts: TurningParts, names: Mapping[str, str]) -> GivenBearing:
     """Bearing of `NAME:WHAT[@SHAFT]`, where WHAT are rolling elements, a designation or fault orders.
 
+    A designation without a name is the name as well.
+
     Parameters
     ----------
     text
@@ -54,9 +56,10 @@ def given_bearing(text: str, parts: TurningParts, names: Mapping[str, str]) -> G
         If the option cannot be read, or the bearing or its shaft is unknown.
     """
     match = _OPTION.fullmatch(text.strip())
-    if match is None:
+    if match is None or (match[1] is None and {",", "="} & set(match[2])):
         raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
-    name, what, at = match[1].strip(), match[2].strip(), (match[3] or "").strip()
+    what, at = match[2].strip(), (match[3] or "").strip()
+    name = (match[1] or what).strip()
     shaft = _shaft(text, at, parts, names)
     turn = float(parts.shaft(shaft).order)
     if "=" in what:
