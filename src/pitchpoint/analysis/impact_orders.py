@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from pitchpoint.analysis.family_lines import FamilyLines
-from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS, FaultFamily
+from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS
 from pitchpoint.analysis.line_prominence import OMITTED
 from pitchpoint.analysis.sampled import Array
 
@@ -20,14 +20,16 @@ ELEMENTS = 5, 40
 
 
 def impact_order(
-    family: FaultFamily, spectra: Sequence[FamilyLines], shafts: Sequence[float]
+    own: float, part: str, spectra: Sequence[FamilyLines], shafts: Sequence[float]
 ) -> tuple[float, float] | None:
     """Order of the impacts whose sidebands the lines of a part are, and that of their distance, if any.
 
     Parameters
     ----------
-    family
-        Lines of the part.
+    own
+        Order of the lines of the part [-].
+    part
+        Name of the part: outer ring, inner ring, rolling element or cage.
     spectra
         Lines of squared envelopes of the same signal, of different bands or weights.
     shafts
@@ -55,22 +57,36 @@ def impact_order(
     ----------
     .. [1] P. D. McFadden, J. D. Smith, Model for the vibration produced by a single point defect in a rolling
        element bearing, Journal of Sound and Vibration 96(1), 1984, 69-82.
+
+    Examples
+    --------
+    Lines at multiples of 5.42 and, lower by 10 dB, of 4.42:
+
+    >>> from pitchpoint.analysis.family_lines import LineLevels
+    >>> level = np.zeros(3000)
+    >>> for k in (1, 2, 3):
+    ...     level[[round(k * order / 0.01) - OMITTED for order in (5.42, 4.42)]] = 30.0, 20.0
+    >>> spectrum = FamilyLines({1: LineLevels(level, np.ones(3000))}, 0.01)
+    >>> impact_order(4.42, "inner ring", [spectrum], [1.0])
+    (5.42, 1.0)
+    >>> impact_order(5.42, "inner ring", [spectrum], [1.0]) is None
+    True
     """
-    own = _mean_level(family.order * family.scale, spectra)
+    level = _mean_level(own, spectra)
     step = spectra[0].step
     levels = {}
-    for order, shaft in _candidates(family, shafts):
+    for order, shaft in _candidates(own, part, shafts):
         multiple = any(abs(order - round(order / n) * n) < SEPARATE * step for n in shafts)
         if order > min(shafts) and not multiple:
             levels[order, shaft] = _mean_level(order, spectra)
-    clearer = {pair: level for pair, level in levels.items() if level > own}
+    clearer = {pair: other for pair, other in levels.items() if other > level}
     return max(clearer, key=lambda pair: clearer[pair], default=None)
 
 
-def _candidates(family: FaultFamily, shafts: Sequence[float]) -> Iterator[tuple[float, float]]:
+def _candidates(order: float, part: str, shafts: Sequence[float]) -> Iterator[tuple[float, float]]:
     """Orders of impacts with sidebands at the lines of a part, and those of the shafts or the cage."""
-    order, ball = family.order * family.scale, family.part == "rolling element"
-    if family.part == "cage":
+    ball = part == "rolling element"
+    if part == "cage":
         yield from ((elements * order, order) for elements in range(*ELEMENTS))
         return
     for shaft in shafts:
