@@ -194,7 +194,7 @@ def families_in(
     while clear := {part: t for part, t in trials.items() if t.is_clear(search.limits, chance)}:
         own = [t for t in clear.values() if not any(search.explains(o, t) for o in clear.values())]
         best = min(own or clear.values(), key=lambda t: (t.line_probability.max(), -t.prominence.min()))
-        impacts = impact_order(best, spectra, turning) if turning else None
+        impacts = impact_order(best.order * best.scale, best.part, spectra, turning) if turning else None
         if impacts is not None:
             (part,) = (part for part, t in clear.items() if t is best)
             whose = _of_order(impacts[0], parts, scale, slip)

@@ -11,24 +11,25 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from pitchpoint.analysis.family_lines import FamilyLines
-from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS, FaultFamily, Places
+from pitchpoint.analysis.family_search import HARMONICS, SEPARATE, SIDEBANDS
 from pitchpoint.analysis.line_prominence import OMITTED
 from pitchpoint.analysis.sampled import Array
 
-FIRST = np.arange(1, HARMONICS + 1)
 ELEMENTS = 5, 40
 """Numbers of rolling elements whose passage a cage may modulate, from and up to."""
 
 
 def impact_order(
-    family: FaultFamily, spectra: Sequence[FamilyLines], shafts: Sequence[float]
+    own: float, part: str, spectra: Sequence[FamilyLines], shafts: Sequence[float]
 ) -> tuple[float, float] | None:
     """Order of the impacts whose sidebands the lines of a part are, and that of their distance, if any.
 
     Parameters
     ----------
-    family
-        Lines of the part.
+    own
+        Order of the lines of the part [-].
+    part
+        Name of the part: outer ring, inner ring, rolling element or cage.
     spectra
         Lines of squared envelopes of the same signal, of different bands or weights.
     shafts
@@ -56,23 +57,36 @@ def impact_order(
     ----------
     .. [1] P. D. McFadden, J. D. Smith, Model for the vibration produced by a single point defect in a rolling
        element bearing, Journal of Sound and Vibration 96(1), 1984, 69-82.
+
+    Examples
+    --------
+    Lines at multiples of 5.42 and, lower by 10 dB, of 4.42:
+
+    >>> from pitchpoint.analysis.family_lines import LineLevels
+    >>> level = np.zeros(3000)
+    >>> for k in (1, 2, 3):
+    ...     level[[round(k * order / 0.01) - OMITTED for order in (5.42, 4.42)]] = 30.0, 20.0
+    >>> spectrum = FamilyLines({1: LineLevels(level, np.ones(3000))}, 0.01)
+    >>> impact_order(4.42, "inner ring", [spectrum], [1.0])
+    (5.42, 1.0)
+    >>> impact_order(5.42, "inner ring", [spectrum], [1.0]) is None
+    True
     """
-    own = _mean_level(family.order * family.scale, spectra, family.harmonic)
-    near = SEPARATE * spectra[0].step
+    level, near = _mean_level(own, spectra), SEPARATE * spectra[0].step
     clearer = {}
-    for order, shaft in _candidates(family, shafts):
-        multiples = [one for n in shafts if abs(order - (one := round(order / n) * n)) < near]
-        level = _mean_level(order, spectra) if order > min(shafts) else np.nan
+    for order, shaft in _candidates(own, part, shafts):
+        other = _mean_level(order, spectra) if order > min(shafts) else np.nan
         # a line of a shaft is widened by the window, and highest in its middle
-        if level > own and all(level > _mean_level(one, spectra) for one in multiples):
-            clearer[order, shaft] = level
+        multiples = [one for n in shafts if abs(order - (one := round(order / n) * n)) < near]
+        if other > level and all(other > _mean_level(one, spectra) for one in multiples):
+            clearer[order, shaft] = other
     return max(clearer, key=lambda pair: clearer[pair], default=None)
 
 
-def _candidates(family: FaultFamily, shafts: Sequence[float]) -> Iterator[tuple[float, float]]:
+def _candidates(order: float, part: str, shafts: Sequence[float]) -> Iterator[tuple[float, float]]:
     """Orders of impacts with sidebands at the lines of a part, and those of the shafts or the cage."""
-    order, ball = family.order * family.scale, family.part == "rolling element"
-    if family.part == "cage":
+    ball = part == "rolling element"
+    if part == "cage":
         yield from ((elements * order, order) for elements in range(*ELEMENTS))
         return
     for shaft in shafts:
@@ -83,16 +97,16 @@ def _candidates(family: FaultFamily, shafts: Sequence[float]) -> Iterator[tuple[
                     yield (order - 0.5 * halves * shaft) / times, shaft
 
 
-def _mean_level(order: float, spectra: Sequence[FamilyLines], harmonics: Places = FIRST) -> float:
-    """Mean level of some harmonics of an order in all spectra [dB]; NaN outside of them."""
-    return float(np.mean([_levels(order * harmonics, lines) for lines in spectra]))
+def _mean_level(order: float, spectra: Sequence[FamilyLines]) -> float:
+    """Mean level of the first three harmonics of an order in all spectra [dB]; NaN outside of them."""
+    return float(np.mean([_levels(order, lines) for lines in spectra]))
 
 
-def _levels(orders: Array, lines: FamilyLines) -> Array:
-    """Levels of increasing orders, each the highest within one line [dB], shape of `orders`."""
+def _levels(order: float, lines: FamilyLines) -> Array:
+    """Levels of the first three harmonics of an order, each the highest within one line [dB], shape (3,)."""
     level = lines.levels[1].prominence
-    at = np.rint(orders / lines.step).astype(np.int64) - OMITTED
+    at = np.rint(order * np.arange(1, HARMONICS + 1) / lines.step).astype(np.int64) - OMITTED
     if at[-1] + 1 >= level.size:
-        return np.full(orders.size, np.nan)
+        return np.full(HARMONICS, np.nan)
     near = np.maximum(at[:, None] + np.arange(-1, 2), 0)
     return np.asarray(level[near].max(axis=1), dtype=np.float64)
