@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
 from html import escape
 from pathlib import Path
@@ -10,6 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from pitchpoint import __version__
+from pitchpoint.io.csv_cells import plain_cell
+from pitchpoint.io.target import TREND_OF_RECORDS
 from pitchpoint.report.diagnosis.change_words import change_sentences, feature_words, trend_sentences
 from pitchpoint.report.diagnosis.reference import Change, Trend
 from pitchpoint.report.diagnosis.tables import rows_html
@@ -84,6 +88,15 @@ def trend_page(trend: Trend, source: str) -> str:
     return page(f"Trend of {Path(source).name}", facts, [section, last], f"Made by pitchpoint {__version__}.")
 
 
+TREND_COLUMNS = (
+    *TREND_OF_RECORDS.split(","),
+    "above the limit",
+    "by chance",
+    "load",
+    "unit of load",
+    "speed [rpm]",
+    "sentences",
+)
 TREND_HEAD = ("record", "state", "load", "speed [Hz]", "distance", "limit")
 
 
@@ -104,6 +117,31 @@ def trend_rows(trend: Trend) -> list[tuple[str, ...]]:
             )
         )
     return rows
+
+
+def trend_csv(trend: Trend) -> str:
+    """Table of a trend as CSV: a row per record, numbers without units."""
+    made = io.StringIO()
+    writer = csv.writer(made, lineterminator="\n")
+    writer.writerow(TREND_COLUMNS)
+    for change in trend.changes:
+        file, hertz, distance = change.file.file, change.file.frequency, change.found.distance
+        healthy = _is_healthy(trend, change)
+        limits = change.limits or trend.limits
+        cells: list[object] = [
+            file.name,
+            "healthy" if healthy else "compared",
+            distance,
+            trend.limits.limit,
+            "" if healthy else "yes" if distance > trend.limits.limit else "no",
+            limits.probability(distance),
+            "" if file.load is None else file.load,
+            file.unit,
+            "" if math.isnan(hertz) else 60.0 * hertz,
+            "; ".join(change_sentences(change)),
+        ]
+        writer.writerow([plain_cell(cell) for cell in cells])
+    return made.getvalue()
 
 
 def deviation_rows(change: Change, count: int) -> list[tuple[str, ...]]:

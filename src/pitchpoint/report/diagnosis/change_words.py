@@ -92,6 +92,19 @@ def trend_sentences(trend: Trend) -> list[str]:
     return [text + rest]
 
 
+def change_in_short(change: Change) -> str:
+    """Result of the comparison in few words, after the result of the record alone."""
+    records = _records(len(change.healthy))
+    if change.limits is None:
+        return f"compared with {records}, without a limit"
+    ratio = f"distance {change.found.distance:.2f}, limit {change.limits.limit:.2f}"
+    if not change.differs:
+        return f"the record is within the range of {records} ({ratio})"
+    named = ", ".join(change.features[k].part for k in change.named)
+    part = f", named: {named}" if named else ", no part named"
+    return f"but the record differs from {records} ({ratio}{part})"
+
+
 def largest_features(change: Change, count: int = NAMED) -> list[int]:
     """Most significant features, one of each kind and channel; without a spread the largest deviations."""
     known = not math.isnan(change.found.freedom) and change.found.freedom > 0.0

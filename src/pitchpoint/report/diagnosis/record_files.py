@@ -12,6 +12,7 @@ from pathlib import Path
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.core.nearest import hint
+from pitchpoint.io.target import written_by_diagnose
 
 TABLE = "records.csv"
 """Table of the records of a folder."""
@@ -70,14 +71,26 @@ def record_files(given: Sequence[str], pattern: str | None, option: str) -> list
     for text in given:
         paths = _expanded(text)
         if not paths:
-            problems.append(
-                f"{option}: {text!r} has no records; name files, a folder, or a pattern such as 'day1/*.csv'"
-            )
-        for path in paths:
-            found.setdefault(str(Path(path).resolve()), record_file(path, pattern))
+            what = "has no records" if Path(text).is_dir() else "is no file, and matches none"
+            problems.append(f"{option}: {text!r} {what}; name files, a folder, or a pattern as 'day1/*.csv'")
+        try:
+            for path in paths:
+                found.setdefault(str(Path(path).resolve()), record_file(path, pattern))
+        except SignalError as error:
+            problems.append(str(error))
     if problems:
-        raise SignalError("; ".join(problems))
+        raise SignalError("; ".join(dict.fromkeys(problems)))
     return list(found.values())
+
+
+def unmatched(files: Sequence[RecordFile], pattern: str | None) -> list[str]:
+    """Problem of a pattern of loads that matches the name of none of the files; empty if it matches one."""
+    if pattern is None or not files or any(_in_name(file.name, pattern) for file in files):
+        return []
+    return [
+        f"--load-from: {pattern!r} matches none of the {len(files)} file names, such as {files[0].name} "
+        "(limit 1); correct the text before and after {load}"
+    ]
 
 
 def record_file(path: str, pattern: str | None, load: str | None = None) -> RecordFile:
@@ -107,7 +120,7 @@ def _expanded(text: str) -> list[str]:
         return sorted((path for path in glob(text) if Path(path).is_file()), key=_natural)
     table = _table(folder)
     if not table:
-        kept = [path for path in folder.iterdir() if path.is_file() and _is_record(path.name)]
+        kept = [path for path in folder.iterdir() if path.is_file() and _is_record(path)]
         return sorted(map(str, kept), key=_natural)
     missing = [name for name in table if not (folder / name).is_file()]
     if missing:
@@ -121,9 +134,10 @@ def _expanded(text: str) -> list[str]:
     return [str(folder / name) for name in sorted(table, key=lambda name: _natural(table[name]["time"]))]
 
 
-def _is_record(name: str) -> bool:
-    """Whether a file of a folder is a record by its name."""
-    return not name.startswith(".") and name != TABLE and name.lower().removesuffix(".gz").endswith(ENDINGS)
+def _is_record(path: Path) -> bool:
+    """Whether a file of a folder is a record by its name, and no table of this command."""
+    named = path.name.lower().removesuffix(".gz").endswith(ENDINGS) and path.name != TABLE
+    return named and not path.name.startswith(".") and not written_by_diagnose(path)
 
 
 def _natural(text: str) -> list[tuple[bool, float, str]]:

@@ -104,6 +104,15 @@ class Study:
             remarks=(*self.remarks, *remarks),
         )
 
+    def with_change(self, change: Change) -> Study:
+        """Add the comparison with healthy records; the sentence that nothing is found states its result."""
+        from pitchpoint.report.diagnosis.change_words import change_in_short
+
+        words = self.sentences
+        if not self.diagnosis.findings:
+            words = (*words[:-1], f"{words[-1]}; {change_in_short(change)}")
+        return replace(self, change=change, sentences=words)
+
     def details(self, number: int) -> list[str]:
         """Sentences on the nearest sensor and the damaged tooth of a finding."""
         return [

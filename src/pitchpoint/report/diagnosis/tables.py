@@ -12,7 +12,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tooth_places import GAUSSIAN, INDICATORS, GearTurn, crest
-from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
+from pitchpoint.report.diagnosis.words import NEVER, test_cells, unit_of
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.tables import plain_table
 
@@ -114,16 +114,10 @@ def test_table(study: Study) -> str:
 
 def _test_row(e: Evidence, study: Study) -> tuple[str, ...]:
     """Table cells of one test."""
-    hertz, result = study.over.frequency, outcome(e, study.diagnosis)
-    return (
-        e.shaft if e.kind != "bearing" else e.gear,
-        ", by ".join((e.shaft, *e.detectors[:1])) if e.kind == "bearing" else what_is_tested(e),
-        _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
-        f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
-        f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
-        percent(e.probability).replace("less than", "<"),
-        f"**{result}" if result == "found" else result,
-    )
+    hertz = study.over.frequency
+    whose, test, value, limit, chance, result = test_cells(e, study.diagnosis)
+    where = _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5)
+    return whose, test, where, value, limit, chance, f"**{result}" if result == "found" else result
 
 
 def limit_table(study: Study, channel: str) -> str:
