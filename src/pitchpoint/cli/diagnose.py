@@ -135,6 +135,7 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     from pitchpoint.cli.diagnose_folder import TABLE_ENDINGS, diagnose_records, files_or_folder
     from pitchpoint.cli.diagnose_trend import show_trend
     from pitchpoint.cli.settings import say_bare_option
+    from pitchpoint.report.diagnosis.options import check_options
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
     files, folder = files_or_folder(files, join=options.pop("join"))
@@ -148,16 +149,15 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
         say_bare_option(text.rpartition("=")[2].rpartition("..")[2], "angular_speed", "--speed")
     options["units"] = pairs(options["units"], "--unit")
     request = Request(file=files[0] if folder is None else folder, more=files[1:], **options)
-    if request.references:
-        from pitchpoint.report.diagnosis.reference import compare, compared_files
-
-        compared_files(request)
+    check_options(request)
     if trend:
         return show_trend(request, target, as_json, quiet)
     if folder is not None:
         return diagnose_records(request, folder, target, as_json=as_json, quiet=quiet)
     found = diagnose_file(request)
     if request.references:
+        from pitchpoint.report.diagnosis.reference import compare
+
         found = found.with_change(compare(request, found))
     if target is not None:
         from pitchpoint.io.target import write_file
@@ -235,11 +235,13 @@ def _print(found: Study, quiet: bool) -> None:
     for text in (*rated, *[""] * bool(rated)):
         show(text)
     rows = []
+    several = len(found.over.signals) > 1
     for e in found.diagnosis.evidence:
         whose, test, *rest = test_cells(e, found.diagnosis)
-        rows.append([whose, test, e.channel, *rest])
-    heads = ["shaft or bearing", "test", "channel", "value", "limit", "by noise", "result"]
-    table("Tests", heads, rows)
+        rows.append([whose, test, *[e.channel] * several, *rest])
+    heads = ["shaft or bearing", "test", *["channel"] * several, "value", "limit", "by noise", "result"]
+    title = "Tests" if several else f"Tests of {next(iter(found.over.signals))}"
+    table(title, heads, rows, keys=2)
     if quiet:
         return
     notes = found.change.notes if found.change is not None else ()

@@ -93,7 +93,7 @@ def test_one_healthy_record_gives_differences_without_a_rate(
     found = json_of(["diagnose", file, *MACHINE, "--reference", sound], capsys)["change"]
     assert found["limit"] is None and found["distance"] is None and not found["differs"]
     assert "without a limit, and without a rate of false alarms" in found["sentences"][1]
-    assert found["notes"] == ["channels are named after the records: X105_DE with X097_DE is compared"]
+    assert found["notes"] == ["channels are named after the records: X105_DE is compared with X097_DE"]
     residual = {one["feature"]: one["deviation"] for one in found["features"]}
     assert residual["residual of Z1"] > 3.0
 

@@ -25,8 +25,8 @@ def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Eviden
     ("beyond", "words"),
     [
         (0, "none of 5 tests exceeds its limit"),
-        (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage"),
-        (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage"),
+        (1, "1 of 5 tests exceeds its limit, but not in the pattern of damage"),
+        (3, "3 of 5 tests exceed their limits, but not in the pattern of damage"),
     ],
 )
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:

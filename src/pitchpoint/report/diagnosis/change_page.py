@@ -33,13 +33,13 @@ ABOUT = (
 )
 
 
-def change_section(change: Change) -> Section:
-    """Section of one record: result, distances, deviations of bands, largest deviations."""
+def change_section(change: Change, about: str = ABOUT) -> Section:
+    """Section of one record: result, distances with their explanation, deviations of bands, largest ones."""
     section = Section("reference", "Comparison with healthy records")
     for text in change_sentences(change):
         section.add(f"<p><b>{escape(text[:1].upper() + text[1:])}.</b></p>")
     if change.limits is not None:
-        section.add(f"<p>{ABOUT}</p>")
+        section.add(f"<p>{about}</p>" if about else "")
         names = [one.file.name for one in change.healthy] + [change.file.file.name]
         distances = np.r_[change.limits.distances, change.found.distance]
         healthy = [True] * len(change.healthy) + [False]
@@ -82,7 +82,7 @@ def trend_page(trend: Trend, source: str) -> str:
     items = "".join(f"<li>{escape(text)}</li>" for text in trend.notes)
     section.add(f'<ul class="notes">{items}</ul>' if items else "")
     far = max((c for c, own in zip(changes, healthy, strict=True) if not own), key=lambda c: c.found.distance)
-    last = change_section(far)
+    last = change_section(far, about="")
     last.heading = f"Record with the largest distance, {far.file.file.name}"
     facts = [("folder", Path(source).name), ("records", str(len(changes))), ("version", __version__)]
     return page(f"Trend of {Path(source).name}", facts, [section, last], f"Made by pitchpoint {__version__}.")
@@ -131,13 +131,13 @@ def trend_csv(trend: Trend) -> str:
         cells: list[object] = [
             file.name,
             "healthy" if healthy else "compared",
-            distance,
-            trend.limits.limit,
+            f"{distance:.4g}",
+            f"{trend.limits.limit:.4g}",
             "" if healthy else "yes" if distance > trend.limits.limit else "no",
-            limits.probability(distance),
+            f"{limits.probability(distance):.3g}",
             "" if file.load is None else file.load,
             file.unit,
-            "" if math.isnan(hertz) else 60.0 * hertz,
+            "" if math.isnan(hertz) else f"{60.0 * hertz:.6g}",
             "; ".join(change_sentences(change)),
         ]
         writer.writerow([plain_cell(cell) for cell in cells])

@@ -93,16 +93,15 @@ def trend_sentences(trend: Trend) -> list[str]:
 
 
 def change_in_short(change: Change) -> str:
-    """Result of the comparison in few words, after the result of the record alone."""
+    """Result of the comparison in few words."""
     records = _records(len(change.healthy))
     if change.limits is None:
         return f"compared with {records}, without a limit"
     ratio = f"distance {change.found.distance:.2f}, limit {change.limits.limit:.2f}"
     if not change.differs:
-        return f"the record is within the range of {records} ({ratio})"
+        return f"within the range of {records} ({ratio})"
     named = ", ".join(change.features[k].part for k in change.named)
-    part = f", named: {named}" if named else ", no part named"
-    return f"but the record differs from {records} ({ratio}{part})"
+    return f"differs from {records} ({ratio}), {f'named: {named}' if named else 'no part named'}"
 
 
 def largest_features(change: Change, count: int = NAMED) -> list[int]:

@@ -13,7 +13,7 @@ from pitchpoint.analysis.bearing_signals import envelope_band, without_healthy_l
 from pitchpoint.analysis.bearing_tests import alike
 from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.family_lines import FamilyLines
-from pitchpoint.analysis.family_search import CAGE_HARMONICS, HARMONICS, SPREAD
+from pitchpoint.analysis.family_search import CAGE_HARMONICS, HARMONICS, SPREAD, STRONG
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.line_prominence import OMITTED
 from pitchpoint.analysis.line_tests import fine_spectrum
@@ -81,7 +81,7 @@ def _add_levels(section: Section, study: Study, channel: str, detector: str, tes
         f"Envelope spectrum of {channel} by {detector}, level above the running median.{mean} Marked: "
         f"harmonics of the bearing parts, {_symbols(study)}, with the slip found{numbered}. "
         f"A part is found if all of its first {HARMONICS} harmonics (cage {CAGE_HARMONICS}) reach the limit; "
-        f"one may be {SPREAD:g} dB lower.",
+        f"one may be {SPREAD:g} dB lower if their mean is {STRONG:g} dB above it.",
     )
 
 

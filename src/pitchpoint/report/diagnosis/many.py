@@ -138,7 +138,7 @@ class FolderDiagnosis:
         count = (
             "1 file is not a record"
             if len(self.omitted) == 1
-            else f"{len(self.omitted)} files are no records"
+            else f"{len(self.omitted)} files are not records"
         )
         omitted = [f"{count}, omitted: {listed}"]
         return stopped * bool(self.left) + omitted * bool(self.omitted)

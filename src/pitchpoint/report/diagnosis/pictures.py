@@ -21,6 +21,7 @@ from pitchpoint.report.diagnosis.envelope_pictures import add_envelopes, axis_of
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, gear_turns
+from pitchpoint.report.diagnosis.words import named_mesh
 from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
 from pitchpoint.viz.quantities import amount, number
 from pitchpoint.viz.report.page import Section
@@ -148,7 +149,7 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     found = []
     for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
         words = (
-            f"Harmonic {harmonic} of {mesh} with its sidebands at the rotation frequency of {shaft.name}, "
+            f"Harmonic {harmonic} of {named_mesh(mesh)} with its sidebands at the rotation frequency of {shaft.name}, "
             "numbered: slow modulation over a turn raises the first sidebands, a local fault all of them."
         )
         found.append(_View(harmonic * teeth, harmonic * teeth, words))

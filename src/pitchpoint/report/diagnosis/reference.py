@@ -198,7 +198,7 @@ def compared_files(request: Request) -> tuple[list[RecordFile], list[RecordFile]
         files = listed(lambda: record_files([request.file], pattern, "FILES"))
         if request.load is not None:
             problems.append(
-                "--load: is the load of one record; for a folder give --load-from or the column load of records.csv"
+                "--load: is the load of one record; give --load-from, or the column load of records.csv"
             )
     else:
         files = listed(lambda: [record_file(request.file, pattern, request.load)])

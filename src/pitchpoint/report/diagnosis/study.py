@@ -105,12 +105,12 @@ class Study:
         )
 
     def with_change(self, change: Change) -> Study:
-        """Add the comparison with healthy records; the sentence that nothing is found states its result."""
+        """Add the comparison with healthy records; its result precedes that nothing is found."""
         from pitchpoint.report.diagnosis.change_words import change_in_short
 
         words = self.sentences
         if not self.diagnosis.findings:
-            words = (*words[:-1], f"{words[-1]}; {change_in_short(change)}")
+            words = (*words[:-1], f"{change_in_short(change)}; by itself {words[-1]}")
         return replace(self, change=change, sentences=words)
 
     def details(self, number: int) -> list[str]:
@@ -233,7 +233,13 @@ def study(
         raise SignalError("; ".join(filter(None, (*why, over.advice))))
     if not found.tests:
         raise SignalError(
-            "; ".join((*over.remarks, over.advice or "give the speed more closely, --tacho or --angle"))
+            "; ".join(
+                (
+                    *over.remarks,
+                    *found.untested,
+                    over.advice or "give the speed more closely, --tacho or --angle",
+                )
+            )
         )
     doubt = f"; {over.doubt}" if over.doubt else ""
     words = tuple(sentence(finding, found, parts, over.frequency) + doubt for finding in found.findings)

@@ -52,7 +52,7 @@ def shaft_table(study: Study) -> str:
                 shaft.name,
                 *([gears or "–"] if study.parts.meshes else []),
                 str(shaft.order) if shaft.order.denominator < 1000 else number(order, 7),
-                *_rates(order, hertz),
+                *_rates(order, hertz, study.over.speeds),
                 number(turns[shaft.name], 4) if shaft.name in turns else "–",
             )
         )
@@ -72,7 +72,7 @@ def mesh_table(study: Study) -> str:
                 f"{mesh.gears[0]} and {mesh.gears[1]}",
                 f"{mesh.teeth[0]}/{mesh.teeth[1]}",
                 number(line.order, 6),
-                _rates(line.order, study.over.frequency)[0],
+                _rates(line.order, study.over.frequency, study.over.speeds)[0],
                 "yes" if seen else "no",
                 ", ".join(str(k) for k in line.lost) or "none",
             )
@@ -84,7 +84,7 @@ def mesh_table(study: Study) -> str:
         "order",
         "[Hz]",
         "visible",
-        f"aliased of {HARMONICS} harmonics",
+        f"harmonics not covered (of {HARMONICS})",
     )
     return plain_table(head, rows_html(rows, 2)) if rows else ""
 
@@ -92,7 +92,7 @@ def mesh_table(study: Study) -> str:
 def bearing_table(study: Study) -> str:
     """Table of bearings with the frequencies of their parts."""
     rows = [
-        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
+        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency, study.over.speeds)[0])
         for bearing in alike(study.parts.bearings)
         for part, order in bearing.orders.items()
     ]
@@ -200,8 +200,11 @@ def _fault(e: Evidence) -> str:
     return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 
-def _rates(order: float, hertz: float) -> tuple[str, str]:
-    """Hz and rpm of an order; dashes if the speed varies."""
+def _rates(order: float, hertz: float, speeds: tuple[float, float] | None = None) -> tuple[str, str]:
+    """Hz and rpm of an order, with a varying speed their ranges; dashes if these are unknown."""
+    if speeds is not None:
+        low, high = (tuple(number(k * order * speed, 4) for k in (1.0, 60.0)) for speed in speeds)
+        return f"{low[0]} to {high[0]}", f"{low[1]} to {high[1]}"
     if not math.isfinite(hertz):
         return "–", "–"
     return number(order * hertz, 5), number(60.0 * order * hertz, 5)

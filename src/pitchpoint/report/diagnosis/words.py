@@ -40,12 +40,12 @@ LOST = "sample rate: above half of it, not testable: {}"
 
 def nothing_found(diagnosis: Diagnosis) -> str:
     """Sentence for a record without findings; it does not state that the machine is healthy."""
-    tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
     beyond = sum(e.value > e.threshold for e in diagnosis.evidence)
-    if beyond:
-        which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
-        return f"nothing found: of {tests} {which}, but not in the pattern of damage"
-    return f"nothing found: none of {tests} exceeds its limit"
+    tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
+    if not beyond:
+        return f"nothing found: none of {tests} exceeds its limit"
+    which = "exceeds its limit" if beyond == 1 else "exceed their limits"
+    return f"nothing found: {beyond} of {tests} {which}, but not in the pattern of damage"
 
 
 def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, frequency: float) -> str:
@@ -106,11 +106,11 @@ def observation(
             if line.mesh == parts.gears_of(e.shaft)[e.gear][0].name
         )
         ratio = e.amplitude / max(float(mesh.amplitude.max(initial=0.0)), 1e-300)
+        gears = _gears(finding.gears).removeprefix("gear ")
         return (
-            f"sidebands of the mesh of {_gears(finding.gears).removeprefix('gear ')} at multiples of the speed "
-            f"of {shaft}: the clearest, sideband {_signed(e.sideband)}, is at {_rate(e.order, frequency)} in "
-            f"{e.channel}, {100.0 * ratio:.2g} % of the largest mesh line; "
-            f"{SIDEBAND_CAUSES.get(abs(e.sideband), MANY_PER_TURN)}"
+            f"sidebands of the mesh of {gears} at multiples of the speed of {shaft}: the clearest, sideband "
+            f"{_signed(e.sideband)}, is at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % "
+            f"of the largest mesh line; {SIDEBAND_CAUSES.get(abs(e.sideband), MANY_PER_TURN)}"
         )
     if finding.kind == "once per turn":
         e = max((e for e in mine if e.kind == "low order" and e.found), key=lambda e: e.value)
@@ -343,6 +343,17 @@ def _gears(gears: tuple[str, ...]) -> str:
 
 def _named(shaft: str) -> str:
     return shaft if shaft.startswith("shaft") else f"shaft {shaft}"
+
+
+def named_mesh(name: str) -> str:
+    """Name of a mesh that states that it is one.
+
+    Examples
+    --------
+    >>> named_mesh("mesh 1"), named_mesh("second")
+    ('mesh 1', 'mesh second')
+    """
+    return name if "mesh" in name.lower() else f"mesh {name}"
 
 
 def _bearing(name: str) -> str:
