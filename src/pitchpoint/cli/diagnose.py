@@ -217,7 +217,7 @@ def _target(path: str | None, inputs: list[str | None], endings: tuple[str, ...]
 def _print(found: Study, quiet: bool) -> None:
     """Print findings and tests."""
     from pitchpoint.cli.diagnose_trend import print_change
-    from pitchpoint.report.diagnosis.words import test_cells
+    from pitchpoint.report.diagnosis.words import cells_of_test
 
     for number, text in enumerate(found.sentences):
         show(text)
@@ -237,7 +237,7 @@ def _print(found: Study, quiet: bool) -> None:
     rows = []
     several = len(found.over.signals) > 1
     for e in found.diagnosis.evidence:
-        whose, test, *rest = test_cells(e, found.diagnosis)
+        whose, test, *rest = cells_of_test(e, found.diagnosis)
         rows.append([whose, test, *[e.channel] * several, *rest])
     heads = ["shaft or bearing", "test", *["channel"] * several, "value", "limit", "by noise", "result"]
     title = "Tests" if several else f"Tests of {next(iter(found.over.signals))}"

@@ -292,7 +292,7 @@ def _mark_levels(
     near = [slice(max(k - 2, 0), k + 3) for k in at]
     first = single or not any(trace.legendgroup == part.group for trace in figure.data)
     figure.add_scatter(
-        x=part.places[inside] * factor,
+        x=(part.places[inside] * factor).tolist(),
         y=[float(y[one].max()) for one in near],
         mode="markers+text" if part.labels else "markers",
         text=list(part.labels),

@@ -135,7 +135,7 @@ def trend_csv(trend: Trend) -> str:
             f"{trend.limits.limit:.4g}",
             "" if healthy else "yes" if distance > trend.limits.limit else "no",
             f"{limits.probability(distance):.3g}",
-            "" if file.load is None else file.load,
+            "" if file.load is None else f"{file.load:g}",
             file.unit,
             "" if math.isnan(hertz) else f"{60.0 * hertz:.6g}",
             "; ".join(change_sentences(change)),

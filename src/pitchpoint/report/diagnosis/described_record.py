@@ -145,8 +145,8 @@ def operating_points(
                 )
         else:
             notes.append(
-                f"{name}: varies, but healthy records with different values do not suffice: {len(among)} (limit "
-                f"{FEWEST + len(used) + 1}); its effect is part of the deviations"
+                f"{name}: varies, but healthy records do not suffice to determine its effect: {len(among)} "
+                f"(limit {FEWEST + len(used) + 1} with different values); it is part of the deviations"
             )
     points = np.column_stack([columns[name] for name in used]) if used else np.empty((len(every), 0))
     return tuple(used), points, notes

@@ -82,9 +82,7 @@ def machine_of(request: Request, record: Record) -> Machine:
     """
     model = None if request.train is not None else _model(request, record)
     if model is None and request.scenario is not None and request.train is None:
-        raise SignalError(
-            f"--scenario: {request.scenario!r}, but {request.file} contains no model; give --model"
-        )
+        raise SignalError(f"--scenario {request.scenario}: {request.file} contains no model; give --model")
     found = _of_model(request, record, model) if model is not None else _of_options(request, record)
     return _with_bearings(found, request)
 

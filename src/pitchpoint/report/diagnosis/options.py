@@ -31,8 +31,9 @@ def check_options(request: Request) -> None:
             check()
         except PitchpointError as error:
             problems.append(str(error))
-    if problems:
-        raise SignalError("; ".join(dict.fromkeys(problems)))
+    every = list(dict.fromkeys(problems))
+    if every:
+        raise SignalError(every[0] if len(every) == 1 else "\n  ".join([f"{len(every)} problems", *every]))
 
 
 def _checks(request: Request) -> Iterator[Callable[[], object]]:

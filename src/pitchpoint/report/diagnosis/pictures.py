@@ -149,8 +149,9 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     found = []
     for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
         words = (
-            f"Harmonic {harmonic} of {named_mesh(mesh)} with its sidebands at the rotation frequency of {shaft.name}, "
-            "numbered: slow modulation over a turn raises the first sidebands, a local fault all of them."
+            f"Harmonic {harmonic} of {named_mesh(mesh)} with its sidebands at the rotation frequency of "
+            f"{shaft.name}, numbered: slow modulation over a turn raises the first sidebands, a local fault "
+            "all of them."
         )
         found.append(_View(harmonic * teeth, harmonic * teeth, words))
     if e.kind == "comb":

@@ -72,7 +72,9 @@ def record_files(given: Sequence[str], pattern: str | None, option: str) -> list
         paths = _expanded(text)
         if not paths:
             what = "has no records" if Path(text).is_dir() else "is no file, and matches none"
-            problems.append(f"{option}: {text!r} {what}; name files, a folder, or a pattern as 'day1/*.csv'")
+            problems.append(
+                f"{option}: {text!r} {what}; name files, a folder, or a pattern such as 'day1/*.csv'"
+            )
         try:
             for path in paths:
                 found.setdefault(str(Path(path).resolve()), record_file(path, pattern))

@@ -12,7 +12,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tooth_places import GAUSSIAN, INDICATORS, GearTurn, crest
-from pitchpoint.report.diagnosis.words import NEVER, test_cells, unit_of
+from pitchpoint.report.diagnosis.words import NEVER, cells_of_test, unit_of
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.tables import plain_table
 
@@ -115,7 +115,7 @@ def test_table(study: Study) -> str:
 def _test_row(e: Evidence, study: Study) -> tuple[str, ...]:
     """Table cells of one test."""
     hertz = study.over.frequency
-    whose, test, value, limit, chance, result = test_cells(e, study.diagnosis)
+    whose, test, value, limit, chance, result = cells_of_test(e, study.diagnosis)
     where = _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5)
     return whose, test, where, value, limit, chance, f"**{result}" if result == "found" else result
 

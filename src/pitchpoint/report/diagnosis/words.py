@@ -231,7 +231,7 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
     ]
 
 
-def test_cells(e: Evidence, diagnosis: Diagnosis) -> tuple[str, str, str, str, str, str]:
+def cells_of_test(e: Evidence, diagnosis: Diagnosis) -> tuple[str, str, str, str, str, str]:
     """Cells of a test: whose it is, test, value, limit, probability by noise, result."""
     unit = unit_of(e.kind)
     by_rule = e.explained.startswith(RULES[:2])
