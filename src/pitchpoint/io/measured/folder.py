@@ -31,7 +31,9 @@ def records_in(folder: str) -> tuple[list[str], list[str]]:
     MeasuredError
         If the folder has none.
     """
-    files = sorted((one for one in Path(folder).iterdir() if one.is_file()), key=_by_number)
+    files = sorted(
+        (one for one in Path(folder).iterdir() if one.is_file()), key=lambda one: by_number(one.name)
+    )
     shown = [one for one in files if not one.name.startswith(".")]
     omitted = [one for one in shown if not _may_be_record(one)]
     records = [str(one) for one in shown if one not in omitted]
@@ -84,10 +86,14 @@ def _is_number(text: str) -> bool:
     return True
 
 
-def _by_number(file: Path) -> list[tuple[int, str]]:
-    """Key that sorts numbers within names by value."""
+def by_number(name: str) -> list[tuple[int, str]]:
+    """Key that sorts numbers within names by value.
+
+    Examples
+    --------
+    >>> sorted(["r10.csv", "r2.csv", "R1.csv"], key=by_number)
+    ['R1.csv', 'r2.csv', 'r10.csv']
+    """
     return [
-        (int(text), "") if text.isdigit() else (-1, text.lower())
-        for text in re.split(r"(\d+)", file.name)
-        if text
+        (int(text), "") if text.isdigit() else (-1, text.lower()) for text in re.split(r"(\d+)", name) if text
     ]

@@ -6,18 +6,19 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from glob import glob
 from pathlib import Path
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.core.nearest import hint
-from pitchpoint.io.target import written_by_diagnose
+from pitchpoint.io.measured.folder import by_number, records_in
+from pitchpoint.io.measured.record import MeasuredError
 
 TABLE = "records.csv"
 """Table of the records of a folder."""
 COLUMNS = ("file", "load", "speed", "time")
-ENDINGS = (".csv", ".tsv", ".mat", ".h5", ".hdf5", ".hdf", ".nc", ".uff", ".unv", ".wav", ".wave")
 _NUMBER = r"[-+]?\d+(?:\.\d+)?"
 _LOAD = re.compile(rf"\s*({_NUMBER}(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
@@ -119,11 +120,12 @@ def _expanded(text: str) -> list[str]:
     if folder.is_file():
         return [text]
     if not folder.is_dir():
-        return sorted((path for path in glob(text) if Path(path).is_file()), key=_natural)
+        return sorted((path for path in glob(text) if Path(path).is_file()), key=by_number)
     table = _table(folder)
     if not table:
-        kept = [path for path in folder.iterdir() if path.is_file() and _is_record(path)]
-        return sorted(map(str, kept), key=_natural)
+        with suppress(MeasuredError):
+            return records_in(text)[0]
+        return []
     missing = [name for name in table if not (folder / name).is_file()]
     if missing:
         raise SignalError(
@@ -133,19 +135,7 @@ def _expanded(text: str) -> list[str]:
     if not all(times):
         return [str(folder / name) for name in table]
     # ISO times sort as text, numbers by value
-    return [str(folder / name) for name in sorted(table, key=lambda name: _natural(table[name]["time"]))]
-
-
-def _is_record(path: Path) -> bool:
-    """Whether a file of a folder is a record by its name, and no table of this command."""
-    named = path.name.lower().removesuffix(".gz").endswith(ENDINGS) and path.name != TABLE
-    return named and not path.name.startswith(".") and not written_by_diagnose(path)
-
-
-def _natural(text: str) -> list[tuple[bool, float, str]]:
-    """Key for names in the order of their numbers."""
-    pieces = re.split(r"(\d+)", str(text))
-    return [(piece.isdigit(), float(piece) if piece.isdigit() else 0.0, piece) for piece in pieces]
+    return [str(folder / name) for name in sorted(table, key=lambda name: by_number(table[name]["time"]))]
 
 
 def _table(folder: Path) -> dict[str, dict[str, str]]:
