@@ -148,7 +148,7 @@ def test_all_problems_of_options_are_stated_before_anything_is_read(
         "--bearing: 'b:BPFO=x': 'BPFO=x' is not a fault order",
         "--slip: 0.3 (limit 0 to 0.1)",
         "--machine-group: no group '9'",
-        "nothere' is no file, and matches none",
+        "nothere' does not exist and matches no file",
         "--load: load 'half' is not a number",
     ):
         assert words in said

@@ -72,7 +72,7 @@ def record_files(given: Sequence[str], pattern: str | None, option: str) -> list
     for text in given:
         paths = _expanded(text)
         if not paths:
-            what = "has no records" if Path(text).is_dir() else "is no file, and matches none"
+            what = "has no records" if Path(text).is_dir() else "does not exist and matches no file"
             problems.append(
                 f"{option}: {text!r} {what}; name files, a folder, or a pattern such as 'day1/*.csv'"
             )
