@@ -74,7 +74,8 @@ def _answer(study: Study) -> Section:
     for number, words in enumerate(study.sentences):
         # what is found in bold type, not its evidence
         part, seen, evidence = _capital(words).partition(", seen in ")
-        section.add(f"<p><b>{escape(part)}</b>{escape(seen + evidence)}.</p>")
+        rest = f"</b>{escape(seen + evidence)}." if seen else ".</b>"
+        section.add(f"<p><b>{escape(part)}{rest}</p>")
         for detail in study.details(number):
             section.add(f"<p>{escape(_capital(detail))}.</p>")
     if study.change is not None and study.diagnosis.findings:
