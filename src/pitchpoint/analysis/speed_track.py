@@ -17,6 +17,7 @@ from pitchpoint.analysis.mesh_angle import HARMONICS, LineAngle, line_angle
 from pitchpoint.analysis.orders import resample_over_angle
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.speed_path import Comb, SpeedPath, speed_path
+from pitchpoint.analysis.speed_without_gears import IMPACT_HARMONICS, MotorPath, motor_path
 from pitchpoint.analysis.turning_parts import TurningParts
 
 PERIODS = (16, 32, 64, 128, 256, 512)
@@ -41,6 +42,10 @@ APART = 0.1
 """Smallest distance of the level from that of the best other path over its distance from chance [-]."""
 HIDDEN = 0.5
 """Largest share of the frames in which no line is above chance."""
+UNCERTAIN = 0.25
+"""Level above chance over that of the whole path below which the speed of a frame is uncertain [-]."""
+PHASE = 0.5
+"""Largest error of the phase of the highest line of a bearing that is compared [rad]."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +65,9 @@ class SpeedTrack:
     lowest
         Lowest order of the strong lines [-].
     hidden
-        Times between which the lines are not above chance [s], shape (k, 2).
+        Times between which the lines are hardly above chance [s], shape (k, 2).
+    motor
+        What determines the speed of a machine without gears.
     """
 
     angle: Array
@@ -69,6 +76,7 @@ class SpeedTrack:
     agreement: float
     lowest: float
     hidden: Array
+    motor: MotorPath | None = None
 
 
 def speed_track(
@@ -131,18 +139,29 @@ def speed_track(
     x = [as_signal(values, name, SHORTEST) for name, values in signals.items()]
     if not x:
         raise SignalError("signals: there is no channel (limit 1)")
-    comb = _comb_of(parts, limits[1], rate)
-    path = _clearest_path(x, rate, comb, limits)
-    _check(path, parts, limits)
-    _check_range(x, rate, comb, path, limits)
+    motor = None
+    if parts.meshes:
+        comb = _comb_of(parts, limits[1], rate)
+        path, lowest = _clearest_path(x, rate, comb, limits), comb.lowest
+        _check(path, parts, limits)
+        _check_range(x, rate, comb, path, limits)
+    else:
+        wide = (1.0 - MARGIN) * limits[0], (1.0 + MARGIN) * limits[1]
+        motor = motor_path(x, rate, parts, wide)
+        path, lowest = motor.path, motor.combs[0].lowest
+        _check(path, parts, limits)
+        _check_range(motor.signals, rate, motor.combs, path, limits)
     clock = np.arange(x[0].size) / rate
     angle = _integral(np.interp(clock, path.time, path.frequency), rate)
-    angle, line = _refined(x, angle, parts)
-    if line is not None and line.agreement * comb.lowest > math.pi:
+    refined, line = _refined(x, angle, parts)
+    if motor and line and line.agreement * _fastest(parts) > PHASE:
+        line = None  # the scatter of these phases would smear the lines of the bearings
+    angle = angle if line is None else refined
+    if line is not None and line.agreement * lowest > math.pi:
         listed = ", ".join(f"{order:.5g}" for order in line.orders)
         raise SignalError(
             f"speed: the phases of the lines at orders {listed} give angles that differ by "
-            f"{line.agreement:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check "
+            f"{line.agreement:.2g} rad (limit {math.pi / lowest:.2g} rad, half a tooth pitch); check "
             "the tooth numbers"
         )
     return SpeedTrack(
@@ -150,8 +169,9 @@ def speed_track(
         path,
         line.orders if line else (),
         line.agreement if line else math.nan,
-        comb.lowest,
+        lowest,
         _hidden(path),
+        motor,
     )
 
 
@@ -244,7 +264,11 @@ def _check(path: SpeedPath, parts: TurningParts, limits: tuple[float, float]) ->
 
 
 def _check_range(
-    signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPath, limits: tuple[float, float]
+    signals: Sequence[Array],
+    rate: float,
+    comb: Comb | Sequence[Comb],
+    path: SpeedPath,
+    limits: tuple[float, float],
 ) -> None:
     """Refuse a range that the speed leaves: a wider search then finds a clearer path."""
     wide = limits[0] / WIDER, limits[1] * WIDER
@@ -283,6 +307,12 @@ def _refined(signals: Sequence[Array], angle: Array, parts: TurningParts) -> tup
     return angle, line
 
 
+def _fastest(parts: TurningParts) -> float:
+    """Highest order of a bearing that is compared [-]; 0 without bearings."""
+    rates = (order for bearing in parts.bearings for order in bearing.orders.values())
+    return IMPACT_HARMONICS * max(rates, default=0.0)
+
+
 def _lines(parts: TurningParts) -> list[float]:
     """Orders of the lines whose phases are followed."""
     meshes = {parts.mesh_order(mesh) for mesh in parts.meshes}
@@ -297,7 +327,13 @@ def _integral(frequency: Array, rate: float) -> Array:
 
 
 def _hidden(path: SpeedPath) -> Array:
-    """Times between which the lines are not above chance [s], shape (k, 2)."""
-    edges = np.diff(np.r_[0, (~path.seen).astype(np.int64), 0])
+    """Times between which the lines are hardly above chance [s], shape (k, 2), with the gaps to other frames.
+
+    A single frame stands for the time to the middles between it and its neighbours.
+    """
+    uncertain = path.level < path.chance + UNCERTAIN * (path.score - path.chance)
+    edges = np.diff(np.r_[0, uncertain.astype(np.int64), 0])
     first, last = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1) - 1
-    return np.column_stack([path.time[first], path.time[last]])
+    between = 0.5 * (path.time[1:] + path.time[:-1])
+    limits = np.r_[path.time[0], between, path.time[-1]]
+    return np.column_stack([limits[first], limits[last + 1]])
