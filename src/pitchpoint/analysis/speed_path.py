@@ -190,10 +190,7 @@ def speed_path(
         powers.append(found.amplitude**2)
     levels = [_levels(power) for power in powers]
     places = [
-        [
-            (weight, _lines_at(order * speeds, resolution, levels[0].shape[1]))
-            for weight, order in one.lines()
-        ]
+        [(weight, _lines_at(order * speeds, resolution, levels[0].shape[1])) for weight, order in one.lines()]
         for one in combs
     ]
     reach = min(max(int(SMEAR * top / lowest / FINE), 1), speeds.size - 1)
@@ -239,7 +236,9 @@ def level_along(signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPa
         level = np.pad(_levels(found.amplitude**2), ((0, 0), (0, 1)))
         rows, count = np.arange(level.shape[0]), level.shape[1] - 1
         for weight, order in comb.lines():
-            total += weight * float(level[rows, _lines_at(order * path.frequency, path.resolution, count)].mean())
+            total += weight * float(
+                level[rows, _lines_at(order * path.frequency, path.resolution, count)].mean()
+            )
     return total / len(signals)
 
 

@@ -121,7 +121,7 @@ def speed_from_lines(
             if found is None or found[2] >= CHANCE:
                 break
             speed, seen, chance = found
-            own = seen[~_at_mains(seen * speed, spectra[0].resolution)]
+            own = seen[~at_mains(seen * speed, spectra[0].resolution)]
             if what == "mesh" or _of_a_shaft(own, turns):
                 return FoundSpeed(speed, 0.0, tuple(seen.tolist()), what, chance)
     lines = _mains_lines(spectra, turns, nominal, reach)
@@ -135,8 +135,8 @@ def _of_a_shaft(seen: Array, turns: Sequence[float]) -> bool:
     return seen.size >= FEWEST and any(np.gcd.reduce(row.astype(int)) == 1 for row in own if row.size)
 
 
-def _at_mains(frequency: Array, resolution: float) -> NDArray[np.bool_]:
-    """Whether frequencies [Hz] are within a line of a harmonic of the mains."""
+def at_mains(frequency: Array, resolution: float) -> NDArray[np.bool_]:
+    """Whether frequencies [Hz] are at a harmonic of the mains within the resolution [Hz] of a record."""
     found = np.zeros(np.shape(frequency), dtype=np.bool_)
     for mains in MAINS:
         nearest = np.clip(np.rint(frequency / mains), 1, MAINS_HARMONICS) * mains
@@ -183,7 +183,7 @@ def _search(
         for row, order in enumerate(orders):
             ratio = one.power(order * tried) / _noise(one, order, frequency, reach)
             if not mains:
-                ratio = np.where(_at_mains(order * tried, one.resolution), 0.0, ratio)
+                ratio = np.where(at_mains(order * tried, one.resolution), 0.0, ratio)
             gain[row] += np.minimum(ratio, LIMIT)
             level += np.log1p(ratio)
     # levels rank the speeds, since many of them may reach the limit of every line
