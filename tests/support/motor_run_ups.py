@@ -25,6 +25,7 @@ LAWS: dict[str, Callable[[Array], Array]] = {
     "up": lambda t: 10.0 * t + t**2,
     "down": lambda t: 30.0 * t - t**2,
     "fast": lambda t: 8.0 * t + 3.2 * t**2,
+    "slow": lambda t: 24.0 * t + 0.3 * t**2,
     "wave": lambda t: 20.0 * t - 9.0 * 7.0 / (2 * np.pi) * np.cos(2 * np.pi * t / 7.0),
 }
 

@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.speed_track import SpeedTrack, speed_track
+from pitchpoint.report.diagnosis.varying_speed import at_varying_speed
 from tests.support.motor_run_ups import LAWS, MOTOR, RATE, motor_record
 
 LIMITS = {"up": (4.0, 60.0), "down": (8.0, 40.0), "fast": (6.0, 85.0), "wave": (8.0, 40.0)}
@@ -49,12 +50,15 @@ def test_uncertain_times_have_a_length() -> None:
 
 def test_impacts_alone_fit_two_parts() -> None:
     """The orders of the rings have a ratio of 1.51; without shaft orders only the range excludes one."""
-    x, _ = motor_record("up", "outer ring", seed=3, shaft=0.0)
+    x, _ = motor_record("slow", "outer ring", seed=3, shaft=0.0)
     with pytest.raises(SignalError, match="impacts of .* fit equally well"):
-        speed_track({"acc": x}, RATE, MOTOR, 5.0, 60.0)
-    track = speed_track({"acc": x}, RATE, MOTOR, 9.5, 31.0)
-    assert track.motor and track.motor.impacts == "outer ring of DE" and track.motor.orders == ()
-    assert np.median(np.abs(error_of(track, "up"))) < 0.02
+        speed_track({"acc": x}, RATE, MOTOR, 12.0, 48.0)
+    over = at_varying_speed({"acc": x}, np.arange(x.size) / RATE, MOTOR, (22.0, 33.0), "motor")
+    track = over.found.track if over.found else None
+    assert track and track.motor and track.motor.impacts == "outer ring of DE" and track.motor.orders == ()
+    assert np.median(np.abs(error_of(track, "slow"))) < 0.02
+    assert over.tolerance > 0.01
+    assert "it would be the" in over.doubt and "only the given range determines the speed" in over.doubt
 
 
 @pytest.mark.parametrize("mains", [False, True])

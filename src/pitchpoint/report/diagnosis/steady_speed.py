@@ -84,8 +84,8 @@ def _remarks(found: FoundSpeed, parts: TurningParts, frequency: float, tolerance
         listed = ", ".join(f"{line:g} Hz" for line in found.mains)
         remarks.append(
             f"speed: lines at {listed} may be those of the mains and are no evidence for it, since an "
-            "induction motor is slower than its field; give the exact speed of a synchronous motor, such as --speed "
-            "1500rpm±0%"
+            "induction motor is slower than its field; give the exact speed of a synchronous motor, such as "
+            "--speed 1500rpm±0%"
         )
     return remarks
 
