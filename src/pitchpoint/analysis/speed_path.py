@@ -228,6 +228,15 @@ def level_along(signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPa
         Lines.
     path
         Path of the speed.
+
+    Notes
+    -----
+    ln(1 + power/noise) less its mean in noise, in the frames of the path [1]_. Valid as `speed_path`.
+
+    References
+    ----------
+    .. [1] Q. Leclère, H. André, J. Antoni, A multi-order probabilistic approach for instantaneous angular
+       speed tracking, Mechanical Systems and Signal Processing 81, 2016, 375-386.
     """
     frame = round(rate / path.resolution)
     total = 0.0

@@ -136,7 +136,29 @@ def _of_a_shaft(seen: Array, turns: Sequence[float]) -> bool:
 
 
 def at_mains(frequency: Array, resolution: float) -> NDArray[np.bool_]:
-    """Whether frequencies [Hz] are at a harmonic of the mains within the resolution [Hz] of a record."""
+    """Whether frequencies are at a harmonic of the mains, 50 or 60 Hz.
+
+    Parameters
+    ----------
+    frequency
+        Frequencies, shape (n,) [Hz].
+    resolution
+        Distance of the lines of the record [Hz].
+
+    Notes
+    -----
+    Within two lines of the record, and 0.1 % of the frequency [1]_. Valid for the first ten harmonics.
+
+    References
+    ----------
+    .. [1] EN 50160, Voltage characteristics of electricity supplied by public electricity networks, 2010,
+       section 4.2.1.
+
+    Examples
+    --------
+    >>> at_mains(np.array([59.9, 100.0, 107.0]), 0.1).tolist()
+    [True, True, False]
+    """
     found = np.zeros(np.shape(frequency), dtype=np.bool_)
     for mains in MAINS:
         nearest = np.clip(np.rint(frequency / mains), 1, MAINS_HARMONICS) * mains

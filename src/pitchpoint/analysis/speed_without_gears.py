@@ -2,7 +2,7 @@
 """Path of a varying speed of a machine without gears, from shaft orders and impacts of bearings together.
 
 Harmonics of a shaft alone are also every second line of half the speed. Impacts of a bearing have orders that
-are no integers, so that their lines exclude such multiples; and a shaft with unbalance has its first order.
+are not integers, so that their lines exclude such multiples; and a shaft with unbalance has its first order.
 """
 
 from __future__ import annotations
@@ -286,6 +286,23 @@ def impact_combs(parts: TurningParts, highest: float) -> dict[str, Comb]:
     """Lines of the envelope of impacts of each ring and rolling element up to an order, by name.
 
     Bearings with equal orders are one, by the name of the first.
+
+    Parameters
+    ----------
+    parts
+        Shafts and bearings.
+    highest
+        Highest order of the record [-].
+
+    Notes
+    -----
+    Harmonics of the fault orders [1]_, with the reciprocals of their numbers as weights. Cages are omitted,
+    of whose lines too few are in a frame. Valid for given orders, without slip.
+
+    References
+    ----------
+    .. [1] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
+       Signal Processing 25(2), 2011, 485-520.
     """
     found: dict[str, Comb] = {}
     for bearing in parts.bearings:

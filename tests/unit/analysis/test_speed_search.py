@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speed from the lines of a record: lines of the mains are no evidence for the speed of a shaft."""
+"""Speed from the lines of a record: lines of the mains are not evidence for the speed of a shaft."""
 
 from __future__ import annotations
 

@@ -83,7 +83,7 @@ def _remarks(found: FoundSpeed, parts: TurningParts, frequency: float, tolerance
     if found.mains:
         listed = ", ".join(f"{line:g} Hz" for line in found.mains)
         remarks.append(
-            f"speed: lines at {listed} may be those of the mains and are no evidence for it, since an "
+            f"speed: lines at {listed} may be those of the mains and are not evidence for it, since an "
             "induction motor is slower than its field; give the exact speed of a synchronous motor, such as "
             "--speed 1500rpm±0%"
         )
