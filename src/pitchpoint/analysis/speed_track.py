@@ -366,7 +366,7 @@ def _integral(frequency: Array, rate: float) -> Array:
 def _hidden(path: SpeedPath) -> Array:
     """Times between which the lines are hardly above chance [s], shape (k, 2), with the gaps to other frames.
 
-    A single frame stands for the time to the middles between it and its neighbours.
+    A single frame covers the time to the middles between it and its neighbours.
     """
     uncertain = path.level < path.chance + UNCERTAIN * (path.score - path.chance)
     edges = np.diff(np.r_[0, uncertain.astype(np.int64), 0])
