@@ -10,7 +10,7 @@ docs/diagnosis.md, "Verdict of all detectors". A part is named if one detector n
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -226,13 +226,14 @@ def part_levels(
     found: dict[str, FaultFamilies] = {}
     turns = values.size / rate
     envelopes = [one for name, one in lines.items() if name not in (COHERENCE, TONES)]
+    searches: dict[str, FamilySearch] = {}
     for name, one in lines.items():
         limits = (
             LevelLimits.of_probability(LIMITS[name])
             if name == COHERENCE
             else LevelLimits.of_envelope(LIMITS[name], background(turns))
         )
-        search = FamilySearch(one, turns, limits)
+        search = searches[name] = FamilySearch(one, turns, limits)
         spectra = [*envelopes, one] if name in (COHERENCE, TONES) else envelopes
         try:
             found[name] = families_in(search, parts, tolerance, slip, share, spectra)
@@ -250,4 +251,30 @@ def part_levels(
             if (one.bearing, one.part) == whose
         }
         rows.append(PartLevels(*whose, mine))
-    return rows, first.notes
+    return _reconciled(rows, searches), first.notes
+
+
+def _reconciled(rows: list[PartLevels], searches: Mapping[str, FamilySearch]) -> list[PartLevels]:
+    """Parts of one channel without those whose lines another part has that is clearer in another detector."""
+
+    def above(row: PartLevels) -> float:
+        """Highest level above the limit of a detector that names the part [dB]."""
+        return max(one.strength - LIMITS[name] for name, one in row.families.items() if one.named)
+
+    kept: list[PartLevels] = []
+    for row in sorted((row for row in rows if row.named), key=above, reverse=True):
+        mine = row.families
+        causes = [
+            other
+            for other in kept
+            for name in other.by
+            if not any(other.families[by].named for by in row.by if by in other.families)
+            and searches[name].explains(other.families[name], mine[row.by[0]])
+        ]
+        if not causes:
+            kept.append(row)
+            continue
+        cause = f"{causes[0].part} of {causes[0].bearing}"
+        plain = {name: replace(one, named=False, same_lines=(cause,)) for name, one in mine.items()}
+        rows = [replace(one, families=plain) if one is row else one for one in rows]
+    return rows

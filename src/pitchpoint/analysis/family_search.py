@@ -90,7 +90,9 @@ class LevelLimits:
         return cls(level, float(np.exp2(-(10.0 ** (0.1 * level)))), np.inf)
 
     def levels(self, probability: Array) -> Array:
-        """Levels of single lines of given probabilities in noise [dB]: inverse of `prominence_probability`.
+        """Levels of single lines of given probabilities in noise [dB], shape (n,).
+
+        The inverse of `prominence_probability`.
 
         Examples
         --------
