@@ -24,6 +24,8 @@ from pitchpoint.core.errors import join_notes
 
 UNKNOWN = "no given part"
 """Cause of impacts that are not those of a given bearing."""
+UNLOADED = 0.05
+"""Largest slip of a bearing whose load is too low for rolling."""
 
 
 @dataclass(frozen=True)
@@ -107,8 +109,8 @@ def fault_families(
     from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
     both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
     the speed of the cage. Lines of the shafts are removed if the speed is known or the first three of the
-    reference shaft are prominent, which correct a known speed by at most the slip. Valid for steady speed or signals over the angle, and at least 16 events of
-    a part.
+    reference shaft are prominent, which correct a known speed by at most the slip. Valid for steady speed or
+    signals over the angle, and at least 16 events of a part.
 
     References
     ----------
@@ -199,7 +201,7 @@ def families_in(
             (part,) = (part for part, t in clear.items() if t is best)
             whose = _of_order(impacts[0], parts, scale, slip)
             others[part] = best, f"impacts at {impacts[0]:.4g} per revolution, of {whose}"
-            if whose == UNKNOWN:
+            if whose.startswith(UNKNOWN):
                 search.remove(search.at(*impacts))
             trials = {p: search.family(p, span, slip) for p in tested if p not in found and p not in others}
             continue
@@ -224,11 +226,13 @@ def families_in(
 
 
 def _of_order(order: float, parts: TurningParts, scale: float, slip: float) -> str:
-    """Given parts that have impacts of an order, in words."""
-    whose = [
-        f"{part} of {bearing.name}"
+    """Given parts that have impacts of an order, in words; if none has, the next one that may slip so far."""
+    apart = {
+        f"{part} of {bearing.name}": order / (nominal * scale) - 1.0
         for bearing in parts.bearings
         for part, nominal in bearing.orders.items()
-        if abs(order / (nominal * scale) - 1.0) <= slip
-    ]
-    return " or ".join(whose) or UNKNOWN
+    }
+    if whose := [name for name, share in apart.items() if abs(share) <= slip]:
+        return " or ".join(whose)
+    name, share = min(apart.items(), key=lambda one: abs(one[1]))
+    return f"{UNKNOWN} ({name}: {100.0 * share:+.1f} %)" if abs(share) <= UNLOADED else UNKNOWN
