@@ -87,8 +87,8 @@ def family_evidence(
     rows = [_evidence(channel, part, tests, false_alarm) for part in found]
     foreign = [
         Note(
-            f"{{}} in {channel}: the lines are those of {e.explained}; give all bearings, and a larger slip if "
-            "their load is low",
+            f"{{}} in {channel}: the lines are those of {e.explained}; give all bearings, and a larger slip "
+            "if their load is low",
             f"{e.shaft} of {e.gear}",
         )
         for e in rows

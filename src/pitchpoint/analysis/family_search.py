@@ -28,6 +28,8 @@ SPREAD, STRONG = 4.0, 3.0
 """How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts
 whose sharpness varies with the load have weak higher harmonics."""
 MIN_EVENTS = 16.0
+SUPPLY, MUCH = 0.01, 3.0
+"""Largest slip of a shaft behind the lines of its supply, and how much clearer its own lines are [dB]."""
 SEPARATE = 2.5
 """Distance of lines of the record from which they are separate with a Hann window."""
 MODULATION = {"outer ring": "shaft", "inner ring": "shaft", "rolling element": "cage"}
@@ -231,21 +233,16 @@ class FamilySearch:
                     tested.append(part)
         return tested, notes
 
-    def shaft_scale(self, parts: TurningParts, tolerance: float, slip: float) -> float:
+    def shaft_scale(self, parts: TurningParts, tolerance: float) -> float:
         """Scale of the lines of the reference shaft; NaN if it is not known and they are not prominent.
 
-        Otherwise the lines of all shafts are removed: they are not evidence for bearings. A known speed is
-        corrected by at most the slip: the lines from which it follows may be those of the electric supply,
-        behind which an induction motor slips, whereas impacts are modulated at the speed of the shaft.
+        Otherwise the lines of all shafts are removed: they are not evidence for bearings.
         """
         order = float(parts.shafts[0].order)
         if order * self.turns < MIN_EVENTS:
             return float("nan")
-        for reach in (max(tolerance, slip), tolerance):
-            lines = self.family(BearingPart("", "shaft", order), (1.0 - reach, 1.0 + reach), 0.0)
-            prominent = bool(np.all(lines.line_probability <= self.limits.line))
-            if prominent:
-                break
+        lines = self._shaft_lines(BearingPart("", "shaft", order), tolerance)
+        prominent = bool(np.all(lines.line_probability <= self.limits.line))
         if tolerance > 0.0 and not prominent:
             return float("nan")
         for shaft in parts.shafts:
@@ -255,6 +252,18 @@ class FamilySearch:
                 width = self._width(lines, multiples) if prominent else np.full(multiples.size, SEPARATE)
                 self._remove(multiples, width)
         return lines.scale
+
+    def _shaft_lines(self, shaft: BearingPart, tolerance: float) -> FaultFamily:
+        """Lines of the reference shaft within the tolerance; those nearby if they are much clearer.
+
+        A known speed may be that of the electric supply, behind which an induction motor slips; impacts are
+        modulated at the speed of the shaft.
+        """
+        lines = self.family(shaft, (1.0 - tolerance, 1.0 + tolerance), 0.0)
+        reach = max(tolerance, SUPPLY)
+        near = self.family(shaft, (1.0 - reach, 1.0 + reach), 0.0)
+        prominent = bool(np.all(near.line_probability <= self.limits.line))
+        return near if prominent and near.strength > lines.strength + MUCH else lines
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:
         """Most significant scale of a part, at the least average for which its lines are prominent."""

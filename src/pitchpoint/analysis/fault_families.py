@@ -109,7 +109,7 @@ def fault_families(
     from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
     both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
     the speed of the cage. Lines of the shafts are removed if the speed is known or the first three of the
-    reference shaft are prominent, which correct a known speed by at most the slip. Valid for steady speed or
+    reference shaft are prominent, which correct a known speed by at most 1 %. Valid for steady speed or
     signals over the angle, and at least 16 events of a part.
 
     References
@@ -187,7 +187,7 @@ def families_in(
     if not tested:
         raise SignalError("bearings: none can be tested; " + (join_notes(notes) or "state their orders"))
     chance = false_alarm / len(tested)
-    scale = search.shaft_scale(parts, tolerance, slip)
+    scale = search.shaft_scale(parts, tolerance)
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))
     first = trials = {part: search.family(part, span, slip) for part in tested}
     found: dict[BearingPart, FaultFamily] = {}

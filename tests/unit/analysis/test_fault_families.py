@@ -207,6 +207,44 @@ def test_sidebands_of_a_part_that_is_not_given_are_not_named(times: int, halves:
     )
 
 
+def test_a_speed_of_the_supply_is_corrected_by_the_lines_of_the_shaft() -> None:
+    """An inner ring whose shaft slips 0.6 % behind the speed that is given as exact.
+
+    Its order is 1.4 % below the nominal one, more than the slip of the bearing, but 0.8 % below it in
+    revolutions of the shaft that modulates the impacts.
+    """
+    rng = np.random.default_rng(7)
+    turned = np.arange(SAMPLES * 300) / SAMPLES
+    load = np.exp(2.0 * np.cos(2.0 * np.pi * turned))
+    values = load * np.exp(-20.0 * (0.992 * ORDERS["inner ring"] * turned % 1))
+    values += rng.exponential(1.0, turned.size)
+    found = fault_families(values, SAMPLES * 0.994, PARTS, tolerance=0.0)
+    assert [family.part for family in found.named] == ["inner ring"]
+    assert found.shaft_scale == pytest.approx(0.994, abs=5e-4)
+    assert found.named[0].scale == pytest.approx(0.992 * 0.994, abs=5e-4)
+
+
+def test_a_bearing_with_little_load_is_not_another_one() -> None:
+    """Impacts 2 % below the outer ring, whose sidebands are near the rolling element: the slip is stated.
+
+    They are 2 lines below three per revolution, which are lines of the shaft.
+    """
+    rng = np.random.default_rng(8)
+    turned = np.arange(SAMPLES * 220) / SAMPLES
+    orders = {"outer ring": 3.052, "rolling element": 3.98}
+    parts = TurningParts((ROTOR,), (), (Bearing("left", orders, "rotor"),))
+    load = np.exp(2.0 * np.cos(2.0 * np.pi * turned) - 2.0)
+    values = load * np.exp(-15.0 * (2.991 * turned % 1)) + rng.exponential(0.05, turned.size)
+    values += 3.0 * np.exp(5.0 * np.cos(2.0 * np.pi * turned) - 5.0)
+    found = fault_families(values, SAMPLES, parts, tolerance=0.0)
+    assert found.named == ()
+    causes = {family.part: family.same_lines for family in found.families}
+    (cause,) = causes["rolling element"]
+    assert cause == "impacts at 2.994 per revolution, of no given part (outer ring of left: -1.9 %)"
+    slipping = fault_families(values, SAMPLES, parts, tolerance=0.0, slip=0.03)
+    assert [family.part for family in slipping.named] == ["outer ring"]
+
+
 def test_lines_of_unequal_rolling_elements_are_not_those_of_a_cage() -> None:
     """Nine elements of different size that pass a damaged outer ring: lines at all multiples of the cage."""
     rng = np.random.default_rng(5)
