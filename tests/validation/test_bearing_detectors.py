@@ -51,14 +51,14 @@ def counted() -> dict[str, list[Levels]]:
 @needs_measured
 @pytest.mark.study
 def test_limits_are_those_of_the_counted_records(counted: dict[str, list[Levels]]) -> None:
-    """The limit of the kurtogram is 1 dB higher, by a record of the fan end of the motor with 18.5 dB.
+    """The limit of the kurtogram is 3 dB higher, by two records of a sound bearing of a loaded rig with 21.4 dB.
 
     That of the squared envelope is 4 dB higher, by bearings that the motor does not have, with 28.8 dB.
     """
     for name, rows in counted.items():
         assert list(highest_sound(rows).values()) == pytest.approx(HIGHEST[name], abs=0.06)
     limits = limits_of([row for rows in counted.values() for row in rows])
-    higher = {"kurtogram band": 1, TONES: 4}
+    higher = {"kurtogram band": 3, TONES: 4}
     assert limits == {name: int(limit) - higher.get(name, 0) for name, limit in LIMITS.items()}
 
 
