@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint export`: a model as a functional mock-up unit (FMU) for other simulation programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import common, model_file, quantity, scenario, writes
+from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
+
+if TYPE_CHECKING:
+    from pitchpoint.io.fmu.model import FmuModel
+    from pitchpoint.solvers.exported_run import ExportedRun
+
+
+@click.command()
+@model_file
+@scenario
+@writes("--fmu", "fmu", required=True, metavar="OUT.fmu", help="FMU to write.")
+@click.option(
+    "--fmi", "version", type=click.Choice(["2", "3"]), default="3", show_default=True, help="Version of FMI."
+)
+@click.option(
+    "--platforms",
+    metavar="NAME,...",
+    help="x86_64-linux, aarch64-linux, x86_64-windows, aarch64-darwin; default: that of this computer.",
+)
+@quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
+@set_option
+@common
+def export(
+    file: str,
+    scenario: str | None,
+    fmu: str,
+    version: str,
+    platforms: str | None,
+    step: float | None,
+    as_json: bool,
+    allow_code: bool,
+    quiet: bool,
+) -> None:
+    """Write a scenario of FILE as an FMU, with the compiled model and its solver inside.
+
+    The FMU needs neither Python nor pitchpoint. Constant loads are its inputs, all channels its outputs.
+    """
+    from pitchpoint.cli.reading import read_model
+    from pitchpoint.cli.results import choose_scenario
+    from pitchpoint.io.fmu.linking import check_linker
+    from pitchpoint.io.fmu.writing import fmu_bytes
+    from pitchpoint.io.target import check_target, write_file
+    from pitchpoint.solvers.exported_run import export_run
+    from pitchpoint.system.compile import compile_model
+
+    chosen = _platforms(platforms)
+    target = check_target(fmu, "fmu", [file])
+    model = read_model(file, allow_code, quiet)
+    name = choose_scenario(model, scenario, "time")
+    if step is not None:
+        model = model.replace(f"scenarios.{name}.step", step)
+    for each in chosen:
+        check_linker(each)
+    run = export_run(compile_model(model, name))
+    unit = fmu_model(run, Path(fmu).stem, model.title or name)
+    data, sizes = fmu_bytes(unit, int(version), chosen)
+    write_file(target, data)
+    if as_json:
+        emit_json(_summary(unit, fmu, int(version), sizes))
+        return
+    if not quiet:
+        rows = [[v.name, shown_start(v.start, v.unit), v.text] for v in unit.variables if v.is_set]
+        table("inputs", ["name", "start", "meaning"], rows) if rows else show("no inputs")
+    outputs = sum(v.kind == 0 for v in unit.variables)
+    listed = ", ".join(f"{each} {size / 1000:.0f} kB" for each, size in sizes.items())
+    show(
+        f"written to {target}: FMI {version}.0, {outputs} outputs, time step "
+        f"{shown(run.h, 'time', 4)}, {listed}"
+    )
+
+
+def _platforms(text: str | None) -> list[str]:
+    """Platforms of the option."""
+    from pitchpoint.core.nearest import hint
+    from pitchpoint.io.fmu.linking import PLATFORMS, own_platform
+
+    names = [own_platform()] if text is None else [part.strip() for part in text.split(",")]
+    for name in names:
+        if name not in PLATFORMS:
+            problem = f"no library can be made for {name!r}; {hint(name, list(PLATFORMS))}"
+            raise click.BadParameter(problem, param_hint="--platforms")
+    return list(dict.fromkeys(names))
+
+
+def shown_start(value: float, unit: str) -> str:
+    """Number with its unit."""
+    return f"{value:.6g} {unit}"
+
+
+def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> dict[str, Any]:
+    """Contents of the unit for --json."""
+    from pitchpoint.io.fmu.model import CAUSALITIES
+
+    listed = [
+        {"name": v.name, "unit": v.unit, "causality": CAUSALITIES[v.kind], **({"start": v.start} if v.is_set else {})}
+        for v in unit.variables
+    ]
+    return {
+        "output": file,
+        "fmi": f"{version}.0",
+        "identifier": unit.token,
+        "step": unit.reals["h"],
+        "libraries": sizes,
+        "variables": listed,
+    }
+
+
+def fmu_model(run: ExportedRun, name: str, title: str) -> FmuModel:
+    """Model of a unit from a started run.
+
+    Parameters
+    ----------
+    run
+        The run.
+    name, title
+        Name of the libraries, and title of the model.
+    """
+    from pitchpoint.core.compiler import machine_code, portable
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.io.fmu.model import INPUT, OUTPUT, TIME, FmuModel, Variable, identifier
+
+    codes = []
+    for entry in run.entries:
+        code = portable.intermediate_code(entry)
+        if code is None:
+            raise PitchpointError(
+                f"{entry.__module__}: this compiled part needs Python at run time, so the model cannot be exported"
+            )
+        codes.append((machine_code.symbol(entry.py_func), code))
+    channels = run.system.layout.channels
+    variables = [
+        *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
+        *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
+        Variable(TIME, "time", "s", "time"),
+    ]
+    return FmuModel(
+        identifier(name),
+        title,
+        run.image,
+        tuple(codes),
+        run.code,
+        {**run.numbers, "exchange": 0},
+        {"t0": run.t0, "h": run.h, "rate": run.rate},
+        tuple(variables),
+        (),
+        run.t0 + run.duration,
+        run.sample,
+    )
