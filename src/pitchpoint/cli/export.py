@@ -13,7 +13,7 @@ from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
-    from pitchpoint.io.fmu.model import FmuModel
+    from pitchpoint.io.fmu.model import FmuModel, Variable
     from pitchpoint.solvers.exported_run import ExportedRun
 
 
@@ -144,6 +144,7 @@ def fmu_model(run: ExportedRun, name: str, title: str) -> FmuModel:
         *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
         *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
         Variable(TIME, "time", "s", "time"),
+        *_state_variables(run),
     ]
     return FmuModel(
         identifier(name),
@@ -151,10 +152,31 @@ def fmu_model(run: ExportedRun, name: str, title: str) -> FmuModel:
         run.image,
         tuple(codes),
         run.code,
-        {**run.numbers, "exchange": 0},
+        run.numbers,
         {"t0": run.t0, "h": run.h, "rate": run.rate},
         tuple(variables),
-        (),
+        run.indicators,
         run.t0 + run.duration,
         run.sample,
     )
+
+
+def _state_variables(run: ExportedRun) -> list[Variable]:
+    """States of the model exchange, their derivatives, and the event indicators."""
+    from pitchpoint.io.fmu.model import INDICATOR, SLOPE, STATE, Variable
+
+    n = len(run.states)
+    places = [(f"coordinate[{name}]", unit) for name, unit in run.states]
+    rates = [(f"rate[{name}]", f"{unit}/s") for name, unit in run.states]
+    slopes = [unit for _, unit in rates] + [f"{unit}/s^2" for _, unit in run.states]
+    both = [*places, *rates]
+    texts = ["joint coordinate"] * n + ["rate of a joint coordinate"] * n
+    events = run.system.layout.events
+    return [
+        *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
+        *(Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k) for k, (name, _) in enumerate(both)),
+        *(
+            Variable(INDICATOR, f"indicator[{events[e].name}]", "1", events[e].long_name, k)
+            for k, e in enumerate(run.indicators)
+        ),
+    ]

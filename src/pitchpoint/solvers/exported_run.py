@@ -19,10 +19,12 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.kernel import COMPILING, address
 from pitchpoint.elements.kind import FORCE, TORQUE
 from pitchpoint.elements.signal import CONSTANT
+from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.explicit.equal_steps import PAST
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
+from pitchpoint.solvers.inputs_outputs import coordinate_units
 from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import loop_of, run_time, scenario_of
 from pitchpoint.solvers.vibration_losses import with_vibration_losses
@@ -82,6 +84,11 @@ class ExportedRun:
         Duration and sample period of the scenario [s]; 100 steps without a sample rate.
     inputs
         Constant loads of the model file.
+    states
+        Names and units of the coordinates.
+    indicators
+        Event functions of contacts and of sticking: zero where forces have a jump or kink. Functions of the
+        mesh phase are not among them, because they jump where a pair of teeth follows the next.
     """
 
     system: System
@@ -95,6 +102,8 @@ class ExportedRun:
     duration: float
     sample: float
     inputs: tuple[Place, ...]
+    states: tuple[tuple[str, str], ...]
+    indicators: tuple[int, ...]
 
 
 def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
@@ -136,6 +145,8 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         float(chosen.duration or 0.0),
         (every if chosen.sample_rate else 100) * h,
         tuple(_loads(start.system, image)),
+        tuple(coordinate_units(start.system).items()),
+        _indicators(start.system),
     )
 
 
@@ -210,7 +221,8 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     found |= {"order": at["order"], "size": len(image.data)}
     found |= {"slope_at": SLOPE_AT, "past": PAST, "valid": VALID}
     found["implicit"] = int(scenario.method == "generalized_alpha")
-    found["tumbles"] = int(np.any(system.program["body"]["chart"] >= 0))
+    # the rotation vector of a tumbling body needs a new reference attitude after half a turn
+    found["exchange"] = int(not np.any(system.program["body"]["chart"] >= 0))
     return found
 
 
@@ -221,6 +233,13 @@ def start_fields(scenario: Scenario) -> Any:
     else:
         from pitchpoint.solvers.explicit.equal_steps import ORDER as order
     return order.fields
+
+
+def _indicators(system: System) -> tuple[int, ...]:
+    """Event functions of contacts and of sticking."""
+    wanted = {*FUNCTIONS["contact"], *FUNCTIONS["stick_slip"]}
+    events = enumerate(system.layout.events)
+    return tuple(k for k, event in events if event.name.partition("[")[0] in wanted)
 
 
 def _loads(system: System, image: MemoryImage) -> list[Place]:
