@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.io.fmu.model import FmuModel, Variable
-    from pitchpoint.solvers.exported_run import ExportedRun
+    from pitchpoint.solvers.exported_run import ExportedRun, Place
 
 
 @click.command()
@@ -30,6 +31,13 @@ if TYPE_CHECKING:
     help="x86_64-linux, aarch64-linux, x86_64-windows, aarch64-darwin; default: that of this computer.",
 )
 @quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
+@click.option(
+    "--parameter",
+    "parameters",
+    multiple=True,
+    metavar="PATH",
+    help="Make a number of the model file a tunable parameter, as in meshes.stage.backlash.normal; repeatable.",
+)
 @set_option
 @common
 def export(
@@ -39,6 +47,7 @@ def export(
     version: str,
     platforms: str | None,
     step: float | None,
+    parameters: tuple[str, ...],
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -53,6 +62,7 @@ def export(
     from pitchpoint.io.fmu.writing import fmu_bytes
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.solvers.exported_run import export_run
+    from pitchpoint.solvers.tunable import tunable_places
     from pitchpoint.system.compile import compile_model
 
     chosen = _platforms(platforms)
@@ -64,15 +74,17 @@ def export(
     for each in chosen:
         check_linker(each)
     run = export_run(compile_model(model, name))
-    unit = fmu_model(run, Path(fmu).stem, model.title or name)
+    tunable = tunable_places(model, name, run, parameters)
+    unit = fmu_model(run, tunable, Path(fmu).stem, model.title or name)
     data, sizes = fmu_bytes(unit, int(version), chosen)
     write_file(target, data)
     if as_json:
         emit_json(_summary(unit, fmu, int(version), sizes))
         return
     if not quiet:
-        rows = [[v.name, shown_start(v.start, v.unit), v.text] for v in unit.variables if v.is_set]
-        table("inputs", ["name", "start", "meaning"], rows) if rows else show("no inputs")
+        rows = [[v.name, f"{v.start:.6g} {v.unit}", v.text] for v in unit.variables if v.is_set]
+        if rows:
+            table("inputs and parameters", ["name", "start", "meaning"], rows)
     outputs = sum(v.kind == 0 for v in unit.variables)
     listed = ", ".join(f"{each} {size / 1000:.0f} kB" for each, size in sizes.items())
     show(
@@ -94,11 +106,6 @@ def _platforms(text: str | None) -> list[str]:
     return list(dict.fromkeys(names))
 
 
-def shown_start(value: float, unit: str) -> str:
-    """Number with its unit."""
-    return f"{value:.6g} {unit}"
-
-
 def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> dict[str, Any]:
     """Contents of the unit for --json."""
     from pitchpoint.io.fmu.model import CAUSALITIES
@@ -117,19 +124,21 @@ def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> 
     }
 
 
-def fmu_model(run: ExportedRun, name: str, title: str) -> FmuModel:
+def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str) -> FmuModel:
     """Model of a unit from a started run.
 
     Parameters
     ----------
     run
         The run.
+    tunable
+        Tunable parameters.
     name, title
         Name of the libraries, and title of the model.
     """
     from pitchpoint.core.compiler import machine_code, portable
     from pitchpoint.core.errors import PitchpointError
-    from pitchpoint.io.fmu.model import INPUT, OUTPUT, TIME, FmuModel, Variable, identifier
+    from pitchpoint.io.fmu.model import INPUT, OUTPUT, PARAMETER, TIME, FmuModel, Variable, identifier
 
     codes = []
     for entry in run.entries:
@@ -143,6 +152,7 @@ def fmu_model(run: ExportedRun, name: str, title: str) -> FmuModel:
     variables = [
         *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
         *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
+        *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
         Variable(TIME, "time", "s", "time"),
         *_state_variables(run),
     ]

@@ -31,7 +31,7 @@ from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.requests import handle_request
-from pitchpoint.system.system import System
+from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
 
 if TYPE_CHECKING:
@@ -70,6 +70,8 @@ class ExportedRun:
     ----------
     system
         The started system, for names and units.
+    state
+        Its initial state.
     image
         Memory of the run; the array "order" has the arguments of the loop.
     entries
@@ -92,6 +94,7 @@ class ExportedRun:
     """
 
     system: System
+    state: State
     image: MemoryImage
     entries: tuple[Any, ...]
     code: tuple[tuple[int, int], ...]
@@ -135,6 +138,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
     code = tuple((offset, entries.index(image.entries[k])) for offset, k in image.code)
     return ExportedRun(
         start.system,
+        start.state,
         image,
         entries,
         code,
