@@ -174,3 +174,19 @@ class Instance:
         state = ct.c_void_p()
         word = "DeSerializeFMUstate" if self.unit.version == 2 else "DeserializeFMUState"
         return self.call(word, data, SIZE(len(data)), ct.byref(state)), state
+
+    # ---------------------------------------------------------------------------------------- model exchange
+
+    def vector(self, name, n):
+        """Result of a function that fills n numbers."""
+        out = np.full(n, np.nan)
+        assert self.call(name, out.ctypes.data_as(DOUBLES), SIZE(n)) == 0, self.unit.messages
+        return out
+
+    def slopes(self, t, x):
+        """Derivatives of the states at a time."""
+        assert self.call("SetTime", ct.c_double(t)) == 0
+        x = np.ascontiguousarray(x)
+        assert self.call("SetContinuousStates", x.ctypes.data_as(DOUBLES), SIZE(len(x))) == 0
+        name = "GetDerivatives" if self.unit.version == 2 else "GetContinuousStateDerivatives"
+        return self.vector(name, len(x))
