@@ -12,7 +12,9 @@ from pitchpoint.core.errors import MissingDependencyError
 from pitchpoint.io.fmu.linking import check_linker, own_platform
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.exported_run import export_run
+from pitchpoint.solvers.exported_run import export_run, started
+from pitchpoint.solvers.fixed_steps import start_fixed_steps
+from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system.compile import compile_model
 
@@ -72,13 +74,15 @@ def unit_of(method: str, folder, version: int, *parameters: str):
     return file
 
 
+def own_start(method: str, model=None):
+    """Start of the pair in this process."""
+    system = compile_model(model or pair(method), "steady")
+    return started(system, system.scenario)
+
+
 def own_run(method: str, model=None):
     """Run of the pair in this process, begun."""
-    from pitchpoint.solvers.exported_run import started
-    from pitchpoint.solvers.fixed_steps import start_fixed_steps
-    from pitchpoint.solvers.step_choice import choose_step
-
-    system = compile_model(model or pair(method), "steady")
-    start = started(system, system.scenario)
-    h, _ = choose_step(start, system.scenario)
-    return start_fixed_steps(start.system, start.state, system.scenario, h)
+    start = own_start(method, model)
+    scenario = start.system.scenario
+    h, _ = choose_step(start, scenario)
+    return start_fixed_steps(start.system, start.state, scenario, h)

@@ -147,7 +147,8 @@ def _is_fmu(path: Path, head: bytes) -> bool:
         return False
     try:
         with zipfile.ZipFile(path) as archive:
-            return b'generationTool="pitchpoint"' in archive.read("modelDescription.xml")
+            with archive.open("modelDescription.xml") as file:
+                return b'generationTool="pitchpoint"' in file.read(HEAD)
     except (OSError, KeyError, zipfile.BadZipFile, RuntimeError):
         return False
 

@@ -183,11 +183,11 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     if scenario.method not in FIXED_METHODS:
         problems.append(
             Message(
-                "scenarios method",
-                "cannot be exported: only methods with fixed steps can",
+                "method of the scenario",
+                "cannot be exported",
                 scenario.method,
                 " | ".join(FIXED_METHODS),
-                "select one of them and a step",
+                "select one of these methods with fixed steps",
             )
         )
     if not COMPILING:
