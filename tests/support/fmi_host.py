@@ -20,7 +20,9 @@ LOGGER3 = ct.CFUNCTYPE(None, ct.c_void_p, ct.c_int, ct.c_char_p, ct.c_char_p)
 class Callbacks(ct.Structure):
     """Functions that FMI 2.0 passes to an instance."""
 
-    _fields_ = [(name, ct.c_void_p) for name in ("logger", "allocate", "release", "step_finished", "environment")]
+    _fields_ = [
+        (name, ct.c_void_p) for name in ("logger", "allocate", "release", "step_finished", "environment")
+    ]
 
 
 class Unit:
@@ -60,7 +62,9 @@ class Unit:
         """New instance; None if it is refused."""
         token = (token or self.token).encode()
         if self.version == 2:
-            self.logger = LOGGER2(lambda e, name, status, category, form, text: self.messages.append(text.decode()))
+            self.logger = LOGGER2(
+                lambda e, name, status, category, form, text: self.messages.append(text.decode())
+            )
             pointers = [self.logger, LIBC.calloc, LIBC.free]
             self.callbacks = Callbacks(*(ct.cast(p, ct.c_void_p) for p in pointers), None, None)
             args = (b"one", 0 if exchange else 1, token, b"", ct.byref(self.callbacks), 0, 0)
@@ -110,7 +114,9 @@ class Instance:
         n = len(references)
         out = np.full(n, np.nan)
         args = ((ct.c_uint32 * n)(*references), SIZE(n), out.ctypes.data_as(DOUBLES))
-        status = self.call("GetReal", *args) if self.unit.version == 2 else self.call("GetFloat64", *args, SIZE(n))
+        status = (
+            self.call("GetReal", *args) if self.unit.version == 2 else self.call("GetFloat64", *args, SIZE(n))
+        )
         assert status == 0, self.unit.messages
         return out
 
@@ -120,7 +126,9 @@ class Instance:
         n = len(references)
         numbers = (ct.c_double * n)(*values.values())
         args = ((ct.c_uint32 * n)(*references), SIZE(n), numbers)
-        return self.call("SetReal", *args) if self.unit.version == 2 else self.call("SetFloat64", *args, SIZE(n))
+        return (
+            self.call("SetReal", *args) if self.unit.version == 2 else self.call("SetFloat64", *args, SIZE(n))
+        )
 
     def step(self, t, size):
         """One communication step; returns the status."""

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     "parameters",
     multiple=True,
     metavar="PATH",
-    help="Make a number of the model file a tunable parameter, as in meshes.stage.backlash.normal; repeatable.",
+    help="Number of the model file as a tunable parameter: meshes.stage.backlash.normal; repeatable.",
 )
 @set_option
 @common
@@ -111,7 +111,12 @@ def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> 
     from pitchpoint.io.fmu.model import CAUSALITIES
 
     listed = [
-        {"name": v.name, "unit": v.unit, "causality": CAUSALITIES[v.kind], **({"start": v.start} if v.is_set else {})}
+        {
+            "name": v.name,
+            "unit": v.unit,
+            "causality": CAUSALITIES[v.kind],
+            **({"start": v.start} if v.is_set else {}),
+        }
         for v in unit.variables
     ]
     return {
@@ -145,7 +150,7 @@ def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str)
         code = portable.intermediate_code(entry)
         if code is None:
             raise PitchpointError(
-                f"{entry.__module__}: this compiled part needs Python at run time, so the model cannot be exported"
+                f"{entry.__module__}: this part needs Python at run time; the model cannot be exported"
             )
         codes.append((machine_code.symbol(entry.py_func), code))
     channels = run.system.layout.channels
@@ -184,7 +189,10 @@ def _state_variables(run: ExportedRun) -> list[Variable]:
     events = run.system.layout.events
     return [
         *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
-        *(Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k) for k, (name, _) in enumerate(both)),
+        *(
+            Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k)
+            for k, (name, _) in enumerate(both)
+        ),
         *(
             Variable(INDICATOR, f"indicator[{events[e].name}]", "1", events[e].long_name, k)
             for k, e in enumerate(run.indicators)

@@ -146,9 +146,8 @@ def _is_fmu(path: Path, head: bytes) -> bool:
     if not head.startswith(b"PK"):
         return False
     try:
-        with zipfile.ZipFile(path) as archive:
-            with archive.open("modelDescription.xml") as file:
-                return b'generationTool="pitchpoint"' in file.read(HEAD)
+        with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
+            return b'generationTool="pitchpoint"' in file.read(HEAD)
     except (OSError, KeyError, zipfile.BadZipFile, RuntimeError):
         return False
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Start of a run for another program: memory image, compiled loop, inputs, and what must be refused.
 
-The other program relocates the image, sets time and number of steps in the arguments of the loop, and calls it:
-the same code with the same data as `time.run_time`, so that all results have the same bits.
+The other program relocates the image, sets time and number of steps in the arguments of the loop, and calls
+it: the same code with the same data as `time.run_time`, so that all results have the same bits.
 """
 
 from __future__ import annotations
@@ -20,9 +20,10 @@ from pitchpoint.core.kernel import COMPILING, address
 from pitchpoint.elements.kind import FORCE, TORQUE
 from pitchpoint.elements.signal import CONSTANT
 from pitchpoint.solvers.event_watch import FUNCTIONS
+from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
-from pitchpoint.solvers.explicit.equal_steps import PAST
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.inputs_outputs import coordinate_units
 from pitchpoint.solvers.step_choice import choose_step
@@ -166,7 +167,7 @@ def check_exportable(system: System, scenario: Scenario) -> None:
         Message(
             f"controllers.{controller.name}",
             "is a Python function, which an exported model cannot call",
-            remedy="remove it, and drive its actuator by blocks or by a constant load, which becomes an input",
+            remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers
     ]
@@ -217,26 +218,23 @@ def _begun(start: Start, scenario: Scenario, h: float) -> tuple[System, dict[str
 def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -> dict[str, int]:
     """Sizes, offsets and flags of a run, by name."""
     at = image.at
-    fields = start_fields(scenario)
+    fields = _order_fields(scenario)
     found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam")}
     found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}
     found |= {"order": at["order"], "size": len(image.data)}
-    found |= {"slope_at": SLOPE_AT, "past": PAST, "valid": VALID}
+    found |= {"slope_at": SLOPE_AT, "past": equal_steps.PAST, "valid": VALID}
     found["implicit"] = int(scenario.method == "generalized_alpha")
     # the rotation vector of a tumbling body needs a new reference attitude after half a turn
     found["exchange"] = int(not np.any(system.program["body"]["chart"] >= 0))
     return found
 
 
-def start_fields(scenario: Scenario) -> Any:
+def _order_fields(scenario: Scenario) -> Any:
     """Fields of the arguments of the compiled loop of a method: name to type and offset."""
-    if scenario.method == "generalized_alpha":
-        from pitchpoint.solvers.implicit.generalized_alpha import ORDER as order
-    else:
-        from pitchpoint.solvers.explicit.equal_steps import ORDER as order
-    return order.fields
+    loop: Any = generalized_alpha if scenario.method == "generalized_alpha" else equal_steps
+    return loop.ORDER.fields
 
 
 def _indicators(system: System) -> tuple[int, ...]:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parameters of a model that another program may change: the words of the memory that depend on them.
 
-The model is compiled with four values of the parameter. If every word that changes is an affine function of it,
-these words are all that has to be changed. The result is checked by the accelerations and channels of the
-changed memory against a model that was compiled with another value. Numbers that follow from the start of the run,
-such as balancing torques and damping constants of modal damping ratios, keep their values.
+The model is compiled with four values of the parameter. If every word that changes is an affine function of
+it, these words are all that has to be changed. The result is checked by the accelerations and channels of the
+changed memory against a model that was compiled with another value. Numbers that follow from the start of the
+run, such as balancing torques and damping constants of modal damping ratios, keep their values.
 """
 
 from __future__ import annotations
@@ -33,16 +33,14 @@ STRAIGHT = 1e-9
 ALIKE = 1e-6
 """Largest deviation of the check, relative to the largest channel or acceleration of its unit.
 
-Accelerations are differences of large forces, and a word differs by round-off from that of the compilation."""
+Accelerations are differences of large forces, and words differ by round-off from those of a compilation."""
 GROUPS = ("records.", "pool.", "program.")
 """Arrays that may depend on a parameter: elements, tables, bodies."""
 
 Words = dict[str, NDArray[np.int64]]
 
 
-def tunable_places(
-    model: Model, scenario: str, run: ExportedRun, paths: Sequence[str]
-) -> tuple[Place, ...]:
+def tunable_places(model: Model, scenario: str, run: ExportedRun, paths: Sequence[str]) -> tuple[Place, ...]:
     """Places of parameters in the memory of a run.
 
     Parameters
@@ -65,7 +63,9 @@ def tunable_places(
 def _place(model: Model, scenario: str, run: ExportedRun, path: str) -> Place:
     found = number_at(model, path)
     if found is None or found[0] == 0.0:
-        what = "is not a number of the model" if found is None else "is zero, so its effect cannot be determined"
+        what = (
+            "is not a number of the model" if found is None else "is zero, so its effect cannot be determined"
+        )
         raise ModelError([Message(path, what, remedy="name a number that is not zero")])
     value, unit = found
     variants = [_variant(model, scenario, path, factor * value) for factor in FACTORS]
@@ -97,7 +97,9 @@ def _affine(
 ) -> tuple[tuple[int, float], ...]:
     """Offset and slope of every word that depends on the parameter."""
     first, found = variants[0], []
-    if any({n: len(w) for n, w in other.items()} != {n: len(w) for n, w in first.items()} for other in variants):
+    if any(
+        {n: len(w) for n, w in other.items()} != {n: len(w) for n, w in first.items()} for other in variants
+    ):
         raise _refused(path, "changes the structure of the model")
     own = np.frombuffer(run.image.data, np.int64)
     for name, bits in first.items():
@@ -119,7 +121,9 @@ def _affine(
 
 
 def _refused(path: str, what: str) -> ModelError:
-    remedy = "leave it fixed, or give quantities that depend on it as values, such as damping instead of a ratio"
+    remedy = (
+        "leave it fixed, or give quantities that depend on it as values, such as damping instead of a ratio"
+    )
     return ModelError([Message(path, what, remedy=remedy)])
 
 

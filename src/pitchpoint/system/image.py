@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Memory image of a system: all arrays that its compiled code reads or writes, in one block without addresses.
+"""Memory image of a system: all arrays of its compiled code, in one block without addresses.
 
-Addresses are found by value: a word within an array of the system is an address of the block, and a word equal
-to the address of a compiled entry point is one of the code. The search is proved by a second copy of the system
-at other addresses, whose image must be identical.
+Addresses are found by value: a word within an array of the system is an address of the block, and a word
+equal to the address of a compiled entry point is one of the code. The search is proved by a second copy of
+the system at other addresses, whose image must be identical.
 """
 
 from __future__ import annotations
@@ -115,5 +115,6 @@ def _refuse(image: MemoryImage, offsets: Sequence[int]) -> None:
     if offsets:
         places = ", ".join(image.place(offset) for offset in offsets[:3])
         raise CompileError(
-            f"{places}: the model refers to memory outside of it, such as a Python function; it cannot be exported"
+            f"{places}: the model refers to memory outside of it, such as a Python function; it cannot be "
+            "exported"
         )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Object code of entry points for other processors and systems, with the results of our own run bit by bit.
 
-The intermediate code of an entry point is optimised in the same sequence as for this process, so that functions
-are inlined and products are fused with sums in the same places. It is stored in the cache of compiled kernels
-and translated for a target at every export. Decision 0052 has the measured deviations of other ways.
+The intermediate code of an entry point is optimised in the same sequence as for this process, so that
+functions are inlined and products are fused with sums in the same places. It is stored in the cache of
+compiled kernels and translated for a target at every export. Decision 0052 has the measured deviations of
+other ways.
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ _TRIPLE, _PROCESSOR = "x86_64-unknown-linux-gnu", "x86-64-v3"
 
 #: Decrement of a reference count with an intrinsic of one processor, and the test of its result for zero.
 _DECREMENT = re.compile(
-    r"%(\w+) = call i8 @llvm\.x86\.atomic\.sub\.cc\.i64\(ptr (\S+), i64 1, i32 4\)\n\s*%(\w+) = trunc i8 %\1 to i1"
+    r"%(\w+) = call i8 @llvm\.x86\.atomic\.sub\.cc\.i64\(ptr (\S+), i64 1, i32 4\)\n"
+    r"\s*%(\w+) = trunc i8 %\1 to i1"
 )
 _COUNTS = re.compile(r"^define [^\n]*@(NRT_(?:incref|decref))\([^\n]*\{\n.*?^\}$", re.MULTILINE | re.DOTALL)
 _TARGET = re.compile(r"^target (triple|datalayout) = .*$", re.MULTILINE)
@@ -108,8 +110,9 @@ def intermediate_code(entry: Any) -> bytes | None:
     if stored is None:
         if public_numba.private() is None:
             raise PitchpointError(
-                "object code for other programs needs the fast compilation of kernels, which is switched off or "
-                "not tested with this version of Numba; unset PITCHPOINT_STOCK_NUMBA, or install a tested Numba"
+                "object code for other programs needs the fast compilation of kernels, which is switched off "
+                "or not tested with this version of Numba; unset PITCHPOINT_STOCK_NUMBA, or install a tested "
+                "version"
             )
         stored = run_compiler(lambda: _compile(source))
         _save(source, stored)
@@ -141,7 +144,7 @@ def _parsed(text: str, target: Any, triple: str) -> Any:
 
 
 def _optimised(module: Any) -> Any:
-    """The module after Numba's two pipelines, once more if exceptions remain, as `private_numba.standalone`."""
+    """The module after Numba's two pipelines, and again if exceptions remain (`private_numba.standalone`)."""
     target = machine(_TRIPLE, _PROCESSOR)
     for _ in range(2):
         _manager(target, 0, cheap=True)(module)
@@ -171,9 +174,7 @@ def _manager(target: Any, level: int, *, cheap: bool = False, dead_code: bool = 
 
 def _portable_counts(text: str) -> str:
     """Code whose reference counts use no intrinsic of one processor; its functions keep their sizes."""
-    return _DECREMENT.sub(
-        r"%\1 = atomicrmw sub ptr \2, i64 1 monotonic\n  %\3 = icmp eq i64 %\1, 1", text
-    )
+    return _DECREMENT.sub(r"%\1 = atomicrmw sub ptr \2, i64 1 monotonic\n  %\3 = icmp eq i64 %\1, 1", text)
 
 
 def _without_counts(text: str) -> str:

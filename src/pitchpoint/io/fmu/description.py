@@ -84,7 +84,7 @@ def _interfaces(model: FmuModel, version: int) -> list[str]:
         f"canGetAndSet{word}": "true",
         f"canSerialize{word}": "true",
     }
-    co = f"  <CoSimulation{_attributes(both)} canHandleVariableCommunicationStepSize=\"true\"/>"
+    co = f'  <CoSimulation{_attributes(both)} canHandleVariableCommunicationStepSize="true"/>'
     return [f"  <ModelExchange{_attributes(both)}/>", co] if model.exchanges else [co]
 
 
@@ -136,7 +136,7 @@ def _structure_2(model: FmuModel) -> list[str]:
 
 def _structure_3(model: FmuModel) -> list[str]:
     """Outputs, derivatives, initial unknowns and event indicators by their value references."""
-    groups = [("Output", (OUTPUT,)), ("InitialUnknown", (OUTPUT,))]
+    groups: list[tuple[str, tuple[int, ...]]] = [("Output", (OUTPUT,)), ("InitialUnknown", (OUTPUT,))]
     if model.exchanges:
         groups = [
             ("Output", (OUTPUT,)),

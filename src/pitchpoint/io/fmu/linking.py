@@ -23,8 +23,9 @@ from pitchpoint.io.fmu.model import FmuModel
 from pitchpoint.io.fmu.model_data import data_text, glue
 
 MATHEMATICS = (
-    "acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2 expm1 fabs floor fma fmax fmin fmod "
-    "hypot ldexp lgamma log log10 log1p log2 nearbyint pow rint round sin sincos sinh sqrt tan tanh tgamma trunc"
+    "acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2 expm1 fabs floor fma "
+    "fmax fmin fmod hypot ldexp lgamma log log10 log1p log2 nearbyint pow rint round sin sincos sinh sqrt "
+    "tan tanh tgamma trunc"
 ).split()
 MEMORY = ("calloc", "free", "memcpy", "memmove", "memset", "strlen")
 
@@ -104,7 +105,14 @@ def library(model: FmuModel, name: str, version: int, folder: Path) -> Path:
     objects = _objects(model, target, text, folder)
     out = folder / f"{model.name}.{target.suffix}"
     if target.suffix == "so":
-        command = [*_elf_linker(name), *_ELF, "-o", str(out), *objects, *_stubs(target, folder, _elf_linker(name))]
+        command = [
+            *_elf_linker(name),
+            *_ELF,
+            "-o",
+            str(out),
+            *objects,
+            *_stubs(target, folder, _elf_linker(name)),
+        ]
     elif target.suffix == "dll":
         command = _windows_command(text, out, objects, folder)
     else:
@@ -140,16 +148,18 @@ def _objects(model: FmuModel, target: Platform, text: str, folder: Path) -> list
     unknown = {s for _, code in model.entries for s in portable.external_symbols(code)} - known
     if unknown:
         raise PitchpointError(
-            f"the compiled model calls {', '.join(sorted(unknown))}, which a unit does not have, so it cannot be "
-            "exported"
+            f"the compiled model calls {', '.join(sorted(unknown))}, which an FMU does not have; it cannot "
+            "be exported"
         )
-    parts = {f"entry{k}": portable.object_of_entry(code, target.triple, target.processor)
-             for k, (_, code) in enumerate(model.entries)}
+    parts = {
+        f"entry{k}": portable.object_of_entry(code, target.triple, target.processor)
+        for k, (_, code) in enumerate(model.entries)
+    }
     data = data_text(model) + ("@_fltused = global i32 0\n" if target.suffix == "dll" else "")
     for name, each in (("data", data), ("fmi", text), ("processor", _processor_text(target))):
         parts[name] = portable.object_of_text(each, target.triple, target.plain_processor)
-    for name, data in parts.items():
-        (folder / f"{name}.o").write_bytes(data)
+    for name, code in parts.items():
+        (folder / f"{name}.o").write_bytes(code)
     return [str(folder / f"{name}.o") for name in parts]
 
 

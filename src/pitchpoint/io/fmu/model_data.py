@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data of a model as LLVM text: memory, places of addresses, variables, as `glue/instance.h` declares them."""
+"""Data of a model as LLVM text: memory, places of addresses, variables, as in `glue/instance.h`."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ def number_names() -> tuple[list[str], list[str]]:
     """Names of the integers and of the real numbers of `Numbers`, in the order of the C declaration."""
     found = re.search(r"typedef struct \{([^}]*)\} Numbers;", glue("instance.h"))
     lines = re.findall(r"(i64|double) ([^;]*);", found[1] if found else "")
-    split = {kind: [n for k, names in lines if k == kind for n in names.split(", ")] for kind in ("i64", "double")}
+    split = {
+        kind: [n for k, names in lines if k == kind for n in names.split(", ")] for kind in ("i64", "double")
+    }
     return split["i64"], split["double"]
 
 

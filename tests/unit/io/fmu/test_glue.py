@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""FMI functions in C: they agree with the records of the package, and the shipped text is their translation."""
+"""FMI functions in C: they agree with the records of the package; the text is their translation."""
 
 from __future__ import annotations
 

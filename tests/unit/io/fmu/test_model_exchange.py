@@ -60,7 +60,7 @@ def test_an_indicator_is_positive_in_contact(unit):
 
 
 def test_an_integration_from_outside(unit):
-    """The classical Runge-Kutta method, programmed here, against that of our own run: round-off after 200 steps."""
+    """The classical Runge-Kutta method, programmed here, against that of our own run: round-off."""
     own = own_run("rk4")
     want = own.advance(200, every=200).rows[0, 1:]
     one = unit.instance(exchange=True).initialise()

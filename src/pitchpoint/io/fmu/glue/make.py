@@ -2,7 +2,8 @@
 """Translate the FMI functions from C to LLVM text, one text for all 64-bit targets: `make glue`.
 
 Run after an edit of the C files; needs the extra `fmi` (ziglang). The text is part of the package, so that an
-export needs no compiler. Attributes of one processor or system are removed; the exporter adds those of the target.
+export needs no compiler. Attributes of one processor or system are removed; the exporter adds those of the
+target.
 """
 
 from __future__ import annotations
@@ -17,11 +18,20 @@ from pathlib import Path
 HERE = Path(__file__).parent
 OPTIONS = (
     *("-target", "x86_64-linux-musl", "-O1", "-g0", "-S", "-emit-llvm", "-w"),
-    *("-ffp-contract=off", "-fno-sanitize=all", "-fno-stack-protector", "-fno-builtin", "-fno-vectorize", "-fno-inline", "-fno-strict-aliasing"),
+    *(
+        "-ffp-contract=off",
+        "-fno-sanitize=all",
+        "-fno-stack-protector",
+        "-fno-builtin",
+        "-fno-vectorize",
+        "-fno-inline",
+        "-fno-strict-aliasing",
+    ),
 )
 #: Attributes of one target, and those that older versions of LLVM do not know.
 LEFT_OUT = re.compile(
-    r", !(tbaa|tbaa\.struct|srcloc|llvm\.\w+) !\d+| (uwtable|dso_local|noundef|nonnull|nocapture|readonly|writeonly)\b"
+    r", !(tbaa|tbaa\.struct|srcloc|llvm\.\w+) !\d+"
+    r"| (uwtable|dso_local|noundef|nonnull|nocapture|readonly|writeonly)\b"
     r"| captures\([^)]*\)| dead_on_unwind\b| (?<=trunc )(nuw|nsw)( nsw)?|(?<=inbounds) nuw|(?<=zext) nneg"
     r"| initializes\(\([-\d, ()]*?\)\)| *; preds = .*$|(?<=or) disjoint|(?<=icmp) samesign| range\([^)]*\)"
 )
