@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -38,6 +39,13 @@ if TYPE_CHECKING:
     metavar="PATH",
     help="Number of the model file as a tunable parameter: meshes.stage.backlash.normal; repeatable.",
 )
+@click.option(
+    "--input",
+    "more_inputs",
+    multiple=True,
+    metavar="PATH",
+    help="Number of the model file as a further input: blocks.error.offset; repeatable.",
+)
 @set_option
 @common
 def export(
@@ -48,6 +56,7 @@ def export(
     platforms: str | None,
     step: float | None,
     parameters: tuple[str, ...],
+    more_inputs: tuple[str, ...],
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -74,7 +83,8 @@ def export(
     for each in chosen:
         check_linker(each)
     run = export_run(compile_model(model, name))
-    tunable = tunable_places(model, name, run, parameters)
+    inputs, tunable = (tunable_places(model, name, run, paths) for paths in (more_inputs, parameters))
+    run = replace(run, inputs=(*run.inputs, *inputs))
     unit = fmu_model(run, tunable, Path(fmu).stem, model.title or name)
     data, sizes = fmu_bytes(unit, int(version), chosen)
     write_file(target, data)
@@ -173,6 +183,7 @@ def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str)
         run.indicators,
         run.t0 + run.duration,
         run.sample,
+        run.shafts,
     )
 
 

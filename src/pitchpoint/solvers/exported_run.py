@@ -7,7 +7,7 @@ it: the same code with the same data as `time.run_time`, so that all results hav
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -92,6 +92,8 @@ class ExportedRun:
     indicators
         Event functions of contacts and of sticking: zero where forces have a jump or kink. Functions of the
         mesh phase are not among them, because they jump where a pair of teeth follows the next.
+    shafts
+        Input of every constant torque, and its body.
     """
 
     system: System
@@ -108,6 +110,7 @@ class ExportedRun:
     inputs: tuple[Place, ...]
     states: tuple[tuple[str, str], ...]
     indicators: tuple[int, ...]
+    shafts: tuple[tuple[str, str], ...]
 
 
 def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
@@ -152,6 +155,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         tuple(_loads(start.system, image)),
         tuple(coordinate_units(start.system).items()),
         _indicators(start.system),
+        tuple(_shafts(start.system)),
     )
 
 
@@ -258,6 +262,13 @@ def _loads(system: System, image: MemoryImage) -> list[Place]:
                     words = ((base + k * width + value, 1.0),)
                     found.append(Place(name, unit, text, float(bank[k]["value"]), words))
     return found
+
+
+def _shafts(system: System) -> Iterator[tuple[str, str]]:
+    """Input of every torque, and its body."""
+    for kind in system.kinds(TORQUE):
+        for record, label in zip(system.records[kind], system.names[kind], strict=True):
+            yield _load_words(TORQUE, label)[0], system.layout.bodies[int(record["i"])]
 
 
 def _load_words(role: str, label: str) -> tuple[str, str, str]:

@@ -26,8 +26,8 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-FACTORS = (1.0, 1.1, 1.37, 0.8)
-"""Values at which the model is compiled, relative to that of the model file."""
+CHANGES = (0.0, 0.1, 0.37, -0.2)
+"""Changes with which the model is compiled, relative to the value of the file, or to 1 if that is zero."""
 STRAIGHT = 1e-9
 """Largest relative deviation of a word from an affine function: round-off of the compilation."""
 ALIKE = 1e-6
@@ -62,20 +62,18 @@ def tunable_places(model: Model, scenario: str, run: ExportedRun, paths: Sequenc
 
 def _place(model: Model, scenario: str, run: ExportedRun, path: str) -> Place:
     found = number_at(model, path)
-    if found is None or found[0] == 0.0:
-        what = (
-            "is not a number of the model" if found is None else "is zero, so its effect cannot be determined"
-        )
-        raise ModelError([Message(path, what, remedy="name a number that is not zero")])
+    if found is None:
+        raise ModelError([Message(path, "is not a number of the model", remedy="name a number")])
     value, unit = found
-    variants = [_variant(model, scenario, path, factor * value) for factor in FACTORS]
+    values = [value + change * (abs(value) or 1.0) for change in CHANGES]
+    variants = [_variant(model, scenario, path, each) for each in values]
     fixed = {*run.image.moved, *(offset for offset, _ in run.code)}
     fixed |= {offset for place in run.inputs for offset, _ in place.words}
-    words = _affine([_words(system) for system in variants], value, run, fixed, path)
+    words = _affine([_words(system) for system in variants], values, run, fixed, path)
     if not words:
         raise ModelError([Message(path, "changes nothing but inputs", remedy="leave it fixed")])
     place = Place(path, unit or "1", "parameter of the model file", value, words)
-    _check(run, variants, place)
+    _check(run, variants, place, values[2])
     return place
 
 
@@ -93,7 +91,7 @@ def _words(system: System) -> Words:
 
 
 def _affine(
-    variants: Sequence[Words], value: float, run: ExportedRun, fixed: Collection[int], path: str
+    variants: Sequence[Words], values: Sequence[float], run: ExportedRun, fixed: Collection[int], path: str
 ) -> tuple[tuple[int, float], ...]:
     """Offset and slope of every word that depends on the parameter."""
     first, found = variants[0], []
@@ -109,12 +107,12 @@ def _affine(
             if offset in fixed:
                 continue
             y = np.array([other[name][k] for other in variants]).view(np.float64)
-            slope = (y[2] - y[3]) / ((FACTORS[2] - FACTORS[3]) * value)
-            straight = y[0] + slope * value * (np.array(FACTORS) - 1.0)
+            slope = (y[2] - y[3]) / (values[2] - values[3])
+            straight = y[0] + slope * (np.array(values) - values[0])
             where = f"{name.partition('.')[2]}+{8 * k}"
             if name.startswith("keep.") or int(own[offset // 8]) != int(bits[k]):
                 raise _refused(path, f"changes data that are not numbers of elements ({where})")
-            if not np.allclose(y, straight, rtol=STRAIGHT, atol=0.0):
+            if not np.allclose(y, straight, rtol=STRAIGHT, atol=STRAIGHT * np.abs(y).max()):
                 raise _refused(path, f"changes a number that is not an affine function of it ({where})")
             found.append((offset, float(slope)))
     return tuple(found)
@@ -127,10 +125,10 @@ def _refused(path: str, what: str) -> ModelError:
     return ModelError([Message(path, what, remedy=remedy)])
 
 
-def _check(run: ExportedRun, variants: Sequence[System], place: Place) -> None:
+def _check(run: ExportedRun, variants: Sequence[System], place: Place, value: float) -> None:
     """Compare the memory with a changed parameter with a model that was compiled with it, at the start."""
     mine, other = run.system.copy(), variants[2].copy()
-    change = (FACTORS[2] - 1.0) * place.start
+    change = value - place.start
     _write(mine, run.image.at, [(offset, slope * change) for offset, slope in place.words])
     _write(other, run.image.at, _from_the_start(run, variants[0]), replaced=True)
     results = [_response(system, run.state) for system in (mine, other)]

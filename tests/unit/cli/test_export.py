@@ -42,7 +42,11 @@ def test_a_unit_and_its_summary(tmp_path, capsys):
     inputs = {v["name"]: v["start"] for v in found["variables"] if v["causality"] == "input"}
     assert inputs == {"loads.input.torque": 150.0, "loads.output.torque": 150.0}
     with zipfile.ZipFile(out) as archive:
-        assert archive.namelist() == ["modelDescription.xml", "binaries/x86_64-linux/a_unit.so"]
+        assert archive.namelist() == [
+            "modelDescription.xml",
+            "terminalsAndIcons/terminalsAndIcons.xml",
+            "binaries/x86_64-linux/a_unit.so",
+        ]
         first = archive.read("modelDescription.xml")
     # the same model gives the same file, and an older unit may be replaced
     again = json_of(["export", file, "--fmu", out], capsys)

@@ -254,7 +254,15 @@ def store(function: Any, file: Path, head: bytes, body: bytes) -> None:
 
 
 def contents(file: Path, head: bytes) -> bytes | None:
-    """Contents of a file of the cache; None without a valid file with this first line."""
+    """Contents of a file of the cache; None without a valid file.
+
+    Parameters
+    ----------
+    file
+        The file.
+    head
+        Its first line.
+    """
     try:
         found, digest, body = own_bytes(file).split(b"\n", 2)
     except (OSError, ValueError):

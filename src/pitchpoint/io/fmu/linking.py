@@ -13,7 +13,6 @@ import platform as host
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -232,5 +231,5 @@ def _run(command: Sequence[str], folder: Path) -> None:
     """
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL)
     if done.returncode:
-        said = (done.stderr or done.stdout).strip().splitlines() or [f"exit code {done.returncode}"]
-        raise PitchpointError(f"{Path(command[0]).name} {sys.platform}: the link failed: {said[-1]}")
+        lines = (done.stderr or done.stdout).strip().splitlines() or [f"exit code {done.returncode}"]
+        raise PitchpointError(f"{Path(command[0]).name}: the link failed: {lines[-1]}")

@@ -76,6 +76,8 @@ class FmuModel:
         Event functions that are event indicators of the model exchange.
     stop, sample
         End and communication step of the default experiment [s].
+    shafts
+        Input of every torque about a spin axis, and its body.
     """
 
     name: str
@@ -89,6 +91,7 @@ class FmuModel:
     indicators: tuple[int, ...]
     stop: float
     sample: float
+    shafts: tuple[tuple[str, str], ...] = ()
 
     @cached_property
     def token(self) -> str:

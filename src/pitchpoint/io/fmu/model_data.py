@@ -12,7 +12,7 @@ from pitchpoint.core.status import sentence
 from pitchpoint.io.fmu.model import FmuModel
 
 STATUSES = 17
-"""Number of statuses of `core.status` whose sentences the unit can say."""
+"""Number of statuses of `core.status` whose sentences are part of an FMU."""
 
 
 def glue(name: str) -> str:

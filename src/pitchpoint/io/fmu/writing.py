@@ -12,6 +12,7 @@ from pathlib import Path
 from pitchpoint.io.fmu.description import description
 from pitchpoint.io.fmu.linking import PLATFORMS, library
 from pitchpoint.io.fmu.model import FmuModel
+from pitchpoint.io.fmu.terminals import terminals
 
 _DATE = (1980, 1, 1, 0, 0, 0)
 """Date of the files in the archive: the same model gives the same bytes."""
@@ -30,6 +31,8 @@ def fmu_bytes(model: FmuModel, version: int, platforms: Sequence[str]) -> tuple[
         Keys of `linking.PLATFORMS`.
     """
     files = {"modelDescription.xml": description(model, version).encode()}
+    if version == 3 and (shafts := terminals(model)):
+        files["terminalsAndIcons/terminalsAndIcons.xml"] = shafts.encode()
     sizes = {}
     with tempfile.TemporaryDirectory(prefix="pitchpoint-") as folder:
         for name in platforms:
