@@ -54,12 +54,10 @@ def export(
     fmu: str,
     version: str,
     platforms: str | None,
-    step: float | None,
-    parameters: tuple[str, ...],
-    more_inputs: tuple[str, ...],
     as_json: bool,
     allow_code: bool,
     quiet: bool,
+    **how: Any,
 ) -> None:
     """Write a scenario of FILE as an FMU, with the compiled model and its solver inside.
 
@@ -78,12 +76,14 @@ def export(
     target = check_target(fmu, "fmu", [file])
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
-    if step is not None:
-        model = model.replace(f"scenarios.{name}.step", step)
+    if how["step"] is not None:
+        model = model.replace(f"scenarios.{name}.step", how["step"])
     for each in chosen:
         check_linker(each)
     run = export_run(compile_model(model, name))
-    inputs, tunable = (tunable_places(model, name, run, paths) for paths in (more_inputs, parameters))
+    inputs, tunable = (
+        tunable_places(model, name, run, how[paths]) for paths in ("more_inputs", "parameters")
+    )
     run = replace(run, inputs=(*run.inputs, *inputs))
     unit = fmu_model(run, tunable, Path(fmu).stem, model.title or name)
     data, sizes = fmu_bytes(unit, int(version), chosen)
