@@ -198,3 +198,13 @@ class Instance:
         assert self.call("SetContinuousStates", x.ctypes.data_as(DOUBLES), SIZE(len(x))) == 0
         name = "GetDerivatives" if self.unit.version == 2 else "GetContinuousStateDerivatives"
         return self.vector(name, len(x))
+
+    def directional(self, of, by, seed):
+        """Directional derivative of variables by others, by value reference."""
+        out = np.full(len(of), np.nan)
+        seed = np.ascontiguousarray(seed, float)
+        lists = ((ct.c_uint32 * len(of))(*of), SIZE(len(of)), (ct.c_uint32 * len(by))(*by), SIZE(len(by)))
+        numbers = [(x.ctypes.data_as(DOUBLES), SIZE(len(x))) for x in (seed, out)]
+        args = [n[0] for n in numbers] if self.unit.version == 2 else [x for n in numbers for x in n]
+        assert self.call("GetDirectionalDerivative", *lists, *args) == 0, self.unit.messages
+        return out

@@ -63,9 +63,9 @@ def pair(method: str):
     return loads_model(PAIR.replace("METHOD", method), False, "pair.yaml")
 
 
-def unit_of(method: str, folder, version: int, *parameters: str):
-    """File of the unit of the pair."""
-    model = pair(method)
+def unit_of(method: str, folder, version: int, *parameters: str, model=None):
+    """File of the unit of the pair, or of another model with the scenario `steady`."""
+    model = model or pair(method)
     run = export_run(compile_model(model, "steady"))
     tunable = tunable_places(model, "steady", run, parameters)
     data, _ = fmu_bytes(fmu_model(run, tunable, "pair", model.title), version, ["x86_64-linux"])

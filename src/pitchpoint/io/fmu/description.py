@@ -85,7 +85,8 @@ def _interfaces(model: FmuModel, version: int) -> list[str]:
         f"canSerialize{word}": "true",
     }
     co = f'  <CoSimulation{_attributes(both)} canHandleVariableCommunicationStepSize="true"/>'
-    return [f"  <ModelExchange{_attributes(both)}/>", co] if model.exchanges else [co]
+    provided = {f"providesDirectionalDerivative{'s' if version == 3 else ''}": "true"}
+    return [f"  <ModelExchange{_attributes({**both, **provided})}/>", co] if model.exchanges else [co]
 
 
 def _units(variables: Iterable[Variable]) -> list[str]:

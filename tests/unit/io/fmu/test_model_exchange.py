@@ -6,9 +6,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.system import evaluate
 from tests.support.fmi_host import Unit
-from tests.support.fmu_models import need_linker, own_run, unit_of
+from tests.support.fmu_models import PAIR, need_linker, own_run, unit_of
+
+VARYING = "{law: din3990, stiffness_ratio: 0.8, tip_relief_factor: 0.0}"
 
 
 @pytest.fixture(scope="module", params=[2, 3])
@@ -77,6 +80,38 @@ def test_an_integration_from_outside(unit):
     for name in ("deflection[stage]", "mesh_force[stage]", "speed[driver]"):
         k = unit.names("output").index(name)
         assert got[k] == pytest.approx(want[k], rel=1e-9)
+    one.free()
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_directional_derivatives_are_those_of_the_linearisation(version, tmp_path):
+    """-M^-1 (K dq + D dv) with the exact matrices of the package, and the inverse inertia for a load.
+
+    With a constant stiffness, as the matrices have no derivatives by the mesh phase.
+    """
+    need_linker()
+    model = loads_model(PAIR.replace("METHOD", "adams").replace(VARYING, "{law: constant, value: 4e8 N/m}"))
+    unit = Unit(unit_of("adams", tmp_path, version, model=model), tmp_path)
+    own = own_run("adams", model)
+    system, state = own.system, own.state()
+    M, D, K = evaluate.linearize(system, state)
+    one = unit.instance(exchange=True).initialise()
+    names = [f"{word}[{c}]" for word in ("coordinate", "rate") for c in system.layout.coordinates]
+    reference = {name: int(v.get("valueReference")) for name, v in unit.variables.items()}
+    states = [reference[name] for name in names]
+    slopes = [reference[f"der({name})"] for name in names]
+    outputs = unit.references("output")
+    before = one.get([*states, *slopes, *outputs])
+    for seed in ((1.0, 0.0, 0.0, 0.0), (0.2, -0.5, 0.0, 0.0), (0.0, 0.0, 1.0, -1.0), (0.3, 1.0, 10.0, -30.0)):
+        dq, dv = np.array(seed[:2]), np.array(seed[2:])
+        want = np.concatenate([dv, -np.linalg.solve(M, K @ dq + D @ dv)])
+        got = one.directional(slopes, states, seed)
+        np.testing.assert_allclose(got, want, rtol=1e-6, atol=1e-6 * np.abs(want).max())
+    load = [reference["loads.input.torque"]]
+    np.testing.assert_allclose(
+        one.directional(slopes, load, [2.0]), [0, 0, 2.0 / 0.0115, 0], rtol=1e-6, atol=1e-6
+    )
+    np.testing.assert_array_equal(one.get([*states, *slopes, *outputs]), before)
     one.free()
 
 

@@ -1,4 +1,4 @@
-; 87aef625c80227839cda382b27b642a2c1a4278661a967c842ce5f6300ea7451
+; 136446fd869b0caaf9ae6752c6969b1d17632c088c1db165c46e39377a43c458
 
 %struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double }
@@ -46,20 +46,23 @@
 @.str.25 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
 @.str.26 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
 @.str.27 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.28 = private unnamed_addr constant [42 x i8] c"directional derivatives are not available\00", align 1
-@.str.29 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.30 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.31 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.32 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.33 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.34 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.35 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.36 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.37 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.38 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.39 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.40 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.41 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.28 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.29 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.30 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.31 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.32 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.33 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.34 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.35 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.36 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.37 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.38 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.39 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.40 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.41 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.42 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.43 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.44 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi2GetTypesPlatform() local_unnamed_addr #0 {
   ret ptr @.str
@@ -80,7 +83,7 @@ define ptr @fmi2Instantiate(ptr %0, i32 %1, ptr %2, ptr readnone %3, ptr %4, i32
 9:
   %10 = icmp eq i32 %1, 0
   %11 = zext i1 %10 to i32
-  %12 = tail call fastcc ptr @create(ptr %0, ptr %2, ptr %4, i32 %11) #14
+  %12 = tail call fastcc ptr @create(ptr %0, ptr %2, ptr %4, i32 %11) #15
   br label %13
 
 13:
@@ -97,12 +100,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   br i1 %7, label %21, label %8
 
 8:
-  %9 = tail call fastcc i32 @same(ptr %1) #14
+  %9 = tail call fastcc i32 @same(ptr %1) #15
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %21, label %11
 
 11:
-  %12 = tail call i32 @pp_processor() #16
+  %12 = tail call i32 @pp_processor() #17
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %21, label %14
 
@@ -119,7 +122,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 21:
   %22 = phi ptr [ @.str.8, %4 ], [ @.str.9, %11 ], [ @.str.8, %8 ], [ @.str.10, %14 ]
-  call fastcc void @say(ptr %5, ptr %22) #14
+  call fastcc void @say(ptr %5, ptr %22) #15
   br label %100
 
 23:
@@ -132,7 +135,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
-  %31 = tail call fastcc i64 @numbers_of_state() #14
+  %31 = tail call fastcc i64 @numbers_of_state() #15
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
@@ -140,12 +143,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %36 = add i64 %30, 649
   %37 = add i64 %36, %35
   %38 = add i64 %37, %34
-  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #14
+  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #15
   %40 = icmp eq ptr %39, null
   br i1 %40, label %41, label %42
 
 41:
-  call fastcc void @say(ptr %5, ptr @.str.11) #14
+  call fastcc void @say(ptr %5, ptr @.str.11) #15
   br label %100
 
 42:
@@ -207,7 +210,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %77 = zext i32 %3 to i64
   %78 = getelementptr inbounds i8, ptr %39, i64 88
   store i64 %77, ptr %78, align 8
-  tail call fastcc void @begin(ptr %39) #14
+  tail call fastcc void @begin(ptr %39) #15
   br label %100
 
 79:
@@ -243,7 +246,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 }
 
 define void @fmi2FreeInstance(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @free_instance(ptr %0) #14
+  tail call fastcc void @free_instance(ptr %0) #15
   ret void
 }
 
@@ -254,7 +257,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 
 4:
   call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %2, ptr align 8 dereferenceable(40) %0, i64 40, i1 false)
-  call fastcc void @release(ptr %2, ptr %0) #14
+  call fastcc void @release(ptr %2, ptr %0) #15
   br label %5
 
 5:
@@ -262,7 +265,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi2SetupExperiment(ptr %0, i32 %1, double %2, double %3, i32 %4, double %5) local_unnamed_addr #2 {
-  tail call fastcc void @set_start(ptr %0, double %3) #14
+  tail call fastcc void @set_start(ptr %0, double %3) #15
   ret i32 0
 }
 
@@ -289,7 +292,7 @@ define i32 @fmi2EnterInitializationMode(ptr readnone %0) local_unnamed_addr #0 {
 }
 
 define i32 @fmi2ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
-  %2 = tail call fastcc i32 @refresh(ptr %0) #14
+  %2 = tail call fastcc i32 @refresh(ptr %0) #15
   ret i32 %2
 }
 
@@ -308,11 +311,11 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
+  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
   br label %12
 
 10:
-  %11 = tail call fastcc i64 @restart(ptr %0) #14
+  %11 = tail call fastcc i64 @restart(ptr %0) #15
   br label %12
 
 12:
@@ -323,21 +326,21 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 15:
   %16 = getelementptr inbounds i8, ptr %0, i64 104
   %17 = load ptr, ptr %16, align 8
-  %18 = tail call fastcc i64 @address(ptr %17) #14
-  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #14
+  %18 = tail call fastcc i64 @address(ptr %17) #15
+  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #15
   %20 = icmp eq i64 %19, 1
   br i1 %20, label %21, label %26
 
 21:
   %22 = load ptr, ptr %16, align 8
   %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
-  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #14
+  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #15
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.15, i64 %27, ptr @.str.16) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.15, i64 %27, ptr @.str.16) #15
   br label %29
 
 28:
@@ -354,12 +357,12 @@ define i32 @fmi2Terminate(ptr readnone %0) local_unnamed_addr #0 {
 }
 
 define i32 @fmi2Reset(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @begin(ptr %0) #14
+  tail call fastcc void @begin(ptr %0) #15
   ret i32 0
 }
 
 define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #14
+  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #15
   %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %3 = icmp sgt i64 %2, 0
   br i1 %3, label %4, label %26
@@ -447,7 +450,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi2GetReal(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %5 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
   ret i32 %5
 }
 
@@ -476,7 +479,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.19) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.19) #15
   br label %78
 
 23:
@@ -490,7 +493,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   ]
 
 26:
-  %27 = tail call fastcc double @now(ptr %0) #14
+  %27 = tail call fastcc double @now(ptr %0) #15
   br label %73
 
 28:
@@ -502,13 +505,13 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 32:
   %33 = load ptr, ptr %8, align 8
   %34 = getelementptr inbounds i8, ptr %33, i64 %9
-  %35 = tail call fastcc i64 @address(ptr %34) #14
-  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #14
+  %35 = tail call fastcc i64 @address(ptr %34) #15
+  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #15
   %37 = icmp eq i64 %36, 1
   br i1 %37, label %38, label %78
 
 38:
-  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
+  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
   %40 = getelementptr inbounds i8, ptr %24, i64 8
   %41 = load i64, ptr %40, align 8
   %42 = getelementptr inbounds i32, ptr @pp_indicators, i64 %41
@@ -519,7 +522,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br label %73
 
 47:
-  %48 = tail call fastcc i32 @refresh(ptr %0) #14
+  %48 = tail call fastcc i32 @refresh(ptr %0) #15
   %49 = icmp eq i32 %48, 0
   br i1 %49, label %50, label %78
 
@@ -540,7 +543,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 57:
   %58 = icmp slt i64 %52, %11
   %59 = select i1 %58, i64 %12, i64 %13
-  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #14
+  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #15
   %61 = select i1 %58, i64 0, i64 %11
   %62 = sub nsw i64 %52, %61
   %63 = getelementptr inbounds double, ptr %60, i64 %62
@@ -550,7 +553,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 65:
   %66 = icmp slt i64 %52, %11
   %67 = select i1 %66, i64 %13, i64 %15
-  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #14
+  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #15
   %69 = select i1 %66, i64 0, i64 %11
   %70 = sub nsw i64 %52, %69
   %71 = getelementptr inbounds double, ptr %68, i64 %70
@@ -571,7 +574,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 }
 
 define i32 @fmi2SetReal(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %5 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
   ret i32 %5
 }
 
@@ -611,7 +614,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 25:
   %26 = getelementptr inbounds double, ptr %3, i64 %15
   %27 = load double, ptr %26, align 8
-  %28 = tail call fastcc i32 @finite_number(double %27) #14
+  %28 = tail call fastcc i32 @finite_number(double %27) #15
   %29 = icmp eq i32 %28, 0
   br i1 %29, label %72, label %8
 
@@ -661,7 +664,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %63 = fmul double %60, %62
   %64 = fadd double %58, %63
   %65 = load i64, ptr %56, align 8
-  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #14
+  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #15
   store double %64, ptr %66, align 8
   %67 = getelementptr inbounds i8, ptr %56, i64 24
   %68 = icmp ult ptr %67, %49
@@ -674,7 +677,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 
 72:
   %73 = phi ptr [ @.str.20, %20 ], [ @.str.20, %14 ], [ @.str.21, %25 ]
-  tail call fastcc void @fail(ptr %0, ptr %73) #14
+  tail call fastcc void @fail(ptr %0, ptr %73) #15
   br label %74
 
 74:
@@ -687,7 +690,7 @@ define i32 @fmi2GetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loc
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.2) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.2) #15
   br label %7
 
 7:
@@ -696,7 +699,7 @@ define i32 @fmi2GetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loc
 }
 
 define internal fastcc void @fail(ptr %0, ptr %1) unnamed_addr #1 {
-  tail call fastcc void @say(ptr %0, ptr %1) #14
+  tail call fastcc void @say(ptr %0, ptr %1) #15
   ret void
 }
 
@@ -705,7 +708,7 @@ define i32 @fmi2SetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loc
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.2) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.2) #15
   br label %7
 
 7:
@@ -718,7 +721,7 @@ define i32 @fmi2GetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loc
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
   br label %7
 
 7:
@@ -731,7 +734,7 @@ define i32 @fmi2SetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loc
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
   br label %7
 
 7:
@@ -744,7 +747,7 @@ define i32 @fmi2GetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loca
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
   br label %7
 
 7:
@@ -757,7 +760,7 @@ define i32 @fmi2SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loca
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
   br label %7
 
 7:
@@ -766,7 +769,7 @@ define i32 @fmi2SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) loca
 }
 
 define i32 @fmi2GetFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #14
+  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #15
   ret i32 %3
 }
 
@@ -780,8 +783,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %7, label %11
 
 7:
-  %8 = tail call fastcc i64 @state_size() #14
-  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #14
+  %8 = tail call fastcc i64 @state_size() #15
+  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #15
   store ptr %9, ptr %1, align 8
   %10 = icmp eq ptr %9, null
   br i1 %10, label %96, label %11
@@ -803,24 +806,24 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %19, label %20, label %45
 
 20:
-  %21 = tail call fastcc i64 @numbers_of_state() #14
+  %21 = tail call fastcc i64 @numbers_of_state() #15
   %22 = shl i64 %21, 3
   %23 = getelementptr inbounds i8, ptr %12, i64 40
   %24 = getelementptr inbounds i8, ptr %0, i64 48
-  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #16
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #17
   %26 = getelementptr inbounds i8, ptr %12, i64 88
   %27 = getelementptr inbounds i8, ptr %0, i64 96
   %28 = load ptr, ptr %27, align 8
-  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #16
+  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #17
   %30 = getelementptr inbounds i8, ptr %26, i64 %22
   %31 = getelementptr inbounds i8, ptr %0, i64 120
   %32 = load ptr, ptr %31, align 8
   %33 = load i64, ptr @pp_numbers, align 8
-  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #16
+  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #17
   %35 = load ptr, ptr %31, align 8
-  %36 = tail call fastcc i64 @address(ptr %35) #14
+  %36 = tail call fastcc i64 @address(ptr %35) #15
   %37 = sub nsw i64 0, %36
-  tail call fastcc void @move(ptr %30, i64 %37) #14
+  tail call fastcc void @move(ptr %30, i64 %37) #15
   %38 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %39 = icmp sgt i64 %38, 0
   br i1 %39, label %40, label %114
@@ -905,7 +908,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 
 96:
   %97 = phi ptr [ @.str.22, %2 ], [ @.str.23, %7 ]
-  tail call fastcc void @fail(ptr %0, ptr %97) #14
+  tail call fastcc void @fail(ptr %0, ptr %97) #15
   br label %114
 
 98:
@@ -938,7 +941,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi2SetFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #14
+  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #15
   ret i32 %3
 }
 
@@ -947,23 +950,23 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.24) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.24) #15
   br label %18
 
 5:
-  %6 = tail call fastcc i64 @numbers_of_state() #14
+  %6 = tail call fastcc i64 @numbers_of_state() #15
   %7 = shl i64 %6, 3
   %8 = getelementptr inbounds i8, ptr %0, i64 48
   %9 = getelementptr inbounds i8, ptr %0, i64 88
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %1, i64 40
-  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #16
+  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #17
   %13 = getelementptr inbounds i8, ptr %0, i64 96
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds i8, ptr %1, i64 88
-  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #16
+  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #17
   %17 = getelementptr inbounds i8, ptr %15, i64 %7
-  tail call fastcc void @relocate(ptr %0, ptr %17) #14
+  tail call fastcc void @relocate(ptr %0, ptr %17) #15
   store i64 %10, ptr %9, align 8
   br label %18
 
@@ -973,7 +976,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi2FreeFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
-  tail call fastcc void @drop_state(ptr %0, ptr %1) #14
+  tail call fastcc void @drop_state(ptr %0, ptr %1) #15
   ret i32 0
 }
 
@@ -987,7 +990,7 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @release(ptr %0, ptr %5) #14
+  tail call fastcc void @release(ptr %0, ptr %5) #15
   store ptr null, ptr %1, align 8
   br label %8
 
@@ -996,13 +999,13 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi2SerializedFMUstateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
-  %4 = tail call fastcc i64 @state_size() #14
+  %4 = tail call fastcc i64 @state_size() #15
   store i64 %4, ptr %2, align 8
   ret i32 0
 }
 
 define internal fastcc i64 @state_size() unnamed_addr #0 {
-  %1 = tail call fastcc i64 @numbers_of_state() #14
+  %1 = tail call fastcc i64 @numbers_of_state() #15
   %2 = shl i64 %1, 3
   %3 = add i64 %2, 88
   %4 = load i64, ptr @pp_numbers, align 8
@@ -1011,7 +1014,7 @@ define internal fastcc i64 @state_size() unnamed_addr #0 {
 }
 
 define i32 @fmi2SerializeFMUstate(ptr %0, ptr %1, ptr %2, i64 %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #14
+  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #15
   ret i32 %5
 }
 
@@ -1020,16 +1023,16 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %5, label %9, label %6
 
 6:
-  %7 = tail call fastcc i64 @state_size() #14
+  %7 = tail call fastcc i64 @state_size() #15
   %8 = icmp ult i64 %3, %7
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.25) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.25) #15
   br label %12
 
 10:
-  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #16
+  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #17
   br label %12
 
 12:
@@ -1038,17 +1041,17 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
 }
 
 define i32 @fmi2DeSerializeFMUstate(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #15
   ret i32 %5
 }
 
 define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = tail call fastcc i64 @state_size() #14
+  %5 = tail call fastcc i64 @state_size() #15
   %6 = icmp eq i64 %2, %5
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.26) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.26) #15
   br label %40
 
 8:
@@ -1083,7 +1086,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.27) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #15
   br label %40
 
 30:
@@ -1092,18 +1095,18 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %32, label %33, label %37
 
 33:
-  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #14
+  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #15
   store ptr %34, ptr %3, align 8
   %35 = icmp eq ptr %34, null
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.23) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.23) #15
   br label %40
 
 37:
   %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
-  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #16
+  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #17
   br label %40
 
 40:
@@ -1111,14 +1114,270 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   ret i32 %41
 }
 
-define i32 @fmi2GetDirectionalDerivative(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4, ptr readnone %5, ptr readnone %6) local_unnamed_addr #1 {
-  tail call fastcc void @directional(ptr %0) #14
-  ret i32 3
+define i32 @fmi2GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) local_unnamed_addr #1 {
+  %8 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) #15
+  ret i32 %8
 }
 
-define internal fastcc void @directional(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.28) #14
-  ret void
+define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) unnamed_addr #1 {
+  %8 = alloca ptr, align 8
+  %9 = getelementptr inbounds i8, ptr %0, i64 88
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp eq i64 %10, 0
+  br i1 %11, label %16, label %12
+
+12:
+  %13 = icmp eq i64 %4, 0
+  br i1 %13, label %17, label %14
+
+14:
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  br label %25
+
+16:
+  tail call fastcc void @fail(ptr %0, ptr @.str.28) #15
+  br label %162
+
+17:
+  %18 = phi double [ 1.000000e+300, %12 ], [ %51, %50 ]
+  %19 = icmp eq i64 %2, 0
+  br i1 %19, label %162, label %20
+
+20:
+  %21 = and i64 %2, 7
+  %22 = icmp ult i64 %2, 8
+  br i1 %22, label %56, label %23
+
+23:
+  %24 = and i64 %2, -8
+  br label %68
+
+25:
+  %26 = phi double [ 1.000000e+300, %14 ], [ %51, %50 ]
+  %27 = phi i64 [ 0, %14 ], [ %52, %50 ]
+  %28 = getelementptr inbounds i32, ptr %3, i64 %27
+  %29 = load i32, ptr %28, align 4
+  %30 = zext i32 %29 to i64
+  %31 = icmp sgt i64 %15, %30
+  br i1 %31, label %32, label %37
+
+32:
+  %33 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %30
+  %34 = load i64, ptr %33, align 8
+  %35 = add i64 %34, -1
+  %36 = icmp ult i64 %35, 3
+  br i1 %36, label %38, label %37
+
+37:
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #15
+  br label %162
+
+38:
+  %39 = getelementptr inbounds double, ptr %5, i64 %27
+  %40 = load double, ptr %39, align 8
+  %41 = tail call fastcc i32 @finite_number(double %40) #15
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %44
+
+43:
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #15
+  br label %162
+
+44:
+  %45 = fcmp une double %40, 0.000000e+00
+  br i1 %45, label %46, label %50
+
+46:
+  %47 = tail call fastcc double @change_of(ptr %0, i32 %29, double %40) #15
+  %48 = fcmp olt double %47, %26
+  br i1 %48, label %49, label %50
+
+49:
+  br label %50
+
+50:
+  %51 = phi double [ %26, %44 ], [ %26, %46 ], [ %47, %49 ]
+  %52 = add nuw i64 %27, 1
+  %53 = icmp eq i64 %52, %4
+  br i1 %53, label %17, label %25
+
+54:
+  %55 = icmp eq i64 %21, 0
+  br i1 %55, label %66, label %56
+
+56:
+  %57 = phi i64 [ 0, %20 ], [ %86, %54 ]
+  %58 = icmp ne i64 %21, 0
+  tail call void @llvm.assume(i1 %58)
+  br label %59
+
+59:
+  %60 = phi i64 [ %63, %59 ], [ %57, %56 ]
+  %61 = phi i64 [ %64, %59 ], [ 0, %56 ]
+  %62 = getelementptr inbounds double, ptr %6, i64 %60
+  store double 0.000000e+00, ptr %62, align 8
+  %63 = add nuw i64 %60, 1
+  %64 = add i64 %61, 1
+  %65 = icmp eq i64 %64, %21
+  br i1 %65, label %66, label %59
+
+66:
+  %67 = fcmp une double %18, 1.000000e+300
+  br i1 %67, label %89, label %162
+
+68:
+  %69 = phi i64 [ 0, %23 ], [ %86, %68 ]
+  %70 = phi i64 [ 0, %23 ], [ %87, %68 ]
+  %71 = getelementptr inbounds double, ptr %6, i64 %69
+  store double 0.000000e+00, ptr %71, align 8
+  %72 = getelementptr inbounds double, ptr %6, i64 %69
+  %73 = getelementptr inbounds i8, ptr %72, i64 8
+  store double 0.000000e+00, ptr %73, align 8
+  %74 = getelementptr inbounds double, ptr %6, i64 %69
+  %75 = getelementptr inbounds i8, ptr %74, i64 16
+  store double 0.000000e+00, ptr %75, align 8
+  %76 = getelementptr inbounds double, ptr %6, i64 %69
+  %77 = getelementptr inbounds i8, ptr %76, i64 24
+  store double 0.000000e+00, ptr %77, align 8
+  %78 = getelementptr inbounds double, ptr %6, i64 %69
+  %79 = getelementptr inbounds i8, ptr %78, i64 32
+  store double 0.000000e+00, ptr %79, align 8
+  %80 = getelementptr inbounds double, ptr %6, i64 %69
+  %81 = getelementptr inbounds i8, ptr %80, i64 40
+  store double 0.000000e+00, ptr %81, align 8
+  %82 = getelementptr inbounds double, ptr %6, i64 %69
+  %83 = getelementptr inbounds i8, ptr %82, i64 48
+  store double 0.000000e+00, ptr %83, align 8
+  %84 = getelementptr inbounds double, ptr %6, i64 %69
+  %85 = getelementptr inbounds i8, ptr %84, i64 56
+  store double 0.000000e+00, ptr %85, align 8
+  %86 = add nuw i64 %69, 8
+  %87 = add i64 %70, 8
+  %88 = icmp eq i64 %87, %24
+  br i1 %88, label %54, label %68
+
+89:
+  store ptr null, ptr %8, align 8
+  %90 = shl i64 %2, 3
+  %91 = tail call fastcc ptr @allocate(ptr %0, i64 %90) #15
+  %92 = icmp eq ptr %91, null
+  br i1 %92, label %93, label %94
+
+93:
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #15
+  br label %131
+
+94:
+  %95 = call fastcc i32 @keep_state(ptr %0, ptr %8) #15
+  %96 = icmp eq i32 %95, 0
+  br i1 %96, label %97, label %131
+
+97:
+  %98 = fneg double %18
+  %99 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %98) #15
+  %100 = icmp eq i32 %99, 0
+  br i1 %100, label %101, label %131
+
+101:
+  %102 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %91) #15
+  %103 = icmp eq i32 %102, 0
+  br i1 %103, label %104, label %131
+
+104:
+  %105 = load ptr, ptr %8, align 8
+  %106 = call fastcc i32 @restore(ptr %0, ptr %105) #15
+  %107 = icmp eq i32 %106, 0
+  br i1 %107, label %108, label %134
+
+108:
+  %109 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #15
+  %110 = icmp eq i32 %109, 0
+  br i1 %110, label %111, label %131
+
+111:
+  %112 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #15
+  %113 = icmp eq i32 %112, 0
+  br i1 %113, label %114, label %131
+
+114:
+  %115 = fmul double %18, 2.000000e+00
+  %116 = and i64 %2, 1
+  %117 = icmp eq i64 %2, 1
+  br i1 %117, label %122, label %118
+
+118:
+  %119 = and i64 %2, -2
+  br label %138
+
+120:
+  %121 = icmp eq i64 %116, 0
+  br i1 %121, label %131, label %122
+
+122:
+  %123 = phi i64 [ 0, %114 ], [ %154, %120 ]
+  %124 = icmp ne i64 %116, 0
+  call void @llvm.assume(i1 %124)
+  %125 = getelementptr inbounds double, ptr %6, i64 %123
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %91, i64 %123
+  %128 = load double, ptr %127, align 8
+  %129 = fsub double %126, %128
+  %130 = fdiv double %129, %115
+  store double %130, ptr %125, align 8
+  br label %131
+
+131:
+  %132 = phi i32 [ %109, %108 ], [ %102, %101 ], [ %99, %97 ], [ 3, %93 ], [ %95, %94 ], [ %112, %111 ], [ 0, %120 ], [ 0, %122 ]
+  %133 = load ptr, ptr %8, align 8
+  br label %134
+
+134:
+  %135 = phi ptr [ %133, %131 ], [ %105, %104 ]
+  %136 = phi i32 [ %132, %131 ], [ %106, %104 ]
+  %137 = icmp eq ptr %135, null
+  br i1 %137, label %159, label %157
+
+138:
+  %139 = phi i64 [ 0, %118 ], [ %154, %138 ]
+  %140 = phi i64 [ 0, %118 ], [ %155, %138 ]
+  %141 = getelementptr inbounds double, ptr %6, i64 %139
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr inbounds double, ptr %91, i64 %139
+  %144 = load double, ptr %143, align 8
+  %145 = fsub double %142, %144
+  %146 = fdiv double %145, %115
+  store double %146, ptr %141, align 8
+  %147 = or i64 %139, 1
+  %148 = getelementptr inbounds double, ptr %6, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %91, i64 %147
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = fdiv double %152, %115
+  store double %153, ptr %148, align 8
+  %154 = add nuw i64 %139, 2
+  %155 = add i64 %140, 2
+  %156 = icmp eq i64 %155, %119
+  br i1 %156, label %120, label %138
+
+157:
+  %158 = call fastcc i32 @restore(ptr %0, ptr %135) #15
+  br label %159
+
+159:
+  call fastcc void @drop_state(ptr %0, ptr %8) #15
+  br i1 %92, label %161, label %160
+
+160:
+  call fastcc void @release(ptr %0, ptr %91) #15
+  br label %161
+
+161:
+  br label %162
+
+162:
+  %163 = phi i32 [ %136, %161 ], [ 3, %16 ], [ 0, %66 ], [ 3, %37 ], [ 3, %43 ], [ 0, %17 ]
+  ret i32 %163
 }
 
 define i32 @fmi2SetRealInputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
@@ -1126,7 +1385,7 @@ define i32 @fmi2SetRealInputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr rea
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
   br label %8
 
 8:
@@ -1139,7 +1398,7 @@ define i32 @fmi2GetRealOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr re
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
   br label %8
 
 8:
@@ -1148,12 +1407,12 @@ define i32 @fmi2GetRealOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr re
 }
 
 define i32 @fmi2DoStep(ptr %0, double %1, double %2, i32 %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #14
+  %5 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #15
   ret i32 %5
 }
 
 define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
-  %4 = tail call fastcc double @now(ptr %0) #14
+  %4 = tail call fastcc double @now(ptr %0) #15
   %5 = fsub double %1, %4
   %6 = getelementptr inbounds i8, ptr %0, i64 56
   %7 = load double, ptr %6, align 8
@@ -1169,7 +1428,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.29) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #15
   br label %81
 
 18:
@@ -1179,7 +1438,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.30) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.33) #15
   br label %81
 
 23:
@@ -1189,7 +1448,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.31) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.34) #15
   br label %81
 
 28:
@@ -1200,7 +1459,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.32) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.35) #15
   br label %81
 
 34:
@@ -1211,7 +1470,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.33) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.36) #15
   br label %81
 
 40:
@@ -1236,11 +1495,11 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.34) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.37) #15
   br label %81
 
 58:
-  tail call fastcc void @change_step(ptr %0, double %44) #14
+  tail call fastcc void @change_step(ptr %0, double %44) #15
   br label %59
 
 59:
@@ -1250,7 +1509,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %62, label %63, label %65
 
 63:
-  %64 = tail call fastcc i64 @restart(ptr %0) #14
+  %64 = tail call fastcc i64 @restart(ptr %0) #15
   br label %65
 
 65:
@@ -1261,7 +1520,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %69, label %70, label %72
 
 70:
-  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #14
+  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #15
   br label %72
 
 72:
@@ -1274,14 +1533,14 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %79
 
 76:
-  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #14
+  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #15
   store i64 0, ptr %60, align 8
   %78 = icmp eq i64 %77, 1
   br i1 %78, label %81, label %79
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.35, i64 %80, ptr @.str.36) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.38, i64 %80, ptr @.str.39) #15
   br label %81
 
 81:
@@ -1290,7 +1549,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
 }
 
 define i32 @fmi2CancelStep(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
   ret i32 3
 }
 
@@ -1303,7 +1562,7 @@ define i32 @fmi2GetRealStatus(ptr %0, i32 %1, ptr %2) local_unnamed_addr #3 {
   br i1 %4, label %5, label %7
 
 5:
-  %6 = tail call fastcc double @now(ptr %0) #14
+  %6 = tail call fastcc double @now(ptr %0) #15
   store double %6, ptr %2, align 8
   br label %7
 
@@ -1376,21 +1635,21 @@ define i32 @fmi2CompletedIntegratorStep(ptr readnone %0, i32 %1, ptr %2, ptr %3)
 }
 
 define i32 @fmi2SetTime(ptr %0, double %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #14
+  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #15
   ret i32 %3
 }
 
 define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #14
+  %3 = tail call fastcc i32 @finite_number(double %1) #15
   %4 = icmp eq i32 %3, 0
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.37) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.40) #15
   br label %14
 
 6:
-  %7 = tail call fastcc double @now(ptr %0) #14
+  %7 = tail call fastcc double @now(ptr %0) #15
   %8 = fcmp une double %1, %7
   br i1 %8, label %9, label %11
 
@@ -1412,35 +1671,35 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
 }
 
 define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %22, label %8
 
 8:
-  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #14
+  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #15
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.38) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.41) #15
   br label %22
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #16
+  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #17
   %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #14
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #15
   %19 = getelementptr inbounds double, ptr %1, i64 %4
-  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #16
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #17
   %21 = getelementptr inbounds i8, ptr %0, i64 72
   store i64 2, ptr %21, align 8
   br label %22
@@ -1451,26 +1710,26 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
   %11 = shl i64 %4, 3
-  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #16
+  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #17
   %13 = getelementptr inbounds double, ptr %1, i64 %4
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #14
-  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #16
+  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #15
+  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #17
   br label %17
 
 17:
@@ -1479,33 +1738,33 @@ define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %21, label %8
 
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 0, ptr %9, align 8
-  %10 = tail call fastcc i32 @accelerate(ptr %0) #14
+  %10 = tail call fastcc i32 @accelerate(ptr %0) #15
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %12, label %21
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #16
+  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #17
   %17 = getelementptr inbounds double, ptr %1, i64 %4
   %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #14
-  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #16
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #15
+  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #17
   br label %21
 
 21:
@@ -1514,13 +1773,13 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi2GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
-  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #14
+  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #15
   %6 = icmp eq i32 %5, 0
   br i1 %6, label %28, label %7
 
@@ -1533,14 +1792,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
-  %14 = tail call fastcc i64 @address(ptr %13) #14
-  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #14
+  %14 = tail call fastcc i64 @address(ptr %13) #15
+  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #15
   %16 = icmp eq i64 %15, 1
   br i1 %16, label %17, label %28
 
 17:
   %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #14
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #15
   %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
   %21 = load i32, ptr %20, align 4
   %22 = zext i32 %21 to i64
@@ -1558,14 +1817,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 }
 
 define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %48, label %8
 
@@ -1679,7 +1938,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 40
   %9 = load ptr, ptr %8, align 8
-  tail call void (ptr, ptr, i32, ptr, ptr, ...) %3(ptr %7, ptr %9, i32 3, ptr @.str.13, ptr @.str.14, ptr %1) #16
+  tail call void (ptr, ptr, i32, ptr, ptr, ...) %3(ptr %7, ptr %9, i32 3, ptr @.str.13, ptr @.str.14, ptr %1) #17
   br label %10
 
 10:
@@ -1700,11 +1959,11 @@ define internal fastcc ptr @allocate(ptr %0, i64 %1) unnamed_addr #1 {
   br i1 %5, label %8, label %6
 
 6:
-  %7 = tail call ptr %4(i64 %1, i64 1) #16
+  %7 = tail call ptr %4(i64 %1, i64 1) #17
   br label %10
 
 8:
-  %9 = tail call ptr @calloc(i64 %1, i64 1) #16
+  %9 = tail call ptr @calloc(i64 %1, i64 1) #17
   br label %10
 
 10:
@@ -1721,11 +1980,11 @@ define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %5, label %7, label %6
 
 6:
-  tail call void %4(ptr %1) #16
+  tail call void %4(ptr %1) #17
   br label %8
 
 7:
-  tail call void @free(ptr %1) #16
+  tail call void @free(ptr %1) #17
   br label %8
 
 8:
@@ -1739,7 +1998,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %5 = load ptr, ptr %4, align 8
   %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
   %7 = getelementptr inbounds i8, ptr %5, i64 %6
-  %8 = tail call fastcc double @now(ptr %0) #14
+  %8 = tail call fastcc double @now(ptr %0) #15
   store double %8, ptr %7, align 8
   %9 = getelementptr inbounds i8, ptr %7, i64 32
   store i64 0, ptr %9, align 8
@@ -1751,24 +2010,24 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %14 = getelementptr inbounds i8, ptr %7, i64 8
   store double %13, ptr %14, align 8
   %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %16 = tail call fastcc i64 @address(ptr %7) #14
-  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #16
+  %16 = tail call fastcc i64 @address(ptr %7) #15
+  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #17
   ret i64 %17
 }
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #14
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #15
   br label %11
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
@@ -1776,7 +2035,7 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
 
 11:
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #14
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #15
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
@@ -1803,7 +2062,7 @@ define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #8 {
   %8 = phi i64 [ %5, %4 ], [ 0, %2 ]
   %9 = getelementptr inbounds double, ptr %0, i64 %8
   %10 = load double, ptr %9, align 8
-  %11 = tail call fastcc i32 @finite_number(double %10) #14
+  %11 = tail call fastcc i32 @finite_number(double %10) #15
   %12 = icmp eq i32 %11, 0
   br i1 %12, label %13, label %4
 
@@ -1817,7 +2076,7 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   store i64 1, ptr %5, align 8
   %6 = getelementptr inbounds i8, ptr %0, i64 128
   store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #14
+  tail call fastcc void @append(ptr %0, ptr %1) #15
   %7 = icmp sgt i64 %2, -1
   %8 = load i64, ptr @pp_n_sentences, align 8
   %9 = icmp slt i64 %2, %8
@@ -1825,30 +2084,30 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.17) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.17) #15
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #14
+  tail call fastcc void @append(ptr %0, ptr %13) #15
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.18) #14
-  tail call fastcc void @append(ptr %0, ptr %3) #14
-  tail call fastcc void @fail(ptr %0, ptr %6) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.18) #15
+  tail call fastcc void @append(ptr %0, ptr %3) #15
+  tail call fastcc void @fail(ptr %0, ptr %6) #15
   ret void
 }
 
 define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #14
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #15
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #14
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #15
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
@@ -1908,7 +2167,7 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
 
 52:
   %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #14
+  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #15
   %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
@@ -2006,10 +2265,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %3 = getelementptr inbounds i8, ptr %0, i64 120
   %4 = load ptr, ptr %3, align 8
   %5 = load i64, ptr @pp_numbers, align 8
-  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #16
+  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #17
   %7 = load ptr, ptr %3, align 8
-  %8 = tail call fastcc i64 @address(ptr %7) #14
-  tail call fastcc void @move(ptr %7, i64 %8) #14
+  %8 = tail call fastcc i64 @address(ptr %7) #15
+  tail call fastcc void @move(ptr %7, i64 %8) #15
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %10 = icmp sgt i64 %9, 0
   br i1 %10, label %12, label %11
@@ -2026,10 +2285,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %18 = zext i32 %17 to i64
   %19 = getelementptr inbounds ptr, ptr @pp_entries, i64 %18
   %20 = load ptr, ptr %19, align 8
-  %21 = tail call fastcc i64 @address(ptr %20) #14
+  %21 = tail call fastcc i64 @address(ptr %20) #15
   %22 = load i32, ptr %15, align 4
   %23 = zext i32 %22 to i64
-  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #14
+  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #15
   store i64 %21, ptr %24, align 8
   %25 = add nuw nsw i64 %13, 1
   %26 = icmp eq i64 %25, %9
@@ -2120,8 +2379,105 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #11 {
   br i1 %60, label %10, label %28
 }
 
+define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #12 {
+  %4 = zext i32 %1 to i64
+  %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 3
+  br i1 %7, label %8, label %14
+
+8:
+  %9 = getelementptr inbounds i8, ptr %5, i64 8
+  %10 = load i64, ptr %9, align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %12 = icmp slt i64 %10, %11
+  %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
+  br label %24
+
+14:
+  %15 = getelementptr inbounds i8, ptr %0, i64 96
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %16, i64 %4
+  %18 = load double, ptr %17, align 8
+  %19 = fcmp olt double %18, 0.000000e+00
+  %20 = fneg double %18
+  %21 = select i1 %19, double %20, double %18
+  %22 = fadd double %21, 1.000000e+00
+  %23 = fmul double %22, 0x3EB0C6F7A0B5ED8D
+  br label %24
+
+24:
+  %25 = phi double [ %13, %8 ], [ %23, %14 ]
+  %26 = fcmp olt double %2, 0.000000e+00
+  %27 = fneg double %2
+  %28 = select i1 %26, double %27, double %2
+  %29 = fdiv double %25, %28
+  ret double %29
+}
+
+define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnamed_addr #1 {
+  %6 = alloca double, align 8
+  %7 = icmp eq i64 %2, 0
+  br i1 %7, label %46, label %8
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 96
+  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %14
+
+14:
+  %15 = phi i64 [ 0, %8 ], [ %44, %43 ]
+  %16 = getelementptr inbounds i32, ptr %1, i64 %15
+  %17 = load i32, ptr %16, align 4
+  %18 = zext i32 %17 to i64
+  %19 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
+  %20 = getelementptr inbounds double, ptr %3, i64 %15
+  %21 = load double, ptr %20, align 8
+  %22 = fmul double %4, %21
+  %23 = load i64, ptr %19, align 8
+  %24 = icmp eq i64 %23, 3
+  br i1 %24, label %25, label %36
+
+25:
+  %26 = getelementptr inbounds i8, ptr %19, i64 8
+  %27 = load i64, ptr %26, align 8
+  %28 = icmp slt i64 %27, %10
+  %29 = select i1 %28, i64 %11, i64 %12
+  %30 = tail call fastcc ptr @reals(ptr %0, i64 %29) #15
+  %31 = select i1 %28, i64 0, i64 %10
+  %32 = sub nsw i64 %27, %31
+  %33 = getelementptr inbounds double, ptr %30, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = fadd double %22, %34
+  store double %35, ptr %33, align 8
+  store i64 2, ptr %13, align 8
+  br label %43
+
+36:
+  %37 = load ptr, ptr %9, align 8
+  %38 = getelementptr inbounds double, ptr %37, i64 %18
+  %39 = load double, ptr %38, align 8
+  %40 = fadd double %22, %39
+  store double %40, ptr %6, align 8
+  %41 = call fastcc i32 @set_numbers(ptr %0, ptr %16, i64 1, ptr %6) #15
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %46
+
+43:
+  %44 = add nuw i64 %15, 1
+  %45 = icmp eq i64 %44, %2
+  br i1 %45, label %46, label %14
+
+46:
+  %47 = phi i32 [ 0, %5 ], [ 0, %43 ], [ 3, %36 ]
+  ret i32 %47
+}
+
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
-  %3 = tail call fastcc double @now(ptr %0) #14
+  %3 = tail call fastcc double @now(ptr %0) #15
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
@@ -2130,12 +2486,12 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
   %7 = getelementptr inbounds i8, ptr %0, i64 56
   %8 = load double, ptr %7, align 8
   %9 = fdiv double %1, %8
-  tail call fastcc void @rescale(ptr %0, double %9) #14
+  tail call fastcc void @rescale(ptr %0, double %9) #15
   br label %15
 
 10:
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
@@ -2161,7 +2517,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %7 = getelementptr inbounds i8, ptr %5, i64 16
   %8 = getelementptr inbounds i8, ptr %0, i64 112
   %9 = load ptr, ptr %8, align 8
-  %10 = tail call fastcc i64 @address(ptr %9) #14
+  %10 = tail call fastcc i64 @address(ptr %9) #15
   store i64 %10, ptr %7, align 8
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
@@ -2172,7 +2528,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %5, i64 40
   store <6 x i64> zeroinitializer, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %5, i64 88
-  %17 = call fastcc i64 @address(ptr %4) #14
+  %17 = call fastcc i64 @address(ptr %4) #15
   store i64 %17, ptr %16, align 8
   %18 = getelementptr inbounds i8, ptr %5, i64 96
   store i64 0, ptr %18, align 8
@@ -2181,32 +2537,32 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
   %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
-  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #14
+  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #15
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
   %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
-  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #14
+  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #15
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
   %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
-  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #14
+  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #15
   store i64 %29, ptr %31, align 8
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #14
+  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #15
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
   %35 = getelementptr inbounds i8, ptr %0, i64 120
   %36 = load ptr, ptr %35, align 8
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
-  %39 = call fastcc i64 @address(ptr %38) #14
+  %39 = call fastcc i64 @address(ptr %38) #15
   %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
-  %42 = call fastcc i64 @address(ptr %41) #14
-  %43 = call fastcc i64 @address(ptr %5) #14
-  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #16
+  %42 = call fastcc i64 @address(ptr %41) #15
+  %43 = call fastcc i64 @address(ptr %5) #15
+  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #17
   %45 = load i64, ptr %4, align 16
   %46 = load i64, ptr %28, align 8
   %47 = add nsw i64 %46, %45
@@ -2257,7 +2613,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 75:
   %76 = getelementptr inbounds i8, ptr %0, i64 104
   %77 = load ptr, ptr %76, align 8
-  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #14
+  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #15
   %79 = icmp eq i32 %78, 0
   %80 = select i1 %79, i64 4, i64 1
   br label %110
@@ -2307,7 +2663,7 @@ define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.39) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #15
   br label %6
 
 6:
@@ -2322,21 +2678,21 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %4, label %5, label %8
 
 5:
-  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
+  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
   %7 = icmp eq i64 %6, 1
   br i1 %7, label %8, label %14
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #14
+  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #15
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %15, ptr @.str.41) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.43, i64 %15, ptr @.str.44) #15
   br label %20
 
 16:
@@ -2353,9 +2709,9 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   ret i32 %21
 }
 
-declare double @llvm.fabs.f64(double) #12
+declare double @llvm.fabs.f64(double) #13
 
-declare void @llvm.assume(i1) #13
+declare void @llvm.assume(i1) #14
 
 attributes #0 = { nounwind "no-builtins" }
 attributes #1 = { nounwind "no-builtins" }
@@ -2374,5 +2730,6 @@ attributes #13 = { nounwind "no-builtins" }
 attributes #14 = { nounwind "no-builtins" }
 attributes #15 = { nounwind "no-builtins" }
 attributes #16 = { nounwind "no-builtins" }
+attributes #17 = { nounwind "no-builtins" }
 
 

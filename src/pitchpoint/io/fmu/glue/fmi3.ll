@@ -1,4 +1,4 @@
-; 87aef625c80227839cda382b27b642a2c1a4278661a967c842ce5f6300ea7451
+; 136446fd869b0caaf9ae6752c6969b1d17632c088c1db165c46e39377a43c458
 
 %struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double }
@@ -70,20 +70,23 @@
 @.str.49 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
 @.str.50 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
 @.str.51 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.52 = private unnamed_addr constant [42 x i8] c"directional derivatives are not available\00", align 1
-@.str.53 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.54 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.55 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.56 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.57 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.58 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.59 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.60 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.61 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.62 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.63 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.64 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.65 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.52 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.53 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.54 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.55 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.56 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.57 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.58 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.59 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.60 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.61 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.62 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.63 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.64 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.65 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.66 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.67 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.68 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -94,7 +97,7 @@ define i32 @fmi3SetDebugLogging(ptr readnone %0, i1 zeroext %1, i64 %2, ptr read
 }
 
 define ptr @fmi3InstantiateCoSimulation(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, i1 zeroext %5, i1 zeroext %6, ptr readnone %7, i64 %8, ptr %9, ptr %10, ptr readnone %11) local_unnamed_addr #1 {
-  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #13
+  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #14
   ret ptr %13
 }
 
@@ -109,12 +112,12 @@ define internal fastcc ptr @instantiate(ptr %0, ptr %1, ptr %2, ptr %3, i32 %4) 
   store ptr null, ptr %9, align 8
   %10 = getelementptr inbounds i8, ptr %6, i64 32
   store ptr %2, ptr %10, align 8
-  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #13
+  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #14
   ret ptr %11
 }
 
 define ptr @fmi3InstantiateModelExchange(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, ptr %5, ptr %6) local_unnamed_addr #1 {
-  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #13
+  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #14
   ret ptr %8
 }
 
@@ -123,7 +126,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
   br i1 %11, label %13, label %12
 
 12:
-  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #15
+  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #16
   br label %13
 
 13:
@@ -131,7 +134,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
 }
 
 define void @fmi3FreeInstance(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @free_instance(ptr %0) #13
+  tail call fastcc void @free_instance(ptr %0) #14
   ret void
 }
 
@@ -142,7 +145,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 
 4:
   call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %2, ptr align 8 dereferenceable(40) %0, i64 40, i1 false)
-  call fastcc void @release(ptr %2, ptr %0) #13
+  call fastcc void @release(ptr %2, ptr %0) #14
   br label %5
 
 5:
@@ -150,7 +153,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #2 {
-  tail call fastcc void @set_start(ptr %0, double %3) #13
+  tail call fastcc void @set_start(ptr %0, double %3) #14
   ret i32 0
 }
 
@@ -173,7 +176,7 @@ define internal fastcc void @set_start(ptr %0, double %1) unnamed_addr #2 {
 }
 
 define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
-  %2 = tail call fastcc i32 @refresh(ptr %0) #13
+  %2 = tail call fastcc i32 @refresh(ptr %0) #14
   ret i32 %2
 }
 
@@ -192,11 +195,11 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #13
+  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
   br label %12
 
 10:
-  %11 = tail call fastcc i64 @restart(ptr %0) #13
+  %11 = tail call fastcc i64 @restart(ptr %0) #14
   br label %12
 
 12:
@@ -207,21 +210,21 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 15:
   %16 = getelementptr inbounds i8, ptr %0, i64 104
   %17 = load ptr, ptr %16, align 8
-  %18 = tail call fastcc i64 @address(ptr %17) #13
-  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #13
+  %18 = tail call fastcc i64 @address(ptr %17) #14
+  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #14
   %20 = icmp eq i64 %19, 1
   br i1 %20, label %21, label %26
 
 21:
   %22 = load ptr, ptr %16, align 8
   %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
-  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #13
+  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #14
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.38, i64 %27, ptr @.str.39) #13
+  tail call fastcc void @stop(ptr %0, ptr @.str.38, i64 %27, ptr @.str.39) #14
   br label %29
 
 28:
@@ -238,12 +241,12 @@ define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
 }
 
 define i32 @fmi3Reset(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @begin(ptr %0) #13
+  tail call fastcc void @begin(ptr %0) #14
   ret i32 0
 }
 
 define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #13
+  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #14
   %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %3 = icmp sgt i64 %2, 0
   br i1 %3, label %4, label %26
@@ -331,12 +334,12 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #13
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #13
+  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
   br label %10
 
 10:
@@ -349,7 +352,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.42) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #14
   br label %6
 
 6:
@@ -382,7 +385,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.43) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.43) #14
   br label %78
 
 23:
@@ -396,7 +399,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   ]
 
 26:
-  %27 = tail call fastcc double @now(ptr %0) #13
+  %27 = tail call fastcc double @now(ptr %0) #14
   br label %73
 
 28:
@@ -408,13 +411,13 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 32:
   %33 = load ptr, ptr %8, align 8
   %34 = getelementptr inbounds i8, ptr %33, i64 %9
-  %35 = tail call fastcc i64 @address(ptr %34) #13
-  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #13
+  %35 = tail call fastcc i64 @address(ptr %34) #14
+  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #14
   %37 = icmp eq i64 %36, 1
   br i1 %37, label %38, label %78
 
 38:
-  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #13
+  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
   %40 = getelementptr inbounds i8, ptr %24, i64 8
   %41 = load i64, ptr %40, align 8
   %42 = getelementptr inbounds i32, ptr @pp_indicators, i64 %41
@@ -425,7 +428,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br label %73
 
 47:
-  %48 = tail call fastcc i32 @refresh(ptr %0) #13
+  %48 = tail call fastcc i32 @refresh(ptr %0) #14
   %49 = icmp eq i32 %48, 0
   br i1 %49, label %50, label %78
 
@@ -446,7 +449,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 57:
   %58 = icmp slt i64 %52, %11
   %59 = select i1 %58, i64 %12, i64 %13
-  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #13
+  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #14
   %61 = select i1 %58, i64 0, i64 %11
   %62 = sub nsw i64 %52, %61
   %63 = getelementptr inbounds double, ptr %60, i64 %62
@@ -456,7 +459,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 65:
   %66 = icmp slt i64 %52, %11
   %67 = select i1 %66, i64 %13, i64 %15
-  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #13
+  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #14
   %69 = select i1 %66, i64 0, i64 %11
   %70 = sub nsw i64 %52, %69
   %71 = getelementptr inbounds double, ptr %68, i64 %70
@@ -477,12 +480,12 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 }
 
 define i32 @fmi3SetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #13
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #13
+  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
   br label %10
 
 10:
@@ -526,7 +529,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 25:
   %26 = getelementptr inbounds double, ptr %3, i64 %15
   %27 = load double, ptr %26, align 8
-  %28 = tail call fastcc i32 @finite_number(double %27) #13
+  %28 = tail call fastcc i32 @finite_number(double %27) #14
   %29 = icmp eq i32 %28, 0
   br i1 %29, label %72, label %8
 
@@ -576,7 +579,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %63 = fmul double %60, %62
   %64 = fadd double %58, %63
   %65 = load i64, ptr %56, align 8
-  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #13
+  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #14
   store double %64, ptr %66, align 8
   %67 = getelementptr inbounds i8, ptr %56, i64 24
   %68 = icmp ult ptr %67, %49
@@ -589,7 +592,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 
 72:
   %73 = phi ptr [ @.str.44, %20 ], [ @.str.44, %14 ], [ @.str.45, %25 ]
-  tail call fastcc void @fail(ptr %0, ptr %73) #13
+  tail call fastcc void @fail(ptr %0, ptr %73) #14
   br label %74
 
 74:
@@ -602,7 +605,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
   br label %8
 
 8:
@@ -611,7 +614,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
 }
 
 define internal fastcc void @fail(ptr %0, ptr %1) unnamed_addr #1 {
-  tail call fastcc void @say(ptr %0, ptr %1) #13
+  tail call fastcc void @say(ptr %0, ptr %1) #14
   ret void
 }
 
@@ -620,7 +623,7 @@ define i32 @fmi3SetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
   br label %8
 
 8:
@@ -633,7 +636,7 @@ define i32 @fmi3GetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
   br label %8
 
 8:
@@ -646,7 +649,7 @@ define i32 @fmi3SetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
   br label %8
 
 8:
@@ -659,7 +662,7 @@ define i32 @fmi3GetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #14
   br label %8
 
 8:
@@ -672,7 +675,7 @@ define i32 @fmi3SetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #14
   br label %8
 
 8:
@@ -685,7 +688,7 @@ define i32 @fmi3GetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #14
   br label %8
 
 8:
@@ -698,7 +701,7 @@ define i32 @fmi3SetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #14
   br label %8
 
 8:
@@ -711,7 +714,7 @@ define i32 @fmi3GetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #14
   br label %8
 
 8:
@@ -724,7 +727,7 @@ define i32 @fmi3SetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #14
   br label %8
 
 8:
@@ -737,7 +740,7 @@ define i32 @fmi3GetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #14
   br label %8
 
 8:
@@ -750,7 +753,7 @@ define i32 @fmi3SetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #14
   br label %8
 
 8:
@@ -763,7 +766,7 @@ define i32 @fmi3GetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #14
   br label %8
 
 8:
@@ -776,7 +779,7 @@ define i32 @fmi3SetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #14
   br label %8
 
 8:
@@ -789,7 +792,7 @@ define i32 @fmi3GetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #14
   br label %8
 
 8:
@@ -802,7 +805,7 @@ define i32 @fmi3SetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #14
   br label %8
 
 8:
@@ -815,7 +818,7 @@ define i32 @fmi3GetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #14
   br label %8
 
 8:
@@ -828,7 +831,7 @@ define i32 @fmi3SetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #14
   br label %8
 
 8:
@@ -841,7 +844,7 @@ define i32 @fmi3GetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #14
   br label %8
 
 8:
@@ -854,7 +857,7 @@ define i32 @fmi3SetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #14
   br label %8
 
 8:
@@ -867,7 +870,7 @@ define i32 @fmi3GetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #14
   br label %8
 
 8:
@@ -880,7 +883,7 @@ define i32 @fmi3SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #14
   br label %8
 
 8:
@@ -893,7 +896,7 @@ define i32 @fmi3GetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #14
   br label %9
 
 9:
@@ -906,7 +909,7 @@ define i32 @fmi3SetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #14
   br label %9
 
 9:
@@ -919,7 +922,7 @@ define i32 @fmi3GetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #14
   br label %7
 
 7:
@@ -932,7 +935,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #14
   br label %7
 
 7:
@@ -941,7 +944,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
 }
 
 define i32 @fmi3GetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #13
+  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #14
   ret i32 %3
 }
 
@@ -955,8 +958,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %7, label %11
 
 7:
-  %8 = tail call fastcc i64 @state_size() #13
-  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #13
+  %8 = tail call fastcc i64 @state_size() #14
+  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #14
   store ptr %9, ptr %1, align 8
   %10 = icmp eq ptr %9, null
   br i1 %10, label %96, label %11
@@ -978,24 +981,24 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %19, label %20, label %45
 
 20:
-  %21 = tail call fastcc i64 @numbers_of_state() #13
+  %21 = tail call fastcc i64 @numbers_of_state() #14
   %22 = shl i64 %21, 3
   %23 = getelementptr inbounds i8, ptr %12, i64 40
   %24 = getelementptr inbounds i8, ptr %0, i64 48
-  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #15
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #16
   %26 = getelementptr inbounds i8, ptr %12, i64 88
   %27 = getelementptr inbounds i8, ptr %0, i64 96
   %28 = load ptr, ptr %27, align 8
-  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #15
+  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #16
   %30 = getelementptr inbounds i8, ptr %26, i64 %22
   %31 = getelementptr inbounds i8, ptr %0, i64 120
   %32 = load ptr, ptr %31, align 8
   %33 = load i64, ptr @pp_numbers, align 8
-  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #15
+  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #16
   %35 = load ptr, ptr %31, align 8
-  %36 = tail call fastcc i64 @address(ptr %35) #13
+  %36 = tail call fastcc i64 @address(ptr %35) #14
   %37 = sub nsw i64 0, %36
-  tail call fastcc void @move(ptr %30, i64 %37) #13
+  tail call fastcc void @move(ptr %30, i64 %37) #14
   %38 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %39 = icmp sgt i64 %38, 0
   br i1 %39, label %40, label %114
@@ -1080,7 +1083,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 
 96:
   %97 = phi ptr [ @.str.46, %2 ], [ @.str.47, %7 ]
-  tail call fastcc void @fail(ptr %0, ptr %97) #13
+  tail call fastcc void @fail(ptr %0, ptr %97) #14
   br label %114
 
 98:
@@ -1113,7 +1116,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #13
+  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #14
   ret i32 %3
 }
 
@@ -1122,23 +1125,23 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.48) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.48) #14
   br label %18
 
 5:
-  %6 = tail call fastcc i64 @numbers_of_state() #13
+  %6 = tail call fastcc i64 @numbers_of_state() #14
   %7 = shl i64 %6, 3
   %8 = getelementptr inbounds i8, ptr %0, i64 48
   %9 = getelementptr inbounds i8, ptr %0, i64 88
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %1, i64 40
-  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #15
+  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #16
   %13 = getelementptr inbounds i8, ptr %0, i64 96
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds i8, ptr %1, i64 88
-  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #15
+  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #16
   %17 = getelementptr inbounds i8, ptr %15, i64 %7
-  tail call fastcc void @relocate(ptr %0, ptr %17) #13
+  tail call fastcc void @relocate(ptr %0, ptr %17) #14
   store i64 %10, ptr %9, align 8
   br label %18
 
@@ -1148,7 +1151,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3FreeFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  tail call fastcc void @drop_state(ptr %0, ptr %1) #13
+  tail call fastcc void @drop_state(ptr %0, ptr %1) #14
   ret i32 0
 }
 
@@ -1162,7 +1165,7 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @release(ptr %0, ptr %5) #13
+  tail call fastcc void @release(ptr %0, ptr %5) #14
   store ptr null, ptr %1, align 8
   br label %8
 
@@ -1171,13 +1174,13 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
-  %4 = tail call fastcc i64 @state_size() #13
+  %4 = tail call fastcc i64 @state_size() #14
   store i64 %4, ptr %2, align 8
   ret i32 0
 }
 
 define internal fastcc i64 @state_size() unnamed_addr #0 {
-  %1 = tail call fastcc i64 @numbers_of_state() #13
+  %1 = tail call fastcc i64 @numbers_of_state() #14
   %2 = shl i64 %1, 3
   %3 = add i64 %2, 88
   %4 = load i64, ptr @pp_numbers, align 8
@@ -1186,7 +1189,7 @@ define internal fastcc i64 @state_size() unnamed_addr #0 {
 }
 
 define i32 @fmi3SerializeFMUState(ptr %0, ptr %1, ptr %2, i64 %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #13
+  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #14
   ret i32 %5
 }
 
@@ -1195,16 +1198,16 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %5, label %9, label %6
 
 6:
-  %7 = tail call fastcc i64 @state_size() #13
+  %7 = tail call fastcc i64 @state_size() #14
   %8 = icmp ult i64 %3, %7
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.49) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.49) #14
   br label %12
 
 10:
-  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #15
+  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #16
   br label %12
 
 12:
@@ -1213,17 +1216,17 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
 }
 
 define i32 @fmi3DeserializeFMUState(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #13
+  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #14
   ret i32 %5
 }
 
 define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = tail call fastcc i64 @state_size() #13
+  %5 = tail call fastcc i64 @state_size() #14
   %6 = icmp eq i64 %2, %5
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.50) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.50) #14
   br label %40
 
 8:
@@ -1258,7 +1261,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.51) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #14
   br label %40
 
 30:
@@ -1267,18 +1270,18 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %32, label %33, label %37
 
 33:
-  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #13
+  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #14
   store ptr %34, ptr %3, align 8
   %35 = icmp eq ptr %34, null
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.47) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.47) #14
   br label %40
 
 37:
   %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
-  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #15
+  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #16
   br label %40
 
 40:
@@ -1286,42 +1289,299 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   ret i32 %41
 }
 
-define i32 @fmi3GetDirectionalDerivative(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4, ptr readnone %5, i64 %6, ptr readnone %7, i64 %8) local_unnamed_addr #1 {
-  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #13
+define i32 @fmi3GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, ptr %7, i64 %8) local_unnamed_addr #1 {
+  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #14
   %11 = icmp eq i32 %10, 0
+  br i1 %11, label %17, label %12
+
+12:
+  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #14
+  %14 = icmp eq i32 %13, 0
+  br i1 %14, label %17, label %15
+
+15:
+  %16 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %7) #14
+  br label %17
+
+17:
+  %18 = phi i32 [ %16, %15 ], [ 3, %12 ], [ 3, %9 ]
+  ret i32 %18
+}
+
+define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) unnamed_addr #1 {
+  %8 = alloca ptr, align 8
+  %9 = getelementptr inbounds i8, ptr %0, i64 88
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp eq i64 %10, 0
   br i1 %11, label %16, label %12
 
 12:
-  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #13
-  %14 = icmp eq i32 %13, 0
-  br i1 %14, label %16, label %15
+  %13 = icmp eq i64 %4, 0
+  br i1 %13, label %17, label %14
 
-15:
-  tail call fastcc void @directional(ptr %0) #13
-  br label %16
+14:
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  br label %25
 
 16:
-  ret i32 3
-}
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #14
+  br label %162
 
-define internal fastcc void @directional(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.52) #13
-  ret void
+17:
+  %18 = phi double [ 1.000000e+300, %12 ], [ %51, %50 ]
+  %19 = icmp eq i64 %2, 0
+  br i1 %19, label %162, label %20
+
+20:
+  %21 = and i64 %2, 7
+  %22 = icmp ult i64 %2, 8
+  br i1 %22, label %56, label %23
+
+23:
+  %24 = and i64 %2, -8
+  br label %68
+
+25:
+  %26 = phi double [ 1.000000e+300, %14 ], [ %51, %50 ]
+  %27 = phi i64 [ 0, %14 ], [ %52, %50 ]
+  %28 = getelementptr inbounds i32, ptr %3, i64 %27
+  %29 = load i32, ptr %28, align 4
+  %30 = zext i32 %29 to i64
+  %31 = icmp sgt i64 %15, %30
+  br i1 %31, label %32, label %37
+
+32:
+  %33 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %30
+  %34 = load i64, ptr %33, align 8
+  %35 = add i64 %34, -1
+  %36 = icmp ult i64 %35, 3
+  br i1 %36, label %38, label %37
+
+37:
+  tail call fastcc void @fail(ptr %0, ptr @.str.53) #14
+  br label %162
+
+38:
+  %39 = getelementptr inbounds double, ptr %5, i64 %27
+  %40 = load double, ptr %39, align 8
+  %41 = tail call fastcc i32 @finite_number(double %40) #14
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %44
+
+43:
+  tail call fastcc void @fail(ptr %0, ptr @.str.54) #14
+  br label %162
+
+44:
+  %45 = fcmp une double %40, 0.000000e+00
+  br i1 %45, label %46, label %50
+
+46:
+  %47 = tail call fastcc double @change_of(ptr %0, i32 %29, double %40) #14
+  %48 = fcmp olt double %47, %26
+  br i1 %48, label %49, label %50
+
+49:
+  br label %50
+
+50:
+  %51 = phi double [ %26, %44 ], [ %26, %46 ], [ %47, %49 ]
+  %52 = add nuw i64 %27, 1
+  %53 = icmp eq i64 %52, %4
+  br i1 %53, label %17, label %25
+
+54:
+  %55 = icmp eq i64 %21, 0
+  br i1 %55, label %66, label %56
+
+56:
+  %57 = phi i64 [ 0, %20 ], [ %86, %54 ]
+  %58 = icmp ne i64 %21, 0
+  tail call void @llvm.assume(i1 %58)
+  br label %59
+
+59:
+  %60 = phi i64 [ %63, %59 ], [ %57, %56 ]
+  %61 = phi i64 [ %64, %59 ], [ 0, %56 ]
+  %62 = getelementptr inbounds double, ptr %6, i64 %60
+  store double 0.000000e+00, ptr %62, align 8
+  %63 = add nuw i64 %60, 1
+  %64 = add i64 %61, 1
+  %65 = icmp eq i64 %64, %21
+  br i1 %65, label %66, label %59
+
+66:
+  %67 = fcmp une double %18, 1.000000e+300
+  br i1 %67, label %89, label %162
+
+68:
+  %69 = phi i64 [ 0, %23 ], [ %86, %68 ]
+  %70 = phi i64 [ 0, %23 ], [ %87, %68 ]
+  %71 = getelementptr inbounds double, ptr %6, i64 %69
+  store double 0.000000e+00, ptr %71, align 8
+  %72 = getelementptr inbounds double, ptr %6, i64 %69
+  %73 = getelementptr inbounds i8, ptr %72, i64 8
+  store double 0.000000e+00, ptr %73, align 8
+  %74 = getelementptr inbounds double, ptr %6, i64 %69
+  %75 = getelementptr inbounds i8, ptr %74, i64 16
+  store double 0.000000e+00, ptr %75, align 8
+  %76 = getelementptr inbounds double, ptr %6, i64 %69
+  %77 = getelementptr inbounds i8, ptr %76, i64 24
+  store double 0.000000e+00, ptr %77, align 8
+  %78 = getelementptr inbounds double, ptr %6, i64 %69
+  %79 = getelementptr inbounds i8, ptr %78, i64 32
+  store double 0.000000e+00, ptr %79, align 8
+  %80 = getelementptr inbounds double, ptr %6, i64 %69
+  %81 = getelementptr inbounds i8, ptr %80, i64 40
+  store double 0.000000e+00, ptr %81, align 8
+  %82 = getelementptr inbounds double, ptr %6, i64 %69
+  %83 = getelementptr inbounds i8, ptr %82, i64 48
+  store double 0.000000e+00, ptr %83, align 8
+  %84 = getelementptr inbounds double, ptr %6, i64 %69
+  %85 = getelementptr inbounds i8, ptr %84, i64 56
+  store double 0.000000e+00, ptr %85, align 8
+  %86 = add nuw i64 %69, 8
+  %87 = add i64 %70, 8
+  %88 = icmp eq i64 %87, %24
+  br i1 %88, label %54, label %68
+
+89:
+  store ptr null, ptr %8, align 8
+  %90 = shl i64 %2, 3
+  %91 = tail call fastcc ptr @allocate(ptr %0, i64 %90) #14
+  %92 = icmp eq ptr %91, null
+  br i1 %92, label %93, label %94
+
+93:
+  tail call fastcc void @fail(ptr %0, ptr @.str.55) #14
+  br label %131
+
+94:
+  %95 = call fastcc i32 @keep_state(ptr %0, ptr %8) #14
+  %96 = icmp eq i32 %95, 0
+  br i1 %96, label %97, label %131
+
+97:
+  %98 = fneg double %18
+  %99 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %98) #14
+  %100 = icmp eq i32 %99, 0
+  br i1 %100, label %101, label %131
+
+101:
+  %102 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %91) #14
+  %103 = icmp eq i32 %102, 0
+  br i1 %103, label %104, label %131
+
+104:
+  %105 = load ptr, ptr %8, align 8
+  %106 = call fastcc i32 @restore(ptr %0, ptr %105) #14
+  %107 = icmp eq i32 %106, 0
+  br i1 %107, label %108, label %134
+
+108:
+  %109 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #14
+  %110 = icmp eq i32 %109, 0
+  br i1 %110, label %111, label %131
+
+111:
+  %112 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #14
+  %113 = icmp eq i32 %112, 0
+  br i1 %113, label %114, label %131
+
+114:
+  %115 = fmul double %18, 2.000000e+00
+  %116 = and i64 %2, 1
+  %117 = icmp eq i64 %2, 1
+  br i1 %117, label %122, label %118
+
+118:
+  %119 = and i64 %2, -2
+  br label %138
+
+120:
+  %121 = icmp eq i64 %116, 0
+  br i1 %121, label %131, label %122
+
+122:
+  %123 = phi i64 [ 0, %114 ], [ %154, %120 ]
+  %124 = icmp ne i64 %116, 0
+  call void @llvm.assume(i1 %124)
+  %125 = getelementptr inbounds double, ptr %6, i64 %123
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %91, i64 %123
+  %128 = load double, ptr %127, align 8
+  %129 = fsub double %126, %128
+  %130 = fdiv double %129, %115
+  store double %130, ptr %125, align 8
+  br label %131
+
+131:
+  %132 = phi i32 [ %109, %108 ], [ %102, %101 ], [ %99, %97 ], [ 3, %93 ], [ %95, %94 ], [ %112, %111 ], [ 0, %120 ], [ 0, %122 ]
+  %133 = load ptr, ptr %8, align 8
+  br label %134
+
+134:
+  %135 = phi ptr [ %133, %131 ], [ %105, %104 ]
+  %136 = phi i32 [ %132, %131 ], [ %106, %104 ]
+  %137 = icmp eq ptr %135, null
+  br i1 %137, label %159, label %157
+
+138:
+  %139 = phi i64 [ 0, %118 ], [ %154, %138 ]
+  %140 = phi i64 [ 0, %118 ], [ %155, %138 ]
+  %141 = getelementptr inbounds double, ptr %6, i64 %139
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr inbounds double, ptr %91, i64 %139
+  %144 = load double, ptr %143, align 8
+  %145 = fsub double %142, %144
+  %146 = fdiv double %145, %115
+  store double %146, ptr %141, align 8
+  %147 = or i64 %139, 1
+  %148 = getelementptr inbounds double, ptr %6, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %91, i64 %147
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = fdiv double %152, %115
+  store double %153, ptr %148, align 8
+  %154 = add nuw i64 %139, 2
+  %155 = add i64 %140, 2
+  %156 = icmp eq i64 %155, %119
+  br i1 %156, label %120, label %138
+
+157:
+  %158 = call fastcc i32 @restore(ptr %0, ptr %135) #14
+  br label %159
+
+159:
+  call fastcc void @drop_state(ptr %0, ptr %8) #14
+  br i1 %92, label %161, label %160
+
+160:
+  call fastcc void @release(ptr %0, ptr %91) #14
+  br label %161
+
+161:
+  br label %162
+
+162:
+  %163 = phi i32 [ %136, %161 ], [ 3, %16 ], [ 0, %66 ], [ 3, %37 ], [ 3, %43 ], [ 0, %17 ]
+  ret i32 %163
 }
 
 define i32 @fmi3DoStep(ptr %0, double %1, double %2, i1 zeroext %3, ptr %4, ptr %5, ptr %6, ptr %7) local_unnamed_addr #1 {
-  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #13
+  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #14
   store i8 0, ptr %4, align 1
   store i8 0, ptr %5, align 1
   store i8 0, ptr %6, align 1
-  %10 = tail call fastcc double @now(ptr %0) #13
+  %10 = tail call fastcc double @now(ptr %0) #14
   store double %10, ptr %7, align 8
   ret i32 %9
 }
 
 
 define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
-  %4 = tail call fastcc double @now(ptr %0) #13
+  %4 = tail call fastcc double @now(ptr %0) #14
   %5 = fsub double %1, %4
   %6 = getelementptr inbounds i8, ptr %0, i64 56
   %7 = load double, ptr %6, align 8
@@ -1337,7 +1597,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #14
   br label %81
 
 18:
@@ -1347,7 +1607,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.57) #14
   br label %81
 
 23:
@@ -1357,7 +1617,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #14
   br label %81
 
 28:
@@ -1368,7 +1628,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #14
   br label %81
 
 34:
@@ -1379,7 +1639,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #14
   br label %81
 
 40:
@@ -1404,11 +1664,11 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #14
   br label %81
 
 58:
-  tail call fastcc void @change_step(ptr %0, double %44) #13
+  tail call fastcc void @change_step(ptr %0, double %44) #14
   br label %59
 
 59:
@@ -1418,7 +1678,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %62, label %63, label %65
 
 63:
-  %64 = tail call fastcc i64 @restart(ptr %0) #13
+  %64 = tail call fastcc i64 @restart(ptr %0) #14
   br label %65
 
 65:
@@ -1429,7 +1689,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %69, label %70, label %72
 
 70:
-  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #13
+  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #14
   br label %72
 
 72:
@@ -1442,14 +1702,14 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %79
 
 76:
-  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #13
+  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #14
   store i64 0, ptr %60, align 8
   %78 = icmp eq i64 %77, 1
   br i1 %78, label %81, label %79
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.59, i64 %80, ptr @.str.60) #13
+  tail call fastcc void @stop(ptr %0, ptr @.str.62, i64 %80, ptr @.str.63) #14
   br label %81
 
 81:
@@ -1496,21 +1756,21 @@ define i32 @fmi3CompletedIntegratorStep(ptr readnone %0, i1 zeroext %1, ptr %2, 
 }
 
 define i32 @fmi3SetTime(ptr %0, double %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #13
+  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #14
   ret i32 %3
 }
 
 define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #13
+  %3 = tail call fastcc i32 @finite_number(double %1) #14
   %4 = icmp eq i32 %3, 0
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.64) #14
   br label %14
 
 6:
-  %7 = tail call fastcc double @now(ptr %0) #13
+  %7 = tail call fastcc double @now(ptr %0) #14
   %8 = fcmp une double %1, %7
   br i1 %8, label %9, label %11
 
@@ -1532,35 +1792,35 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #13
+  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #14
   ret i32 %4
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #13
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %22, label %8
 
 8:
-  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #13
+  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #14
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.65) #14
   br label %22
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #13
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #15
+  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #16
   %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #13
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #14
   %19 = getelementptr inbounds double, ptr %1, i64 %4
-  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #15
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #16
   %21 = getelementptr inbounds i8, ptr %0, i64 72
   store i64 2, ptr %21, align 8
   br label %22
@@ -1571,26 +1831,26 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #13
+  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #14
   ret i32 %4
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #13
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #13
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
   %11 = shl i64 %4, 3
-  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #15
+  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #16
   %13 = getelementptr inbounds double, ptr %1, i64 %4
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #13
-  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #15
+  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #14
+  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #16
   br label %17
 
 17:
@@ -1599,33 +1859,33 @@ define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStateDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #13
+  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #14
   ret i32 %4
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #13
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %21, label %8
 
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 0, ptr %9, align 8
-  %10 = tail call fastcc i32 @accelerate(ptr %0) #13
+  %10 = tail call fastcc i32 @accelerate(ptr %0) #14
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %12, label %21
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #13
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #15
+  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #16
   %17 = getelementptr inbounds double, ptr %1, i64 %4
   %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #13
-  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #15
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #14
+  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #16
   br label %21
 
 21:
@@ -1634,13 +1894,13 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #13
+  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #14
   ret i32 %4
 }
 
 define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
-  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #13
+  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #14
   %6 = icmp eq i32 %5, 0
   br i1 %6, label %28, label %7
 
@@ -1653,14 +1913,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
-  %14 = tail call fastcc i64 @address(ptr %13) #13
-  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #13
+  %14 = tail call fastcc i64 @address(ptr %13) #14
+  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #14
   %16 = icmp eq i64 %15, 1
   br i1 %16, label %17, label %28
 
 17:
   %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #13
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #14
   %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
   %21 = load i32, ptr %20, align 4
   %22 = zext i32 %21 to i64
@@ -1678,14 +1938,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 }
 
 define i32 @fmi3GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #13
+  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #14
   ret i32 %4
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #13
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %48, label %8
 
@@ -1772,87 +2032,87 @@ define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnam
 }
 
 define i32 @fmi3EnterStepMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.16) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.16) #14
   ret i32 3
 }
 
 define i32 @fmi3EnterConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.17) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.17) #14
   ret i32 3
 }
 
 define i32 @fmi3ExitConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.18) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.18) #14
   ret i32 3
 }
 
 define i32 @fmi3EvaluateDiscreteStates(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.19) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.19) #14
   ret i32 3
 }
 
 define i32 @fmi3GetNumberOfVariableDependencies(ptr %0, i32 %1, ptr readnone %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.20) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.20) #14
   ret i32 3
 }
 
 define i32 @fmi3GetVariableDependencies(ptr %0, i32 %1, ptr readnone %2, ptr readnone %3, ptr readnone %4, ptr readnone %5, i64 %6) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.21) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.21) #14
   ret i32 3
 }
 
 define i32 @fmi3GetAdjointDerivative(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4, ptr readnone %5, i64 %6, ptr readnone %7, i64 %8) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.22) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.22) #14
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.23) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.23) #14
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, ptr readnone %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.24) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.24) #14
   ret i32 3
 }
 
 define i32 @fmi3GetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.25) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.25) #14
   ret i32 3
 }
 
 define i32 @fmi3GetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.26) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.26) #14
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.27) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #14
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.28) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.28) #14
   ret i32 3
 }
 
 define i32 @fmi3SetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.29) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #14
   ret i32 3
 }
 
 define i32 @fmi3SetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.30) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #14
   ret i32 3
 }
 
 define i32 @fmi3GetOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, i64 %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.31) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #14
   ret i32 3
 }
 
 define i32 @fmi3ActivateModelPartition(ptr %0, i32 %1, double %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.32) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #14
   ret i32 3
 }
 
@@ -1865,12 +2125,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   br i1 %7, label %21, label %8
 
 8:
-  %9 = tail call fastcc i32 @same(ptr %1) #13
+  %9 = tail call fastcc i32 @same(ptr %1) #14
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %21, label %11
 
 11:
-  %12 = tail call i32 @pp_processor() #15
+  %12 = tail call i32 @pp_processor() #16
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %21, label %14
 
@@ -1887,7 +2147,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 21:
   %22 = phi ptr [ @.str.33, %4 ], [ @.str.34, %11 ], [ @.str.33, %8 ], [ @.str.35, %14 ]
-  call fastcc void @say(ptr %5, ptr %22) #13
+  call fastcc void @say(ptr %5, ptr %22) #14
   br label %100
 
 23:
@@ -1900,7 +2160,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
-  %31 = tail call fastcc i64 @numbers_of_state() #13
+  %31 = tail call fastcc i64 @numbers_of_state() #14
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
@@ -1908,12 +2168,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %36 = add i64 %30, 649
   %37 = add i64 %36, %35
   %38 = add i64 %37, %34
-  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #13
+  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #14
   %40 = icmp eq ptr %39, null
   br i1 %40, label %41, label %42
 
 41:
-  call fastcc void @say(ptr %5, ptr @.str.36) #13
+  call fastcc void @say(ptr %5, ptr @.str.36) #14
   br label %100
 
 42:
@@ -1975,7 +2235,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %77 = zext i32 %3 to i64
   %78 = getelementptr inbounds i8, ptr %39, i64 88
   store i64 %77, ptr %78, align 8
-  tail call fastcc void @begin(ptr %39) #13
+  tail call fastcc void @begin(ptr %39) #14
   br label %100
 
 79:
@@ -2051,7 +2311,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
 5:
   %6 = getelementptr inbounds i8, ptr %0, i64 32
   %7 = load ptr, ptr %6, align 8
-  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #15
+  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #16
   br label %8
 
 8:
@@ -2072,11 +2332,11 @@ define internal fastcc ptr @allocate(ptr %0, i64 %1) unnamed_addr #1 {
   br i1 %5, label %8, label %6
 
 6:
-  %7 = tail call ptr %4(i64 %1, i64 1) #15
+  %7 = tail call ptr %4(i64 %1, i64 1) #16
   br label %10
 
 8:
-  %9 = tail call ptr @calloc(i64 %1, i64 1) #15
+  %9 = tail call ptr @calloc(i64 %1, i64 1) #16
   br label %10
 
 10:
@@ -2093,11 +2353,11 @@ define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %5, label %7, label %6
 
 6:
-  tail call void %4(ptr %1) #15
+  tail call void %4(ptr %1) #16
   br label %8
 
 7:
-  tail call void @free(ptr %1) #15
+  tail call void @free(ptr %1) #16
   br label %8
 
 8:
@@ -2111,7 +2371,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %5 = load ptr, ptr %4, align 8
   %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
   %7 = getelementptr inbounds i8, ptr %5, i64 %6
-  %8 = tail call fastcc double @now(ptr %0) #13
+  %8 = tail call fastcc double @now(ptr %0) #14
   store double %8, ptr %7, align 8
   %9 = getelementptr inbounds i8, ptr %7, i64 32
   store i64 0, ptr %9, align 8
@@ -2123,24 +2383,24 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %14 = getelementptr inbounds i8, ptr %7, i64 8
   store double %13, ptr %14, align 8
   %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %16 = tail call fastcc i64 @address(ptr %7) #13
-  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #15
+  %16 = tail call fastcc i64 @address(ptr %7) #14
+  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #16
   ret i64 %17
 }
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #13
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #13
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #14
   br label %11
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #13
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
@@ -2148,7 +2408,7 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
 
 11:
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #13
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #14
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
@@ -2175,7 +2435,7 @@ define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #6 {
   %8 = phi i64 [ %5, %4 ], [ 0, %2 ]
   %9 = getelementptr inbounds double, ptr %0, i64 %8
   %10 = load double, ptr %9, align 8
-  %11 = tail call fastcc i32 @finite_number(double %10) #13
+  %11 = tail call fastcc i32 @finite_number(double %10) #14
   %12 = icmp eq i32 %11, 0
   br i1 %12, label %13, label %4
 
@@ -2189,7 +2449,7 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   store i64 1, ptr %5, align 8
   %6 = getelementptr inbounds i8, ptr %0, i64 128
   store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #13
+  tail call fastcc void @append(ptr %0, ptr %1) #14
   %7 = icmp sgt i64 %2, -1
   %8 = load i64, ptr @pp_n_sentences, align 8
   %9 = icmp slt i64 %2, %8
@@ -2197,30 +2457,30 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.40) #13
+  tail call fastcc void @append(ptr %0, ptr @.str.40) #14
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #13
+  tail call fastcc void @append(ptr %0, ptr %13) #14
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.41) #13
-  tail call fastcc void @append(ptr %0, ptr %3) #13
-  tail call fastcc void @fail(ptr %0, ptr %6) #13
+  tail call fastcc void @append(ptr %0, ptr @.str.41) #14
+  tail call fastcc void @append(ptr %0, ptr %3) #14
+  tail call fastcc void @fail(ptr %0, ptr %6) #14
   ret void
 }
 
 define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #8 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #13
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #14
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #13
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #14
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #13
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #13
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #13
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
@@ -2280,7 +2540,7 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #8 {
 
 52:
   %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #13
+  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #14
   %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
@@ -2378,10 +2638,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %3 = getelementptr inbounds i8, ptr %0, i64 120
   %4 = load ptr, ptr %3, align 8
   %5 = load i64, ptr @pp_numbers, align 8
-  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #15
+  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #16
   %7 = load ptr, ptr %3, align 8
-  %8 = tail call fastcc i64 @address(ptr %7) #13
-  tail call fastcc void @move(ptr %7, i64 %8) #13
+  %8 = tail call fastcc i64 @address(ptr %7) #14
+  tail call fastcc void @move(ptr %7, i64 %8) #14
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %10 = icmp sgt i64 %9, 0
   br i1 %10, label %12, label %11
@@ -2398,10 +2658,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %18 = zext i32 %17 to i64
   %19 = getelementptr inbounds ptr, ptr @pp_entries, i64 %18
   %20 = load ptr, ptr %19, align 8
-  %21 = tail call fastcc i64 @address(ptr %20) #13
+  %21 = tail call fastcc i64 @address(ptr %20) #14
   %22 = load i32, ptr %15, align 4
   %23 = zext i32 %22 to i64
-  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #13
+  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #14
   store i64 %21, ptr %24, align 8
   %25 = add nuw nsw i64 %13, 1
   %26 = icmp eq i64 %25, %9
@@ -2492,8 +2752,105 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #9 {
   br i1 %60, label %10, label %28
 }
 
+define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #10 {
+  %4 = zext i32 %1 to i64
+  %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 3
+  br i1 %7, label %8, label %14
+
+8:
+  %9 = getelementptr inbounds i8, ptr %5, i64 8
+  %10 = load i64, ptr %9, align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %12 = icmp slt i64 %10, %11
+  %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
+  br label %24
+
+14:
+  %15 = getelementptr inbounds i8, ptr %0, i64 96
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %16, i64 %4
+  %18 = load double, ptr %17, align 8
+  %19 = fcmp olt double %18, 0.000000e+00
+  %20 = fneg double %18
+  %21 = select i1 %19, double %20, double %18
+  %22 = fadd double %21, 1.000000e+00
+  %23 = fmul double %22, 0x3EB0C6F7A0B5ED8D
+  br label %24
+
+24:
+  %25 = phi double [ %13, %8 ], [ %23, %14 ]
+  %26 = fcmp olt double %2, 0.000000e+00
+  %27 = fneg double %2
+  %28 = select i1 %26, double %27, double %2
+  %29 = fdiv double %25, %28
+  ret double %29
+}
+
+define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnamed_addr #1 {
+  %6 = alloca double, align 8
+  %7 = icmp eq i64 %2, 0
+  br i1 %7, label %46, label %8
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 96
+  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %14
+
+14:
+  %15 = phi i64 [ 0, %8 ], [ %44, %43 ]
+  %16 = getelementptr inbounds i32, ptr %1, i64 %15
+  %17 = load i32, ptr %16, align 4
+  %18 = zext i32 %17 to i64
+  %19 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
+  %20 = getelementptr inbounds double, ptr %3, i64 %15
+  %21 = load double, ptr %20, align 8
+  %22 = fmul double %4, %21
+  %23 = load i64, ptr %19, align 8
+  %24 = icmp eq i64 %23, 3
+  br i1 %24, label %25, label %36
+
+25:
+  %26 = getelementptr inbounds i8, ptr %19, i64 8
+  %27 = load i64, ptr %26, align 8
+  %28 = icmp slt i64 %27, %10
+  %29 = select i1 %28, i64 %11, i64 %12
+  %30 = tail call fastcc ptr @reals(ptr %0, i64 %29) #14
+  %31 = select i1 %28, i64 0, i64 %10
+  %32 = sub nsw i64 %27, %31
+  %33 = getelementptr inbounds double, ptr %30, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = fadd double %22, %34
+  store double %35, ptr %33, align 8
+  store i64 2, ptr %13, align 8
+  br label %43
+
+36:
+  %37 = load ptr, ptr %9, align 8
+  %38 = getelementptr inbounds double, ptr %37, i64 %18
+  %39 = load double, ptr %38, align 8
+  %40 = fadd double %22, %39
+  store double %40, ptr %6, align 8
+  %41 = call fastcc i32 @set_numbers(ptr %0, ptr %16, i64 1, ptr %6) #14
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %46
+
+43:
+  %44 = add nuw i64 %15, 1
+  %45 = icmp eq i64 %44, %2
+  br i1 %45, label %46, label %14
+
+46:
+  %47 = phi i32 [ 0, %5 ], [ 0, %43 ], [ 3, %36 ]
+  ret i32 %47
+}
+
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #8 {
-  %3 = tail call fastcc double @now(ptr %0) #13
+  %3 = tail call fastcc double @now(ptr %0) #14
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
@@ -2502,12 +2859,12 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #8 {
   %7 = getelementptr inbounds i8, ptr %0, i64 56
   %8 = load double, ptr %7, align 8
   %9 = fdiv double %1, %8
-  tail call fastcc void @rescale(ptr %0, double %9) #13
+  tail call fastcc void @rescale(ptr %0, double %9) #14
   br label %15
 
 10:
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #13
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
@@ -2533,7 +2890,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %7 = getelementptr inbounds i8, ptr %5, i64 16
   %8 = getelementptr inbounds i8, ptr %0, i64 112
   %9 = load ptr, ptr %8, align 8
-  %10 = tail call fastcc i64 @address(ptr %9) #13
+  %10 = tail call fastcc i64 @address(ptr %9) #14
   store i64 %10, ptr %7, align 8
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
@@ -2544,7 +2901,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %5, i64 40
   store <6 x i64> zeroinitializer, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %5, i64 88
-  %17 = call fastcc i64 @address(ptr %4) #13
+  %17 = call fastcc i64 @address(ptr %4) #14
   store i64 %17, ptr %16, align 8
   %18 = getelementptr inbounds i8, ptr %5, i64 96
   store i64 0, ptr %18, align 8
@@ -2553,32 +2910,32 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
   %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
-  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #13
+  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #14
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
   %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
-  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #13
+  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #14
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
   %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
-  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #13
+  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #14
   store i64 %29, ptr %31, align 8
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #13
+  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #14
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
   %35 = getelementptr inbounds i8, ptr %0, i64 120
   %36 = load ptr, ptr %35, align 8
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
-  %39 = call fastcc i64 @address(ptr %38) #13
+  %39 = call fastcc i64 @address(ptr %38) #14
   %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
-  %42 = call fastcc i64 @address(ptr %41) #13
-  %43 = call fastcc i64 @address(ptr %5) #13
-  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #15
+  %42 = call fastcc i64 @address(ptr %41) #14
+  %43 = call fastcc i64 @address(ptr %5) #14
+  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #16
   %45 = load i64, ptr %4, align 16
   %46 = load i64, ptr %28, align 8
   %47 = add nsw i64 %46, %45
@@ -2629,7 +2986,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 75:
   %76 = getelementptr inbounds i8, ptr %0, i64 104
   %77 = load ptr, ptr %76, align 8
-  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #13
+  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #14
   %79 = icmp eq i32 %78, 0
   %80 = select i1 %79, i64 4, i64 1
   br label %110
@@ -2674,14 +3031,14 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   ret i64 %111
 }
 
-declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #10
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #11
 
 define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = icmp eq i64 %1, %2
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.63) #13
+  tail call fastcc void @fail(ptr %0, ptr @.str.66) #14
   br label %6
 
 6:
@@ -2696,21 +3053,21 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %4, label %5, label %8
 
 5:
-  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #13
+  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
   %7 = icmp eq i64 %6, 1
   br i1 %7, label %8, label %14
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #13
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #13
+  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #14
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.64, i64 %15, ptr @.str.65) #13
+  tail call fastcc void @stop(ptr %0, ptr @.str.67, i64 %15, ptr @.str.68) #14
   br label %20
 
 16:
@@ -2727,9 +3084,9 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   ret i32 %21
 }
 
-declare double @llvm.fabs.f64(double) #11
+declare double @llvm.fabs.f64(double) #12
 
-declare void @llvm.assume(i1) #12
+declare void @llvm.assume(i1) #13
 
 attributes #0 = { nounwind "no-builtins" }
 attributes #1 = { nounwind "no-builtins" }
@@ -2747,5 +3104,6 @@ attributes #12 = { nounwind "no-builtins" }
 attributes #13 = { nounwind "no-builtins" }
 attributes #14 = { nounwind "no-builtins" }
 attributes #15 = { nounwind "no-builtins" }
+attributes #16 = { nounwind "no-builtins" }
 
 

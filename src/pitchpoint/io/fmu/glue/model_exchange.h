@@ -63,7 +63,54 @@ static Status get_nominals(Instance *f, double *x, size_t n) {
   for (size_t k = 0; k < n; k++) x[k] = 1.0;
   return fOK;
 }
+/* ------------------------------------------------------------------------------- directional derivatives */
+
+/* largest change of a variable for central differences: small against elastic deflections, large against round-off */
+static double change_of(Instance *f, VR vr, double seed) {
+  const Variable *v = pp_variables + vr;
+  double value = v->kind == STATE ? 0.0 : f->values[vr], size = seed < 0 ? -seed : seed;
+  if (v->kind == STATE) return (v->first < pp_numbers.nd ? 1e-8 : 1e-4) / size;
+  return 1e-6 * (1.0 + (value < 0 ? -value : value)) / size;
+}
+static Status add(Instance *f, const VR *by, size_t n, const double *seed, double share) {
+  for (size_t k = 0; k < n; k++) {
+    const Variable *v = pp_variables + by[k];
+    double change = share * seed[k];
+    if (v->kind == STATE) {
+      i64 i = v->first, nd = pp_numbers.nd;
+      reals(f, i < nd ? pp_numbers.q : pp_numbers.v)[i < nd ? i : i - nd] += change;
+      f->c.stale = JUMPED;
+    } else {
+      double value = f->values[by[k]] + change;
+      if (set_numbers(f, by + k, 1, &value) != fOK) return fError;
+    }
+  }
+  return fOK;
+}
+/* change of the unknowns with the knowns by central differences; the state and the values are restored */
 static Status directional(Instance *f, const VR *of, size_t n_of, const VR *by, size_t n_by, const double *seed, double *change) {
-  return fail(f, "directional derivatives are not available");
+  double share = 1e300;
+  if (!f->c.exchange) return fail(f, "directional derivatives are for instances of model exchange");
+  for (size_t k = 0; k < n_by; k++) {
+    i64 kind = by[k] < pp_numbers.n_variables ? pp_variables[by[k]].kind : OUTPUT;
+    if (kind != STATE && kind != INPUT && kind != PARAMETER) return fail(f, "a known is neither a state nor an input or parameter");
+    if (!finite_number(seed[k])) return fail(f, "a seed is not finite");
+    if (seed[k] != 0.0 && change_of(f, by[k], seed[k]) < share) share = change_of(f, by[k], seed[k]);
+  }
+  for (size_t k = 0; k < n_of; k++) change[k] = 0.0;
+  if (share == 1e300 || !n_of) return fOK;
+  void *before = 0;
+  double *low = allocate(&f->on, 8 * n_of);
+  Status s = low ? keep_state(f, &before) : fail(f, "no memory for directional derivatives");
+  if (s == fOK) s = add(f, by, n_by, seed, -share);
+  if (s == fOK) s = get_numbers(f, of, n_of, low);
+  if (s == fOK) s = restore(f, before);
+  if (s == fOK) s = add(f, by, n_by, seed, share);
+  if (s == fOK) s = get_numbers(f, of, n_of, change);
+  for (size_t k = 0; s == fOK && k < n_of; k++) change[k] = (change[k] - low[k]) / (2.0 * share);
+  if (before) restore(f, before);
+  drop_state(f, &before);
+  if (low) release(&f->on, low);
+  return s;
 }
 #endif
