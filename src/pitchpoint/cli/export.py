@@ -22,7 +22,13 @@ if TYPE_CHECKING:
 @click.command()
 @model_file
 @scenario
-@writes("--fmu", "fmu", required=True, metavar="OUT.fmu", help="FMU to write.")
+@writes("--fmu", "fmu", metavar="OUT.fmu", help="FMU to write.")
+@writes(
+    "--live",
+    "live",
+    metavar="OUT.html",
+    help="Page to write in which the model runs, with sliders and curves.",
+)
 @click.option(
     "--fmi", "version", type=click.Choice(["2", "3"]), default="3", show_default=True, help="Version of FMI."
 )
@@ -51,56 +57,105 @@ if TYPE_CHECKING:
 def export(
     file: str,
     scenario: str | None,
-    fmu: str,
-    version: str,
-    platforms: str | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
     **how: Any,
 ) -> None:
-    """Write a scenario of FILE as an FMU, with the compiled model and its solver inside.
+    """Write a scenario of FILE for other programs, with the compiled model and its solver inside.
 
-    The FMU needs neither Python nor pitchpoint. Constant loads are its inputs, all channels its outputs.
+    An FMU needs neither Python nor pitchpoint; a live page runs in any browser, without a server. Constant
+    loads are inputs, all channels outputs.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario
-    from pitchpoint.io.fmu.linking import check_linker
-    from pitchpoint.io.fmu.writing import fmu_bytes
-    from pitchpoint.io.target import check_target, write_file
     from pitchpoint.solvers.exported_run import export_run
     from pitchpoint.solvers.tunable import tunable_places
     from pitchpoint.system.compile import compile_model
 
-    chosen = _platforms(platforms)
-    target = check_target(fmu, "fmu", [file])
+    targets = _targets(file, how)
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
     if how["step"] is not None:
         model = model.replace(f"scenarios.{name}.step", how["step"])
-    for each in chosen:
-        check_linker(each)
     run = export_run(compile_model(model, name))
     inputs, tunable = (
         tunable_places(model, name, run, how[paths]) for paths in ("more_inputs", "parameters")
     )
     run = replace(run, inputs=(*run.inputs, *inputs))
-    unit = fmu_model(run, tunable, Path(fmu).stem, model.title or name)
-    data, sizes = fmu_bytes(unit, int(version), chosen)
-    write_file(target, data)
+    title = model.title or name
+    written = [_write(way, target, run, tunable, title, how) for way, target in targets.items()]
     if as_json:
-        emit_json(_summary(unit, fmu, int(version), sizes))
+        emit_json({key: value for each, _ in written for key, value in each.items()})
         return
     if not quiet:
-        rows = [[v.name, f"{v.start:.6g} {v.unit}", v.text] for v in unit.variables if v.is_set]
+        rows = [[p.name, f"{p.start:.6g} {p.unit}", p.text] for p in (*run.inputs, *tunable)]
         if rows:
             table("inputs and parameters", ["name", "start", "meaning"], rows)
-    outputs = sum(v.kind == 0 for v in unit.variables)
+    for _, sentence in written:
+        show(f"{sentence}, {len(run.system.layout.channels)} outputs, time step {shown(run.h, 'time', 4)}")
+
+
+def _targets(file: str, how: dict[str, Any]) -> dict[str, Path]:
+    """Files to write, checked before the computation."""
+    from pitchpoint.io.fmu.linking import check_linker
+    from pitchpoint.io.fmu.web import check_web
+    from pitchpoint.io.target import check_target
+
+    kinds = {"fmu": "fmu", "live": "page"}
+    found = {way: check_target(how[way], kind, [file]) for way, kind in kinds.items() if how[way]}
+    if not found:
+        raise click.UsageError("name a file to write: --fmu OUT.fmu or --live OUT.html")
+    if "fmu" in found:
+        how["platforms"] = _platforms(how["platforms"])
+        for each in how["platforms"]:
+            check_linker(each)
+    if "live" in found:
+        check_web()
+    return found
+
+
+def _write(
+    way: str, target: Path, run: ExportedRun, tunable: Sequence[Place], title: str, how: dict[str, Any]
+) -> tuple[dict[str, Any], str]:
+    """Write a file; returns its summary and a sentence."""
+    from pitchpoint.io.target import write_file
+
+    if way == "live":
+        page, size = live_text(run, tunable, title)
+        write_file(target, page)
+        return {
+            "page": str(target),
+            "code": size,
+        }, f"written to {target}: live page, {len(page) / 1000:.0f} kB"
+    from pitchpoint.io.fmu.writing import fmu_bytes
+
+    version = int(how["version"])
+    unit = fmu_model(run, tunable, target.stem, title)
+    data, sizes = fmu_bytes(unit, version, how["platforms"])
+    write_file(target, data)
     listed = ", ".join(f"{each} {size / 1000:.0f} kB" for each, size in sizes.items())
-    show(
-        f"written to {target}: FMI {version}.0, {outputs} outputs, time step "
-        f"{shown(run.h, 'time', 4)}, {listed}"
-    )
+    return _summary(unit, str(target), version, sizes), f"written to {target}: FMI {version}.0, {listed}"
+
+
+def live_text(run: ExportedRun, tunable: Sequence[Place], title: str) -> tuple[str, int]:
+    """Live page of a started run, and the size of its code [bytes]."""
+    from pitchpoint.core.compiler.portable import NARROW
+    from pitchpoint.io.fmu.model import OUTPUT
+    from pitchpoint.io.fmu.web import web_assembly
+    from pitchpoint.viz.live_page import live_page
+
+    unit = fmu_model(run, tunable, "live", title, NARROW)
+    code = web_assembly(unit)
+    rows = [
+        {"name": v.name, "unit": v.unit, "reference": k, "start": v.start}
+        for k, v in enumerate(unit.variables)
+    ]
+    settable = [row for row, v in zip(rows, unit.variables, strict=True) if v.is_set]
+    outputs = [row for row, v in zip(rows, unit.variables, strict=True) if v.kind == OUTPUT]
+    steps = 10  # per sample
+    times = {"start": run.t0, "sample": steps * run.h}
+    return live_page(title, code, token=unit.token, settable=settable, outputs=outputs, **times), len(code)
 
 
 def _platforms(text: str | None) -> list[str]:
@@ -139,7 +194,13 @@ def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> 
     }
 
 
-def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str) -> FmuModel:
+def fmu_model(
+    run: ExportedRun,
+    tunable: Sequence[Place],
+    name: str,
+    title: str,
+    optimised_for: tuple[str, str] | None = None,
+) -> FmuModel:
     """Model of a unit from a started run.
 
     Parameters
@@ -150,6 +211,8 @@ def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str)
         Tunable parameters.
     name, title
         Name of the libraries, and title of the model.
+    optimised_for
+        See `core.compiler.portable.intermediate_code`.
     """
     from pitchpoint.core.compiler import machine_code, portable
     from pitchpoint.core.errors import PitchpointError
@@ -157,7 +220,7 @@ def fmu_model(run: ExportedRun, tunable: Sequence[Place], name: str, title: str)
 
     codes = []
     for entry in run.entries:
-        code = portable.intermediate_code(entry)
+        code = portable.intermediate_code(entry, optimised_for or portable.WIDE)
         if code is None:
             raise PitchpointError(
                 f"{entry.__module__}: this part needs Python at run time; the model cannot be exported"

@@ -98,7 +98,7 @@ def test_a_file_that_is_no_unit_is_not_overwritten(tmp_path, capsys):
 
 
 def test_a_missing_linker_is_named(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("pitchpoint.io.fmu.linking._zig", lambda: "")
+    monkeypatch.setattr("pitchpoint.io.fmu.linking.zig", lambda: "")
     monkeypatch.setenv("PATH", "")
     code = run_command(
         ["export", written(tmp_path, ADAMS), "--fmu", str(tmp_path / "u.fmu"), "--platforms", "x86_64-linux"]

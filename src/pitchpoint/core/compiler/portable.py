@@ -26,9 +26,11 @@ from pitchpoint.core.compiler.passes import KernelCompiler, KernelLowering
 from pitchpoint.core.errors import PitchpointError
 
 _HEAD = b"pitchpoint intermediate code 1"
-_SUFFIX = ".portable"
-#: Processor for which the code is optimised; its instructions decide where products are fused with sums.
-_TRIPLE, _PROCESSOR = "x86_64-unknown-linux-gnu", "x86-64-v3"
+#: Target for which the code is optimised; its instructions decide where products are fused with sums.
+WIDE = "x86_64-unknown-linux-gnu", "x86-64-v3"
+#: WebAssembly has code of its own, as its addresses have 4 bytes.
+NARROW = "wasm32-unknown-wasi", "generic"
+_ENDINGS = {WIDE: ".portable", NARROW: ".wasm"}
 
 #: Decrement of a reference count with an intrinsic of one processor, and the test of its result for zero.
 _DECREMENT = re.compile(
@@ -90,7 +92,7 @@ def machine(triple: str, processor: str) -> Any:
     )
 
 
-def intermediate_code(entry: Any) -> bytes | None:
+def intermediate_code(entry: Any, optimised_for: tuple[str, str] = WIDE) -> bytes | None:
     """Optimised bitcode of an entry point with its `machine_code.symbol`; from the cache if it is there.
 
     None if the code needs Numba or the interpreter at run time (exceptions, allocations).
@@ -99,6 +101,8 @@ def intermediate_code(entry: Any) -> bytes | None:
     ----------
     entry
         Kernel of the entry point.
+    optimised_for
+        WIDE for all targets with addresses of 8 bytes, NARROW for WebAssembly.
 
     Raises
     ------
@@ -106,7 +110,7 @@ def intermediate_code(entry: Any) -> bytes | None:
         If kernels compile through the public interface of Numba alone.
     """
     source = entry.py_func
-    stored = _read(source)
+    stored = _read(source, _ENDINGS[optimised_for])
     if stored is None:
         if public_numba.private() is None:
             raise PitchpointError(
@@ -114,25 +118,26 @@ def intermediate_code(entry: Any) -> bytes | None:
                 "or not tested with this version of Numba; unset PITCHPOINT_STOCK_NUMBA, or install a tested "
                 "version"
             )
-        stored = run_compiler(lambda: _compile(source))
-        _save(source, stored)
+        stored = run_compiler(lambda: _compile(source, optimised_for))
+        _save(source, _ENDINGS[optimised_for], stored)
     return stored or None
 
 
 @global_compiler_lock
-def _compile(source: Any) -> bytes:
+def _compile(source: Any, optimised_for: tuple[str, str]) -> bytes:
     """Bitcode of an entry point; empty if it is not self-contained."""
     name = machine_code.symbol(source)
     library = private_numba.open_library(source, name, _WholeCompiler)
     library.finalize()
     text = str(library._final_module)
-    module = _optimised(_parsed(_portable_counts(text), machine(_TRIPLE, _PROCESSOR), _TRIPLE))
+    target = machine(*optimised_for)
+    module = _optimised(_parsed(_portable_counts(text), target, optimised_for[0]), target)
     unfit = private_numba.raises(module) or library.has_dynamic_globals
     module = llvm.parse_assembly(_without_counts(str(module)))
     for each in (*module.functions, *module.global_variables):
         if not each.is_declaration and each.name != name:
             each.linkage = "internal"
-    _manager(machine(_TRIPLE, _PROCESSOR), 0, dead_code=True)(module)
+    _manager(target, 0, dead_code=True)(module)
     unfit = unfit or machine_code.is_foreign(machine_code.declared(module))
     return b"" if unfit else bytes(module.as_bitcode())
 
@@ -143,9 +148,8 @@ def _parsed(text: str, target: Any, triple: str) -> Any:
     return module
 
 
-def _optimised(module: Any) -> Any:
+def _optimised(module: Any, target: Any) -> Any:
     """The module after Numba's two pipelines, and again if exceptions remain (`private_numba.standalone`)."""
-    target = machine(_TRIPLE, _PROCESSOR)
     for _ in range(2):
         _manager(target, 0, cheap=True)(module)
         _manager(target, 3)(module)
@@ -236,15 +240,15 @@ def external_symbols(bitcode: bytes) -> list[str]:
 # ----------------------------------------------------------------------------------------------------- cache
 
 
-def _read(source: Any) -> bytes | None:
+def _read(source: Any, ending: str) -> bytes | None:
     """Stored bitcode of an entry point, empty if it is not self-contained; None without a valid file."""
     file = machine_code.code_file(source)
-    body = machine_code.contents(file.with_suffix(_SUFFIX), _HEAD) if file else None
+    body = machine_code.contents(file.with_suffix(ending), _HEAD) if file else None
     return None if body is None else zlib.decompress(body)
 
 
-def _save(source: Any, bitcode: bytes) -> None:
+def _save(source: Any, ending: str, bitcode: bytes) -> None:
     """Store the bitcode of an entry point."""
     file = machine_code.code_file(source)
     if file is not None:
-        machine_code.store(source, file.with_suffix(_SUFFIX), _HEAD, zlib.compress(bitcode))
+        machine_code.store(source, file.with_suffix(ending), _HEAD, zlib.compress(bitcode))

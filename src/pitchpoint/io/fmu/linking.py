@@ -116,8 +116,8 @@ def library(model: FmuModel, name: str, version: int, folder: Path) -> Path:
         command = _windows_command(text, out, objects, folder)
     else:
         install = ["-install_name", f"@rpath/{out.name}"]
-        command = [_zig(), "cc", "-target", "aarch64-macos", "-shared", *install, "-o", str(out), *objects]
-    _run(command, folder)
+        command = [zig(), "cc", "-target", "aarch64-macos", "-shared", *install, "-o", str(out), *objects]
+    run_linker(command, folder)
     return out
 
 
@@ -129,7 +129,7 @@ def check_linker(name: str) -> None:
     MissingDependencyError
         If there is none.
     """
-    if not (_zig() or (PLATFORMS[name].suffix == "so" and _elf_linker(name))):
+    if not (zig() or (PLATFORMS[name].suffix == "so" and _elf_linker(name))):
         raise MissingDependencyError(
             f"the library for {name} needs a linker, and none is installed; install it with "
             "pip install 'pitchpoint[fmi]'"
@@ -179,7 +179,7 @@ _ELF = (
 )
 
 
-def _zig() -> str:
+def zig() -> str:
     """Program of ziglang; empty without it."""
     found = importlib.util.find_spec("ziglang")
     if found is None or not found.submodule_search_locations:
@@ -189,8 +189,8 @@ def _zig() -> str:
 
 def _elf_linker(name: str) -> list[str]:
     """Command of a linker of shared libraries for Linux; empty without one."""
-    if _zig():
-        return [_zig(), "ld.lld"]
+    if zig():
+        return [zig(), "ld.lld"]
     for program in ("ld.lld", *(["ld"] if name == own_platform() else [])):
         if found := shutil.which(program):
             return [found]
@@ -207,7 +207,7 @@ def _stubs(target: Platform, folder: Path, linker: Sequence[str]) -> list[str]:
         stub = folder / "stub.o"
         stub.write_bytes(portable.object_of_text(text, target.triple, target.plain_processor))
         out = folder / library_name
-        _run([*linker, "-shared", "-soname", library_name, "-o", str(out), str(stub)], folder)
+        run_linker([*linker, "-shared", "-soname", library_name, "-o", str(out), str(stub)], folder)
         made.append(str(out))
     return made
 
@@ -216,12 +216,12 @@ def _windows_command(text: str, out: Path, objects: Sequence[str], folder: Path)
     """Link command for Windows; the library of the C functions is ucrtbase.dll, part of the system."""
     lines = ["LIBRARY ucrtbase", "EXPORTS", *MATHEMATICS, *MEMORY]
     (folder / "ucrt.def").write_text("\n".join(lines) + "\n", encoding="ascii")
-    _run([_zig(), "dlltool", "-m", "i386:x86-64", "-d", "ucrt.def", "-l", "ucrt.lib"], folder)
+    run_linker([zig(), "dlltool", "-m", "i386:x86-64", "-d", "ucrt.def", "-l", "ucrt.lib"], folder)
     exports = [f"/export:{name}" for name in re.findall(r"^define [^\n]*@(fmi\w+)\(", text, re.MULTILINE)]
-    return [_zig(), "lld-link", "/dll", "/noentry", f"/out:{out}", *objects, "ucrt.lib", *exports]
+    return [zig(), "lld-link", "/dll", "/noentry", f"/out:{out}", *objects, "ucrt.lib", *exports]
 
 
-def _run(command: Sequence[str], folder: Path) -> None:
+def run_linker(command: Sequence[str], folder: Path) -> None:
     """Run a linker.
 
     Raises
