@@ -61,6 +61,7 @@ class Unit:
     def instance(self, token=None, exchange=False):
         """New instance; None if it is refused."""
         token = (token or self.token).encode()
+        self.kept = getattr(self, "kept", [])  # what instances refer to
         if self.version == 2:
             self.logger = LOGGER2(
                 lambda e, name, status, category, form, text: self.messages.append(text.decode())
@@ -78,6 +79,7 @@ class Unit:
                 no = ct.c_bool(False)
                 args = (b"one", token, b"", no, no, no, no, None, SIZE(0), None, self.logger, None)
                 made = self.function("InstantiateCoSimulation", ct.c_void_p)(*args)
+        self.kept.append((self.logger, getattr(self, "callbacks", None)))
         return Instance(self, made) if made else None
 
 

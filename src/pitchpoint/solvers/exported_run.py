@@ -32,6 +32,7 @@ from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.requests import handle_request
+from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
 
@@ -178,7 +179,7 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     for kind, laws in system.laws.items():
         problems += [
             Message(
-                f"{kind.replace('_', ' ')} {system.names[kind][k]}",
+                source(system, kind, system.names[kind][k]),
                 "has a law in Python, which an exported model cannot call",
                 remedy="give it as a formula or table",
             )

@@ -69,7 +69,7 @@ def test_the_printed_table(tmp_path, capsys):
     "text, arguments, words",
     [
         (CONTROLLED, (), "controllers.loop: is a Python function"),
-        (LAW, (), "torque output: has a law in Python"),
+        (LAW, (), "loads.output (line 18): has a law in Python"),
         (ADAMS.replace("adams", "runge_kutta"), (), "method of the scenario: runge_kutta cannot be exported"),
         (ADAMS, ("--parameter", "gears.g1.nothing"), "gears.g1.nothing: is not a number of the model"),
         (ADAMS, ("--parameter", "bodies.driver.inertia"), "bodies.driver.inertia: changes"),

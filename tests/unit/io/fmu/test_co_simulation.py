@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -138,6 +140,25 @@ def test_a_hundred_instances_do_not_disturb_each_other(unit):
         alone.free()
     for one in many:
         one.free()
+
+
+def test_instances_run_in_threads(unit):
+    """ctypes calls the library without the lock of the interpreter, so that four instances run at once."""
+    references = unit.references("output")
+
+    def values(load):
+        """Outputs of an instance of its own after 4000 steps."""
+        one = unit.instance().initialise(**{"loads.input.torque": load})
+        for k in range(40):
+            assert one.step(k * 100 * H, 100 * H) == 0
+        found = one.get(references)
+        one.free()
+        return found
+
+    loads = [150.0, 160.0, 170.0, 180.0]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(values, loads))
+    assert all(same_bits(a, values(load)) for a, load in zip(together, loads, strict=True))
 
 
 def test_a_reset_instance_starts_again(unit):
