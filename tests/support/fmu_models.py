@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import platform
+from dataclasses import replace
 
 import pytest
 
@@ -41,6 +42,28 @@ scenarios:
 """
 
 
+DRIVEN = """
+title: driven shaft with a speed controller of blocks
+bodies:
+  motor: {motion: torsion, inertia: 0.02 kg m^2}
+  drum: {motion: torsion, inertia: 0.05 kg m^2}
+  fan: {motion: torsion, inertia: 0.02 kg m^2, position: [1 m, 0 m, 0 m]}
+couplings:
+  shaft: {bodies: [motor, drum], stiffness: {torsion: 1000 N m/rad}, damping: {torsion: 1 N m s/rad}}
+sensors:
+  speed: {type: joint, coordinate: fan, derivative: 1}
+blocks:
+  error: {type: sum, inputs: {speed: -1}, unit: rad/s}
+  wanted: {type: pid, input: error, proportional: 0.5, integral: 2, unit: N m}
+actuators:
+  fan_torque: {type: torque, signal: wanted, bodies: [fan]}
+loads:
+  brake: {body: drum, torque: -10 N m}
+scenarios:
+  steady: {drive: {motor: {speed: 1000 rpm}}, duration: 0.1 s, step: 50 us, method: adams}
+"""
+
+
 def need_linker() -> None:
     """Skip where the library cannot be linked or run."""
     if own_platform() != "x86_64-linux":
@@ -63,11 +86,12 @@ def pair(method: str):
     return loads_model(PAIR.replace("METHOD", method), False, "pair.yaml")
 
 
-def unit_of(method: str, folder, version: int, *parameters: str, model=None):
+def unit_of(method: str, folder, version: int, *parameters: str, model=None, inputs=()):
     """File of the unit of the pair, or of another model with the scenario `steady`."""
     model = model or pair(method)
     run = export_run(compile_model(model, "steady"))
     tunable = tunable_places(model, "steady", run, parameters)
+    run = replace(run, inputs=(*run.inputs, *tunable_places(model, "steady", run, inputs)))
     data, _ = fmu_bytes(fmu_model(run, tunable, "pair", model.title), version, ["x86_64-linux"])
     file = folder / f"{method}{version}.fmu"
     file.write_bytes(data)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.compiler.memory_image import MemoryImage
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.kernel import COMPILING, address
-from pitchpoint.elements.kind import FORCE, TORQUE
+from pitchpoint.elements.kind import DRIVE, FORCE, TORQUE
 from pitchpoint.elements.signal import CONSTANT
 from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
@@ -231,6 +231,7 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     found |= {"order": at["order"], "size": len(image.data)}
     found |= {"slope_at": SLOPE_AT, "past": equal_steps.PAST, "valid": VALID}
     found["implicit"] = int(scenario.method == "generalized_alpha")
+    found["driven"] = int(bool(system.kinds(DRIVE)))
     # the rotation vector of a tumbling body needs a new reference attitude after half a turn
     found["exchange"] = int(not np.any(system.program["body"]["chart"] >= 0))
     return found

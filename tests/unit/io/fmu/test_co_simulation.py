@@ -8,9 +8,10 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.sampled_control import begin_anew
 from tests.support.fmi_host import Unit
-from tests.support.fmu_models import need_linker, own_run, pair, unit_of
+from tests.support.fmu_models import DRIVEN, need_linker, own_run, pair, unit_of
 
 H = 1e-5
 BACKLASH = "meshes.stage.backlash.normal"
@@ -201,3 +202,31 @@ def test_the_library_needs_no_python(units):
         for name in (b"libpython", b"NRT_", b"PyErr", b"numba"):
             assert name not in data
         assert len(data) < 300_000
+
+
+def test_drives_blocks_and_a_set_point(tmp_path):
+    """A prescribed speed, and a controller of blocks, whose speed follows the closed form of its loop."""
+    need_linker()
+    model = loads_model(DRIVEN, False, "driven.yaml")
+    gain, target = "blocks.wanted.proportional", "blocks.error.offset"
+    unit = Unit(unit_of("driven", tmp_path, 3, gain, model=model, inputs=[target]), tmp_path)
+    one = unit.instance()
+    with pytest.raises(AssertionError):
+        one.initialise(start=5.0)
+    assert "drives prescribe positions" in unit.messages[-1]
+    one.free()
+    one = unit.instance().initialise(**{gain: 1.0, target: 100.0})
+    reference = [
+        unit.references("output")[unit.names("output").index(n)] for n in ("speed[motor]", "speed[fan]")
+    ]
+    rows = one.steps(0, 100, 1e-3, reference)
+    assert rows[:, 0] == pytest.approx(1000.0 * np.pi / 30.0, rel=1e-9)
+    # J w'' + P w' + I w = I target + P target', from rest: w = target (1 - combination of two exponentials)
+    t, inertia = 1e-3 * np.arange(1, 101), 0.02
+    a, b = np.roots([inertia, 1.0, 2.0])
+    rise = 1.0 / inertia  # w'(0) / target
+    first, second = (rise + b) / (a - b), -(rise + a) / (a - b)
+    np.testing.assert_allclose(
+        rows[:, 1], 100.0 * (1.0 + first * np.exp(a * t) + second * np.exp(b * t)), rtol=1e-6
+    )
+    one.free()

@@ -17,8 +17,7 @@ API Component fmi2Instantiate(Str name, int type, Str guid, Str resources, const
 }
 API void fmi2FreeInstance(Component c) { free_instance(c); }
 API Status fmi2SetupExperiment(Component c, Bool tolerant, double tolerance, double start, Bool ends, double end) {
-  set_start(c, start);
-  return fOK;
+  return set_start(c, start);
 }
 API Status fmi2EnterInitializationMode(Component c) { return fOK; }
 API Status fmi2ExitInitializationMode(Component c) { return refresh(c); }

@@ -29,8 +29,7 @@ API Component fmi3InstantiateScheduledExecution(Str name, Str token, Str resourc
 }
 API void fmi3FreeInstance(Component c) { free_instance(c); }
 API Status fmi3EnterInitializationMode(Component c, Bool tolerant, double tolerance, double start, Bool ends, double end) {
-  set_start(c, start);
-  return fOK;
+  return set_start(c, start);
 }
 API Status fmi3ExitInitializationMode(Component c) { return refresh(c); }
 API Status fmi3Terminate(Component c) { return fOK; }

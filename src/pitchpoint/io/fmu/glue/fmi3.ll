@@ -1,6 +1,6 @@
-; 136446fd869b0caaf9ae6752c6969b1d17632c088c1db165c46e39377a43c458
+; 7a2d660b3951ee29059c9ecac201ed9f533b0d45894f21308d3cd81eb3a7de98
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double }
 %struct.Place = type { i64, double, double }
 %struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
@@ -47,46 +47,48 @@
 @.str.34 = private unnamed_addr constant [61 x i8] c"this library needs a processor with AVX2 and FMA (x86-64-v3)\00", align 1
 @.str.35 = private unnamed_addr constant [46 x i8] c"this model is exported for co-simulation only\00", align 1
 @.str.36 = private unnamed_addr constant [26 x i8] c"no memory for an instance\00", align 1
-@.str.38 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
-@.str.39 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
+@.str.38 = private unnamed_addr constant [29 x i8] c"the start time is not finite\00", align 1
+@.str.39 = private unnamed_addr constant [95 x i8] c"the start time must be that of the model description: drives prescribe positions over the time\00", align 1
+@.str.40 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
+@.str.41 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
 @pp_entries = external local_unnamed_addr constant [0 x ptr], align 8
 @pp_n_sentences = external local_unnamed_addr constant i64, align 8
-@.str.40 = private unnamed_addr constant [3 x i8] c": \00", align 1
+@.str.42 = private unnamed_addr constant [3 x i8] c": \00", align 1
 @pp_sentences = external local_unnamed_addr constant [0 x ptr], align 8
-@.str.41 = private unnamed_addr constant [3 x i8] c"; \00", align 1
+@.str.43 = private unnamed_addr constant [3 x i8] c"; \00", align 1
 @pp_image = external constant [0 x i64], align 8
 @pp_variables = external local_unnamed_addr constant [0 x %struct.Variable], align 8
 @pp_code = external local_unnamed_addr constant [0 x i32], align 4
 @pp_moved = external local_unnamed_addr constant [0 x i32], align 4
-@.str.42 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
-@.str.43 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
+@.str.44 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
+@.str.45 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
 @pp_indicators = external local_unnamed_addr constant [0 x i32], align 4
-@.str.44 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
-@.str.45 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
+@.str.46 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
+@.str.47 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
 @pp_places = external constant [0 x %struct.Place], align 8
-@.str.46 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.47 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.48 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.49 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.50 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.51 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.52 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.53 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.54 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.55 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.56 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.57 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.58 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.59 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.60 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.61 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.62 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.63 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.64 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.65 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.66 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.67 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.68 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.48 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.49 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.50 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.51 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.52 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.53 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.54 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.55 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.56 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.57 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.58 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.59 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.60 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.61 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.62 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.63 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.64 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.65 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.66 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.67 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.68 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.69 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.70 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -152,27 +154,47 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
   ret void
 }
 
-define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #2 {
-  tail call fastcc void @set_start(ptr %0, double %3) #14
-  ret i32 0
+define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #1 {
+  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #14
+  ret i32 %7
 }
 
-define internal fastcc void @set_start(ptr %0, double %1) unnamed_addr #2 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 48
-  store double %1, ptr %3, align 8
-  %4 = getelementptr inbounds i8, ptr %0, i64 64
-  store i64 0, ptr %4, align 8
-  %5 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
-  %6 = fcmp une double %1, %5
-  br i1 %6, label %7, label %9
+define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
+  %3 = tail call fastcc i32 @finite_number(double %1) #14
+  %4 = icmp eq i32 %3, 0
+  br i1 %4, label %5, label %6
 
-7:
-  %8 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %8, align 8
-  br label %9
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.38) #14
+  br label %18
 
-9:
-  ret void
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %8 = icmp ne i64 %7, 0
+  %9 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %10 = fcmp une double %1, %9
+  %11 = select i1 %8, i1 %10, i1 false
+  br i1 %11, label %12, label %13
+
+12:
+  tail call fastcc void @fail(ptr %0, ptr @.str.39) #14
+  br label %18
+
+13:
+  %14 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %1, ptr %14, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %15, align 8
+  br i1 %10, label %16, label %18
+
+16:
+  %17 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %17, align 8
+  br label %18
+
+18:
+  %19 = phi i32 [ 3, %12 ], [ 3, %5 ], [ 0, %16 ], [ 0, %13 ]
+  ret i32 %19
 }
 
 define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
@@ -224,7 +246,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.38, i64 %27, ptr @.str.39) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %27, ptr @.str.41) #14
   br label %29
 
 28:
@@ -287,7 +309,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -352,7 +374,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.42) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #14
   br label %6
 
 6:
@@ -385,7 +407,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.43) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.45) #14
   br label %78
 
 23:
@@ -591,7 +613,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %71, label %74, label %30
 
 72:
-  %73 = phi ptr [ @.str.44, %20 ], [ @.str.44, %14 ], [ @.str.45, %25 ]
+  %73 = phi ptr [ @.str.46, %20 ], [ @.str.46, %14 ], [ @.str.47, %25 ]
   tail call fastcc void @fail(ptr %0, ptr %73) #14
   br label %74
 
@@ -1082,7 +1104,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.46, %2 ], [ @.str.47, %7 ]
+  %97 = phi ptr [ @.str.48, %2 ], [ @.str.49, %7 ]
   tail call fastcc void @fail(ptr %0, ptr %97) #14
   br label %114
 
@@ -1125,7 +1147,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.48) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.50) #14
   br label %18
 
 5:
@@ -1203,7 +1225,7 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.49) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #14
   br label %12
 
 10:
@@ -1226,7 +1248,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.50) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #14
   br label %40
 
 8:
@@ -1261,7 +1283,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.51) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.53) #14
   br label %40
 
 30:
@@ -1276,7 +1298,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.47) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.49) #14
   br label %40
 
 37:
@@ -1324,7 +1346,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.52) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.54) #14
   br label %162
 
 17:
@@ -1358,7 +1380,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %36, label %38, label %37
 
 37:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.55) #14
   br label %162
 
 38:
@@ -1369,7 +1391,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %42, label %43, label %44
 
 43:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #14
   br label %162
 
 44:
@@ -1453,7 +1475,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %92, label %93, label %94
 
 93:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.57) #14
   br label %131
 
 94:
@@ -1597,7 +1619,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #14
   br label %81
 
 18:
@@ -1607,7 +1629,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #14
   br label %81
 
 23:
@@ -1617,7 +1639,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #14
   br label %81
 
 28:
@@ -1628,18 +1650,18 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.59) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #14
   br label %81
 
 34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %36 = fdiv double %2, %35
   %37 = fmul double %36, 0x3FEFFFFFFF768FA1
   %38 = fcmp ogt double %37, 1.000000e+15
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.60) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.62) #14
   br label %81
 
 40:
@@ -1664,7 +1686,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.63) #14
   br label %81
 
 58:
@@ -1709,7 +1731,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.62, i64 %80, ptr @.str.63) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.64, i64 %80, ptr @.str.65) #14
   br label %81
 
 81:
@@ -1766,7 +1788,7 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.64) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.66) #14
   br label %14
 
 6:
@@ -1809,7 +1831,7 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.65) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #14
   br label %22
 
 12:
@@ -2366,6 +2388,13 @@ define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
 
 declare void @free(ptr) local_unnamed_addr #7
 
+define internal fastcc i32 @finite_number(double %0) unnamed_addr #0 {
+  %2 = tail call double @llvm.fabs.f64(double %0)
+  %3 = fcmp olt double %2, 1.000000e+100
+  %4 = zext i1 %3 to i32
+  ret i32 %4
+}
+
 define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = getelementptr inbounds i8, ptr %0, i64 120
   %5 = load ptr, ptr %4, align 8
@@ -2378,7 +2407,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %10 = getelementptr inbounds i8, ptr %7, i64 16
   store <2 x double> zeroinitializer, ptr %10, align 8
   %11 = icmp eq i64 %1, 4
-  %12 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %12 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %13 = select i1 %11, double %12, double 0.000000e+00
   %14 = getelementptr inbounds i8, ptr %7, i64 8
   store double %13, ptr %14, align 8
@@ -2457,14 +2486,14 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.40) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.42) #14
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
   tail call fastcc void @append(ptr %0, ptr %13) #14
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.41) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.43) #14
   tail call fastcc void @append(ptr %0, ptr %3) #14
   tail call fastcc void @fail(ptr %0, ptr %6) #14
   ret void
@@ -2584,13 +2613,6 @@ define internal fastcc ptr @integers(ptr %0, i64 %1) unnamed_addr #4 {
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
-}
-
-define internal fastcc i32 @finite_number(double %0) unnamed_addr #0 {
-  %2 = tail call double @llvm.fabs.f64(double %0)
-  %3 = fcmp olt double %2, 1.000000e+100
-  %4 = zext i1 %3 to i32
-  ret i32 %4
 }
 
 define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #9 {
@@ -3038,7 +3060,7 @@ define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.66) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.68) #14
   br label %6
 
 6:
@@ -3067,7 +3089,7 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.67, i64 %15, ptr @.str.68) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.69, i64 %15, ptr @.str.70) #14
   br label %20
 
 16:

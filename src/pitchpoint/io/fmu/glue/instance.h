@@ -27,7 +27,7 @@ typedef struct { i64 offset; double base, slope; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators;
   i64 ctl, q, v, a, lam, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
-  i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange;
+  i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
   double t0, h, rate;
 } Numbers;
 typedef i64 (*Entry)(i64, i64, i64);
@@ -196,10 +196,14 @@ static Instance *create(Str name, Str token, const Callbacks *on, int exchange) 
   return f;
 }
 static void free_instance(Instance *f) { if (f) { Callbacks on = f->on; release(&on, f); } }
-static void set_start(Instance *f, double start) {
+static Status set_start(Instance *f, double start) {
+  if (!finite_number(start)) return fail(f, "the start time is not finite");
+  if (pp_numbers.driven && start != pp_numbers.t0)
+    return fail(f, "the start time must be that of the model description: drives prescribe positions over the time");
   f->c.t0 = start;
   f->c.steps = 0;
   if (start != pp_numbers.t0) f->c.stale = JUMPED;
+  return fOK;
 }
 
 static Status get_numbers(Instance *f, const VR *vr, size_t n, double *value) {
