@@ -8,11 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from pitchpoint.cli.export import live_text
-from pitchpoint.solvers.exported_run import export_run
+from pitchpoint.report.exported_model import begin_export, live_text
 from pitchpoint.solvers.fixed_steps import start_fixed_steps
-from pitchpoint.solvers.tunable import tunable_places
-from pitchpoint.system.compile import compile_model
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.fmu_models import own_run, own_start, pair
 
@@ -43,8 +40,7 @@ def text() -> str:
     """Live page of the pair with backlash."""
     pytest.importorskip("ziglang", reason="ziglang is not installed (extra fmi)")
     model = pair("adams")
-    run = export_run(compile_model(model, "steady"))
-    tunable = tunable_places(model, "steady", run, ["meshes.stage.backlash.normal"])
+    run, tunable = begin_export(model, "steady", ["meshes.stage.backlash.normal"])
     return live_text(run, tunable, model.title)[0]
 
 

@@ -4,19 +4,17 @@
 from __future__ import annotations
 
 import platform
-from dataclasses import replace
 
 import pytest
 
-from pitchpoint.cli.export import fmu_model
 from pitchpoint.core.errors import MissingDependencyError
 from pitchpoint.io.fmu.linking import check_linker, own_platform
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.exported_run import export_run, started
+from pitchpoint.report.exported_model import begin_export, fmu_model
+from pitchpoint.solvers.exported_run import started
 from pitchpoint.solvers.fixed_steps import start_fixed_steps
 from pitchpoint.solvers.step_choice import choose_step
-from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system.compile import compile_model
 
 PAIR = """
@@ -89,9 +87,7 @@ def pair(method: str):
 def unit_of(method: str, folder, version: int, *parameters: str, model=None, inputs=()):
     """File of the unit of the pair, or of another model with the scenario `steady`."""
     model = model or pair(method)
-    run = export_run(compile_model(model, "steady"))
-    tunable = tunable_places(model, "steady", run, parameters)
-    run = replace(run, inputs=(*run.inputs, *tunable_places(model, "steady", run, inputs)))
+    run, tunable = begin_export(model, "steady", parameters, inputs)
     data, _ = fmu_bytes(fmu_model(run, tunable, "pair", model.title), version, ["x86_64-linux"])
     file = folder / f"{method}{version}.fmu"
     file.write_bytes(data)

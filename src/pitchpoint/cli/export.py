@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
-    from pitchpoint.io.fmu.model import FmuModel, Variable
+    from pitchpoint.io.fmu.model import FmuModel
     from pitchpoint.solvers.exported_run import ExportedRun, Place
 
 
@@ -69,20 +68,14 @@ def export(
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario
-    from pitchpoint.solvers.exported_run import export_run
-    from pitchpoint.solvers.tunable import tunable_places
-    from pitchpoint.system.compile import compile_model
+    from pitchpoint.report.exported_model import begin_export
 
     targets = _targets(file, how)
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
     if how["step"] is not None:
         model = model.replace(f"scenarios.{name}.step", how["step"])
-    run = export_run(compile_model(model, name))
-    inputs, tunable = (
-        tunable_places(model, name, run, how[paths]) for paths in ("more_inputs", "parameters")
-    )
-    run = replace(run, inputs=(*run.inputs, *inputs))
+    run, tunable = begin_export(model, name, how["parameters"], how["more_inputs"])
     title = model.title or name
     written = [_write(way, target, run, tunable, title, how) for way, target in targets.items()]
     if as_json:
@@ -119,43 +112,21 @@ def _write(
     way: str, target: Path, run: ExportedRun, tunable: Sequence[Place], title: str, how: dict[str, Any]
 ) -> tuple[dict[str, Any], str]:
     """Write a file; returns its summary and a sentence."""
+    from pitchpoint.io.fmu.writing import fmu_bytes
     from pitchpoint.io.target import write_file
+    from pitchpoint.report.exported_model import fmu_model, live_text
 
     if way == "live":
         page, size = live_text(run, tunable, title)
         write_file(target, page)
-        return {
-            "page": str(target),
-            "code": size,
-        }, f"written to {target}: live page, {len(page) / 1000:.0f} kB"
-    from pitchpoint.io.fmu.writing import fmu_bytes
-
+        sentence = f"written to {target}: live page, {len(page) / 1000:.0f} kB"
+        return {"page": str(target), "code": size}, sentence
     version = int(how["version"])
     unit = fmu_model(run, tunable, target.stem, title)
     data, sizes = fmu_bytes(unit, version, how["platforms"])
     write_file(target, data)
     listed = ", ".join(f"{each} {size / 1000:.0f} kB" for each, size in sizes.items())
     return _summary(unit, str(target), version, sizes), f"written to {target}: FMI {version}.0, {listed}"
-
-
-def live_text(run: ExportedRun, tunable: Sequence[Place], title: str) -> tuple[str, int]:
-    """Live page of a started run, and the size of its code [bytes]."""
-    from pitchpoint.core.compiler.portable import NARROW
-    from pitchpoint.io.fmu.model import OUTPUT
-    from pitchpoint.io.fmu.web import web_assembly
-    from pitchpoint.viz.live_page import live_page
-
-    unit = fmu_model(run, tunable, "live", title, NARROW)
-    code = web_assembly(unit)
-    rows = [
-        {"name": v.name, "unit": v.unit, "reference": k, "start": v.start}
-        for k, v in enumerate(unit.variables)
-    ]
-    settable = [row for row, v in zip(rows, unit.variables, strict=True) if v.is_set]
-    outputs = [row for row, v in zip(rows, unit.variables, strict=True) if v.kind == OUTPUT]
-    steps = 10  # per sample
-    times = {"start": run.t0, "sample": steps * run.h}
-    return live_page(title, code, token=unit.token, settable=settable, outputs=outputs, **times), len(code)
 
 
 def _platforms(text: str | None) -> list[str]:
@@ -192,83 +163,3 @@ def _summary(unit: FmuModel, file: str, version: int, sizes: dict[str, int]) -> 
         "libraries": sizes,
         "variables": listed,
     }
-
-
-def fmu_model(
-    run: ExportedRun,
-    tunable: Sequence[Place],
-    name: str,
-    title: str,
-    optimised_for: tuple[str, str] | None = None,
-) -> FmuModel:
-    """Model of a unit from a started run.
-
-    Parameters
-    ----------
-    run
-        The run.
-    tunable
-        Tunable parameters.
-    name, title
-        Name of the libraries, and title of the model.
-    optimised_for
-        See `core.compiler.portable.intermediate_code`.
-    """
-    from pitchpoint.core.compiler import machine_code, portable
-    from pitchpoint.core.errors import PitchpointError
-    from pitchpoint.io.fmu.model import INPUT, OUTPUT, PARAMETER, TIME, FmuModel, Variable, identifier
-
-    codes = []
-    for entry in run.entries:
-        code = portable.intermediate_code(entry, optimised_for or portable.WIDE)
-        if code is None:
-            raise PitchpointError(
-                f"{entry.__module__}: this part needs Python at run time; the model cannot be exported"
-            )
-        codes.append((machine_code.symbol(entry.py_func), code))
-    channels = run.system.layout.channels
-    variables = [
-        *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
-        *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
-        *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
-        Variable(TIME, "time", "s", "time"),
-        *_state_variables(run),
-    ]
-    return FmuModel(
-        identifier(name),
-        title,
-        run.image,
-        tuple(codes),
-        run.code,
-        run.numbers,
-        {"t0": run.t0, "h": run.h, "rate": run.rate},
-        tuple(variables),
-        run.indicators,
-        run.t0 + run.duration,
-        run.sample,
-        run.shafts,
-    )
-
-
-def _state_variables(run: ExportedRun) -> list[Variable]:
-    """States of the model exchange, their derivatives, and the event indicators."""
-    from pitchpoint.io.fmu.model import INDICATOR, SLOPE, STATE, Variable
-
-    n = len(run.states)
-    places = [(f"coordinate[{name}]", unit) for name, unit in run.states]
-    rates = [(f"rate[{name}]", f"{unit}/s") for name, unit in run.states]
-    slopes = [unit for _, unit in rates] + [f"{unit}/s^2" for _, unit in run.states]
-    both = [*places, *rates]
-    texts = ["joint coordinate"] * n + ["rate of a joint coordinate"] * n
-    events = run.system.layout.events
-    return [
-        *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
-        *(
-            Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k)
-            for k, (name, _) in enumerate(both)
-        ),
-        *(
-            Variable(INDICATOR, f"indicator[{events[e].name}]", "1", events[e].long_name, k)
-            for k, e in enumerate(run.indicators)
-        ),
-    ]

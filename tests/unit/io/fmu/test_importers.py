@@ -7,18 +7,18 @@ import io
 import shutil
 import struct
 import subprocess
+import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pitchpoint.cli.export import fmu_model
+import pitchpoint as pp
 from pitchpoint.io.fmu.linking import PLATFORMS
 from pitchpoint.io.fmu.writing import fmu_bytes
+from pitchpoint.report.exported_model import begin_export, fmu_model
 from pitchpoint.solvers.explicit.runge_kutta import start_adaptive
-from pitchpoint.solvers.exported_run import export_run
-from pitchpoint.system.compile import compile_model
 from tests.support import fmi_host
 from tests.support.fmu_models import need_linker, own_run, own_start, pair, unit_of
 
@@ -75,7 +75,7 @@ def test_fmpy(version, tmp_path):
 def test_libraries_for_all_platforms(version):
     """They cannot be run here: format, processor, and the libraries of the system that they import."""
     pytest.importorskip("ziglang", reason="ziglang is not installed (extra fmi)")
-    run = export_run(compile_model(pair("adams"), "steady"))
+    run, _ = begin_export(pair("adams"), "steady")
     data, sizes = fmu_bytes(fmu_model(run, (), "pair", "pair"), version, list(PLATFORMS))
     assert all(100_000 < size < 300_000 for size in sizes.values())
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -88,3 +88,23 @@ def test_libraries_for_all_platforms(version):
     assert struct.unpack_from("<II", mac) == (0xFEEDFACF, 0x0100000C) and b"libSystem" in mac
     for each in files.values():
         assert f"fmi{version}DoStep".encode() in each
+
+
+def test_from_python(tmp_path):
+    """The same file as by the command, except for its name."""
+    need_linker()
+    file = pp.export_fmu(
+        pair("adams"), tmp_path / "pair.fmu", "steady", parameters=["meshes.stage.damper.ratio"]
+    )
+    unit = fmi_host.Unit(file, tmp_path)
+    assert unit.names("parameter") == ["meshes.stage.damper.ratio"]
+    assert [t.get("name") for t in terminals(tmp_path)] == ["loads.input.torque", "loads.output.torque"]
+    members = {m.get("memberName"): m.get("variableName") for m in terminals(tmp_path)[0]}
+    assert members == {"tau": "loads.input.torque", "phi": "angle[driver]", "w": "speed[driver]"}
+    assert set(members.values()) <= set(unit.variables)
+
+
+def terminals(folder):
+    """Terminals of an unpacked unit."""
+    path = folder / "terminalsAndIcons" / "terminalsAndIcons.xml"
+    return list(ET.parse(path).getroot().find("Terminals"))
