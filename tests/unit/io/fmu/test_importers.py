@@ -91,7 +91,7 @@ def test_libraries_for_all_platforms(version):
 
 
 def test_from_python(tmp_path):
-    """The same file as by the command, except for its name."""
+    """A parameter, and terminals of the shafts."""
     need_linker()
     file = pp.export_fmu(
         pair("adams"), tmp_path / "pair.fmu", "steady", parameters=["meshes.stage.damper.ratio"]
