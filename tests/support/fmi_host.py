@@ -41,7 +41,7 @@ class Unit:
         self.variables = {}
         for each in self.root.find("ModelVariables"):
             self.variables[each.get("name")] = each
-        self.messages = []
+        self.messages, self.loggers = [], []
 
     def references(self, causality):
         """Value references of all variables of a causality, in order of the description."""
@@ -61,25 +61,24 @@ class Unit:
     def instance(self, token=None, exchange=False):
         """New instance; None if it is refused."""
         token = (token or self.token).encode()
-        self.kept = getattr(self, "kept", [])  # what instances refer to
         if self.version == 2:
-            self.logger = LOGGER2(
+            logger = LOGGER2(
                 lambda e, name, status, category, form, text: self.messages.append(text.decode())
             )
-            pointers = [self.logger, LIBC.calloc, LIBC.free]
-            self.callbacks = Callbacks(*(ct.cast(p, ct.c_void_p) for p in pointers), None, None)
-            args = (b"one", 0 if exchange else 1, token, b"", ct.byref(self.callbacks), 0, 0)
+            pointers = [ct.cast(p, ct.c_void_p) for p in (logger, LIBC.calloc, LIBC.free)]
+            callbacks = Callbacks(*pointers, None, None)
+            args = (b"one", 0 if exchange else 1, token, b"", ct.byref(callbacks), 0, 0)
             made = self.function("Instantiate", ct.c_void_p)(*args)
         else:
-            self.logger = LOGGER3(lambda e, status, category, text: self.messages.append(text.decode()))
+            logger = LOGGER3(lambda e, status, category, text: self.messages.append(text.decode()))
+            no = ct.c_bool(False)
             if exchange:
-                args = (b"one", token, b"", False, False, None, self.logger)
+                args = (b"one", token, b"", no, no, None, logger)
                 made = self.function("InstantiateModelExchange", ct.c_void_p)(*args)
             else:
-                no = ct.c_bool(False)
-                args = (b"one", token, b"", no, no, no, no, None, SIZE(0), None, self.logger, None)
+                args = (b"one", token, b"", no, no, no, no, None, SIZE(0), None, logger, None)
                 made = self.function("InstantiateCoSimulation", ct.c_void_p)(*args)
-        self.kept.append((self.logger, getattr(self, "callbacks", None)))
+        self.loggers.append(logger)  # instances refer to it
         return Instance(self, made) if made else None
 
 
