@@ -72,8 +72,8 @@ lint: $(STAMP)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
-# studies run in validate; folders in their order: files of many small tests come last and fill what long ones
-# leave; examples in docstrings of geometry and contact are among the tests of these, all others come at the end
+# studies run in validate; tests/conftest.py puts long files first, and workers keep this order: files of many
+# small tests fill what these leave; examples in docstrings of geometry and contact are among the tests of these
 pytest: warmup
 	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint --ignore=src/pitchpoint/geometry --ignore=src/pitchpoint/contact
 
