@@ -13,7 +13,7 @@ export PYTHONUTF8 := 1
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test warmup lint pytest nojit stock newest-numba bench validate viewer docs clean
+.PHONY: help install demo test warmup lint pytest nojit stock newest-numba bench validate viewer glue docs clean
 
 help:
 	@echo "make demo      install, compile, run the main example, write a report"
@@ -21,6 +21,7 @@ help:
 	@echo "make bench     speed table, build/bench.json"
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make viewer    the scripts of the 3-D scene and of plots (needs Node.js 20)"
+	@echo "make glue      the functions of FMUs, from C to LLVM text (needs the extra fmi)"
 	@echo "make docs      the documentation as a site, build/docs/html"
 	@echo "make newest-numba  the first five minutes of README in a fresh environment with the newest Numba"
 	@echo "make lint      style, import contracts and types only"
@@ -106,6 +107,11 @@ viewer:
 	cd viewer && npm ci && node build.mjs
 
 # a fresh environment each time: notebooks and the reference follow from the package, which Sphinx does not watch
+# the text is in the repository: nobody who does not change the C files needs ziglang
+glue: $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[fmi]"
+	$(BIN)/python -m pitchpoint.io.fmu.glue.make
+
 docs: $(DOCS_STAMP)
 	$(BIN)/python docs/generate.py build/docs/source
 	$(BIN)/python -m sphinx -b html -E -W --keep-going -q -j $(JOBS) build/docs/source build/docs/html
