@@ -76,6 +76,7 @@ GROUPS = {
         "design_relief",
         "ReliefPlan",
         "solve_time",
+        "Stepper",
         "reduce_system",
         "state_space",
     ),

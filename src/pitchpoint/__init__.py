@@ -90,6 +90,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
     from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space
+    from pitchpoint.solvers.stepper import Stepper
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.solvers.turbulence.box import make_turbulence
     from pitchpoint.sweep.cases import cases_dataset, run_cases
@@ -152,6 +153,7 @@ __all__ = [
     "SolverError",
     "Spring",
     "SteadyWind",
+    "Stepper",
     "SurfaceContact",
     "TorsionMaxwell",
     "TorsionSpring",
@@ -293,6 +295,7 @@ _HOMES = {
     "solvers.rotor_performance": ("solve_rotor_performance",),
     "solvers.rotor_transient": ("solve_rotor_transient",),
     "solvers.state_space": ("state_space",),
+    "solvers.stepper": ("Stepper",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),

@@ -153,7 +153,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         RATE,
         float(chosen.duration or 0.0),
         (every if chosen.sample_rate else 100) * h,
-        tuple(_loads(start.system, image)),
+        tuple(load_places(start.system, image.at)),
         tuple(coordinate_units(start.system).items()),
         _indicators(start.system),
         tuple(_shafts(start.system)),
@@ -250,13 +250,21 @@ def _indicators(system: System) -> tuple[int, ...]:
     return tuple(k for k, event in events if event.name.partition("[")[0] in wanted)
 
 
-def _loads(system: System, image: MemoryImage) -> list[Place]:
-    """Constant loads of a system as inputs."""
+def load_places(system: System, at: Mapping[str, int]) -> list[Place]:
+    """Constant loads of a system as inputs.
+
+    Parameters
+    ----------
+    system
+        The system.
+    at
+        Offset of each of its arrays, see `system.image.offsets`.
+    """
     found = []
     for role in (TORQUE, FORCE):
         for kind in system.kinds(role):
             bank = system.records[kind]
-            base, width = image.at[f"records.{kind}"], bank.dtype.itemsize
+            base, width = at[f"records.{kind}"], bank.dtype.itemsize
             value = bank.dtype.fields["value"][1]  # type: ignore[index]
             for k, label in enumerate(system.names[kind]):
                 if bank[k]["form"] == CONSTANT and bank[k]["ramp"] == 0.0:
