@@ -230,9 +230,7 @@ class Loop:
                 take = min(take, self.sampler.steps(self.run_.t, self.h))
             sums = None if self.run_.steps < settle else self.sums.copy()
             every = self.every if self.sink is not None else 0
-            chunk = self.run_.advance(
-                take, every=every, statistics=sums, events=self.watch.room, **self.more
-            )
+            chunk = self.run_.advance(take, every=every, statistics=sums, events=self.watch.room, **self.more)
             status = self.take(chunk, sums)
             if status != OK:
                 return status
