@@ -64,7 +64,8 @@ WORDS = {
     "terms": "{COORDINATE: coefficient}",
     "value": "number in SI units, or with its unit",
     "values": "list of numbers",
-    "gains": "{SIGNAL: gain}",
+    "gains": "{NAME: number}",
+    "wires": "{VARIABLE: SIGNAL}",
     "curve": "rows [input, value], or file name",
     "points": "rows [x, y], or file name",
 }

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core import nomenclature
@@ -40,7 +40,10 @@ def made(machine: Any) -> Iterator[tuple[str, Place]]:
         listed = outputs_of(part)
         for i, output in enumerate(listed):
             at: Place = ("controllers", name, "output")
-            yield output, at if hasattr(part, "output") else ("controllers", name, "outputs", i)
+            yield (
+                output,
+                at if hasattr(part, "output") else ("controllers", name, "outputs", _key(part.outputs, i)),
+            )
 
 
 def read(machine: Any) -> Iterator[tuple[str, Place]]:
@@ -52,10 +55,15 @@ def read(machine: Any) -> Iterator[tuple[str, Place]]:
     for name, part in machine.controllers.items():
         many = not hasattr(part, "input")
         for i, signal in enumerate(inputs_of(part)):
-            at = ("inputs", i) if many else ("input",)
+            at = ("inputs", _key(part.inputs, i)) if many else ("input",)
             yield signal, ("controllers", name, *at)
     for name, part in machine.actuators.items():
         yield part.signal, ("actuators", name, "signal")
+
+
+def _key(group: Any, i: int) -> str | int:
+    """Step of the path to an entry of a list, or of a mapping by variables."""
+    return list(group)[i] if isinstance(group, Mapping) else i
 
 
 def inputs(block: bl.Block) -> list[tuple[str, Place]]:

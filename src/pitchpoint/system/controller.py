@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.core.fmi.fmu_process import FmuError
 
 
 @dataclass(frozen=True)
@@ -60,6 +61,8 @@ class SampledController:
             answer = self.function(t, inputs, state, self.parameters)
         except KeyboardInterrupt:
             raise
+        except FmuError as error:
+            return [], self._message(t, str(error))
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
             return [], self._message(t, f"raised {type(error).__name__}: {error}", _where(error))
         try:

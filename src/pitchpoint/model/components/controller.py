@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
@@ -50,16 +51,35 @@ class SampledPid(Component):
     unit: str = choice(UNITS, "unit of the output in results", "1")
 
 
-Controller: TypeAlias = PythonController | SampledPid
+@dataclass(frozen=True, kw_only=True)
+class FmuController(Component):
+    """A functional mock-up unit (FMU) of another program, for co-simulation, in a process of its own."""
 
-CONTROLLERS: dict[str, type] = {c.form: c for c in (PythonController, SampledPid)}
+    form: ClassVar[str] = "fmu"
+    delay: ClassVar[float] = 0.0
+    file: str = key("file", "FMU of version 2.0 or 3.0", sample="engine.fmu")
+    inputs: Mapping[str, str] = key("wires", "signal that each of its inputs follows", {})
+    outputs: Mapping[str, str] = key("wires", "signal that follows each of its outputs")
+    parameters: Mapping[str, float] = key("gains", "values of its parameters, set before the start", {})
+    start: tuple[float, ...] = key("values", f"values of the outputs {START}", (), display="zeros")
+    period: float = positive("time", "communication step")
+    time_limit: float = positive("time", "maximum wall time of a communication step", 30.0)
+
+
+Controller: TypeAlias = PythonController | SampledPid | FmuController
+
+CONTROLLERS: dict[str, type] = {c.form: c for c in (PythonController, SampledPid, FmuController)}
 
 
 def outputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the output signals of a controller."""
+    if isinstance(part, FmuController):
+        return tuple(part.outputs.values())
     return part.outputs if isinstance(part, PythonController) else (part.output,)
 
 
 def inputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the input signals of a controller."""
+    if isinstance(part, FmuController):
+        return tuple(part.inputs.values())
     return part.inputs if isinstance(part, PythonController) else (part.input,)

@@ -59,9 +59,19 @@ def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of signal names to gains."""
     if not isinstance(data, Mapping):
         return reader.problem(
-            path, "is not a mapping of signals to gains", value=shown(data), remedy="write {speed: -1}"
+            path, "is not a mapping of names to numbers", value=shown(data), remedy="write {speed: -1}"
         )
     found = {str(name): value(reader, key, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
+def wires(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of variables of another program to signals."""
+    if not isinstance(data, Mapping):
+        return reader.problem(
+            path, "is not a mapping of variables to signals", value=shown(data), remedy="write {w: speed}"
+        )
+    found = {str(name): reader.string(key, given, (*path, str(name))) for name, given in data.items()}
     return BAD if any(v is BAD for v in found.values()) else found
 
 
