@@ -225,7 +225,8 @@ def _library(entries: Mapping[str, zipfile.ZipInfo], identifier: str) -> str:
     have = sorted({e.split("/")[1] for e in entries if e.startswith("binaries/") and e.count("/") >= 2})
     listed = ", ".join(have) or "none"
     raise FmuFileError(
-        "has no library for this computer", listed, own, "export it for this platform, or compile its sources"
+        f"has no library for this computer, {own}",
+        remedy=f"it has libraries for {listed}: export it for this platform",
     )
 
 

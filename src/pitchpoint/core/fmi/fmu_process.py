@@ -25,6 +25,9 @@ from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.errors import MissingDependencyError, PitchpointError
 from pitchpoint.core.fmi.fmu_file import FmuFile, FmuVariable
 
+STARTING = 60.0
+"""Wall time for the start of the process and the initialisation, in addition to the limit [s]."""
+
 
 class FmuError(PitchpointError, RuntimeError):
     """Unit that crashed, hung or reported an error."""
@@ -135,15 +138,17 @@ class FmuProcess:
             "token": self.file.token,
             "identifier": self.file.identifier,
         }
-        return self.call({**about, **request})
+        return self.call({**about, **request}, STARTING)
 
-    def call(self, request: dict[str, Any]) -> list[float]:
+    def call(self, request: dict[str, Any], more_time: float = 0.0) -> list[float]:
         """Send a request and return the outputs.
 
         Parameters
         ----------
         request
             See `host`.
+        more_time
+            Wall time in addition to the limit [s].
 
         Raises
         ------
@@ -156,10 +161,10 @@ class FmuProcess:
         try:
             pipe.write(json.dumps(request).encode() + b"\n")
             pipe.flush()
-            answer = self._answers.get(timeout=self.time_limit)
+            answer = self._answers.get(timeout=self.time_limit + more_time)
         except queue.Empty:
             self.close()
-            text = f"the FMU {name} has not answered within {self.time_limit:g} s (time_limit)"
+            text = f"the FMU {name} has not answered within {self.time_limit + more_time:g} s (time_limit)"
             raise FmuError(text) from None
         except OSError:
             answer = b""

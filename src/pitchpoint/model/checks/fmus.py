@@ -59,4 +59,4 @@ def _variable(
         report.problem(at, what, remedy=f"{did_you_mean(name, known)}{word} of the FMU: {listed}")
     elif known[name].type not in TYPES or not known[name].scalar:
         what = known[name].type if known[name].scalar else f"array of {known[name].type}"
-        report.problem(at, "is not a number", what, ", ".join(TYPES), "connect a scalar variable")
+        report.problem(at, "is not a number", value=what, remedy="connect a scalar variable")
