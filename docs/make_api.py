@@ -77,6 +77,7 @@ GROUPS = {
         "ReliefPlan",
         "solve_time",
         "Stepper",
+        "estimate_communication_error",
         "reduce_system",
         "state_space",
     ),

@@ -77,6 +77,7 @@ if TYPE_CHECKING:
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
+    from pitchpoint.solvers.communication_error import estimate_communication_error
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
     from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
@@ -171,6 +172,7 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "estimate_communication_error",
     "export_fmu",
     "extrapolate_polar",
     "import_rexs",
@@ -282,6 +284,7 @@ _HOMES = {
     "report.pictures": ("plot",),
     "report.write": ("write_report",),
     "solvers.campbell_dataset": ("solve_campbell",),
+    "solvers.communication_error": ("estimate_communication_error",),
     "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),
     "solvers.contact_analysis.solve": ("solve_contact",),
     "solvers.contact_analysis.relief.design": ("design_relief",),

@@ -149,6 +149,11 @@ def test_our_own_fmu_couples_to_first_order(version, tmp_path):
         errors.append(np.abs(runs(tmp_path, ROTOR, changes)["speed[rotor]"].values - whole).max())
     assert np.divide(errors[:-1], errors[1:]) == pytest.approx(2.0, rel=0.1)
     assert errors[-1] < 0.05 * np.ptp(whole)
+    (tmp_path / "model.yaml").write_text(ROTOR.replace("FILE", "generator.fmu").replace("4 ms", "2 ms"))
+    model = pp.load_model(tmp_path / "model.yaml", allow_code=True)
+    estimated = pp.estimate_communication_error(model, "run")["speed[rotor]"]
+    assert np.abs(estimated.values - whole).max() == errors[-1]
+    assert estimated.attrs["communication_error"] == pytest.approx(errors[-1], rel=0.1)
     assert not processes()
 
 

@@ -305,7 +305,7 @@ def test_all_forms_are_tried():
     assert set(SENSORS) == {"frames", "joint", "load", "observation"}
     assert set(BLOCKS) <= set(BLOCK_FILES)
     assert {numbers[0] for _, numbers in ACTUATOR_FILES.values()} == set(ACTUATORS)
-    assert set(CONTROLLERS) == {"python", "pid"}
+    assert set(CONTROLLERS) == {"python", "pid", "fmu"}
 
 
 CONTROLLED = f"""\
