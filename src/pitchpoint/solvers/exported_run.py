@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.compiler.memory_image import MemoryImage
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.fmi.fmu_process import FmuFunction
 from pitchpoint.core.kernel import COMPILING, address
 from pitchpoint.elements.kind import DRIVE, FORCE, TORQUE
 from pitchpoint.elements.signal import CONSTANT
@@ -171,7 +172,8 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     problems = [
         Message(
             f"controllers.{controller.name}",
-            "is a Python function, which an exported model cannot call",
+            f"is {'an FMU' if isinstance(controller.function, FmuFunction) else 'a Python function'}, which an "
+            "exported model cannot call",
             remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers

@@ -103,7 +103,13 @@ actuators:
 loads:
   wind: {body: rotor, torque: 100 N m}
 scenarios:
-  run: {speed: {rotor: 10 rad/s}, start: assembled, duration: 10 ms, step: 1 ms, method: adams, sample_rate: 1 kHz}
+  run:
+    speed: {rotor: 10 rad/s}
+    start: assembled
+    duration: 10 ms
+    step: 1 ms
+    method: adams
+    sample_rate: 1 kHz
 """
 
 

@@ -26,7 +26,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which ends this process
     requests, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     empty = os.open(os.devnull, os.O_RDWR)
-    for descriptor in (0, 1, 2):  # what the unit prints is no answer
+    for descriptor in (0, 1, 2):  # what the unit prints must not be read as an answer
         os.dup2(empty, descriptor)
     waiting: queue.Queue[bytes] = queue.Queue()
     threading.Thread(target=_listen, args=(requests, waiting), daemon=True).start()
