@@ -29,7 +29,7 @@ int fmi2DoStep(void *c, double t, double h, int keep) {
   if (it.t < 0.0045) return 0;
   if (it.mode == 1) abort();
   if (it.mode == 2) for (;;) sleep(1);
-  if (it.mode == 4) { it.logger(&it, "it", 3, "", "the engine has no fuel"); return 3; }
+  if (it.mode == 4) { it.logger(&it, "it", 3, "", "the engine has no %s", "fuel"); return 3; }
   if (it.mode == 5) exit(7);
   return 0;
 }

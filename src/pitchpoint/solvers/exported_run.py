@@ -172,8 +172,8 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     problems = [
         Message(
             f"controllers.{controller.name}",
-            f"is {'an FMU' if isinstance(controller.function, FmuFunction) else 'a Python function'}, which an "
-            "exported model cannot call",
+            f"is {'an FMU' if isinstance(controller.function, FmuFunction) else 'a Python function'}, which "
+            "an exported model cannot call",
             remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers

@@ -109,7 +109,7 @@ class FmuProcess:
         self._folder = tempfile.TemporaryDirectory(prefix="pitchpoint-fmu-", ignore_cleanup_errors=True)
         file.extract(Path(self._folder.name))
         self._process = subprocess.Popen(
-            python_command("-m", "pitchpoint.core.fmi.host"),
+            python_command("-m", "pitchpoint.core.fmi.host", self._folder.name),
             env=python_environment(),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -130,10 +130,8 @@ class FmuProcess:
         request
             Start time, parameters, inputs and outputs.
         """
-        folder = Path(self._folder.name)
         about = {
-            "folder": str(folder),
-            "library": str(folder / self.file.library),
+            "library": str(Path(self._folder.name) / self.file.library),
             "version": self.file.version,
             "token": self.file.token,
             "identifier": self.file.identifier,

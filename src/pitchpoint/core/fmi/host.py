@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Process that runs one functional mock-up unit: `python -m pitchpoint.core.fmi.host`, by `fmu_process`.
+"""Process that runs one functional mock-up unit: `python -m pitchpoint.core.fmi.host FOLDER`.
 
-One line of JSON per request and answer. The process ends with its parent: a thread waits for the end of the
-requests, also while the unit computes.
+`fmu_process` starts it with the folder of the unpacked unit. One line of JSON per request and answer. The
+process ends with its parent: a thread waits for the end of the requests, also while the unit computes.
 """
 
 from __future__ import annotations
 
+import ctypes
 import json
 import os
 import queue
+import shutil
 import signal
 import sys
 import threading
+from contextlib import suppress
 from typing import Any, BinaryIO
 
 from pitchpoint.core.fmi.fmu_file import INTEGERS
@@ -48,9 +51,10 @@ def main() -> None:
 
 
 def _listen(requests: BinaryIO, waiting: queue.Queue[bytes]) -> None:
-    """Pass on the requests; at their end the process ends, whatever it is doing."""
+    """Pass on the requests; at their end the process ends, whatever it is doing, and deletes the files."""
     for line in requests:
         waiting.put(line)
+    shutil.rmtree(sys.argv[1], ignore_errors=True)
     os._exit(0)
 
 
@@ -60,7 +64,7 @@ class _Unit:
     Parameters
     ----------
     request
-        Folder, library, version, token and identifier of the unit, start time, and its variables.
+        Library, version, token and identifier of the unit, start time, and its variables.
     messages
         Receives the messages of the unit.
     """
@@ -70,7 +74,7 @@ class _Unit:
         self.version = request["version"]
         self.inputs, self.outputs = request["inputs"], request["outputs"]
         names = {"guid": request["token"], "modelIdentifier": request["identifier"], "instanceName": "unit"}
-        where = {"unzipDirectory": request["folder"], "libraryPath": request["library"]}
+        where = {"unzipDirectory": sys.argv[1], "libraryPath": request["library"]}
         t = request["t"]
         if self.version == 2:
             from fmpy import fmi2
@@ -80,6 +84,10 @@ class _Unit:
             self.callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._logged2)
             self.callbacks.allocateMemory = fmi2.fmi2CallbackAllocateMemoryTYPE(fmi2.calloc)
             self.callbacks.freeMemory = fmi2.fmi2CallbackFreeMemoryTYPE(fmi2.free)
+            with suppress(ImportError, OSError):  # inserts the arguments of messages
+                from fmpy.logging import addLoggerProxy
+
+                addLoggerProxy(ctypes.byref(self.callbacks))
             self.unit.instantiate(callbacks=self.callbacks)
             self.unit.setupExperiment(startTime=t)
             self._set(request["parameters"])
