@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
     from pitchpoint.geometry.rotor.tower import Tower
     from pitchpoint.io.measured.reading import read_measured
-    from pitchpoint.io.openfast.aerodyn import read_aerodyn
-    from pitchpoint.io.openfast.airfoil import read_airfoil
+    from pitchpoint.model.openfast.aerodyn import read_aerodyn
+    from pitchpoint.model.openfast.airfoil import read_airfoil
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
@@ -224,8 +224,8 @@ _HOMES = {
     "geometry.rotor.polar_range": ("extrapolate_polar",),
     "geometry.rotor.tower": ("Tower",),
     "io.measured.reading": ("read_measured",),
-    "io.openfast.aerodyn": ("read_aerodyn",),
-    "io.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.aerodyn": ("read_aerodyn",),
+    "model.openfast.airfoil": ("read_airfoil",),
     "io.results": ("open_result",),
     "io.rexs.importing": ("import_rexs",),
     "io.rexs.reading": ("read_rexs",),

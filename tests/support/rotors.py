@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.geometry.rotor.blade import Blade, Rotor
 from pitchpoint.geometry.rotor.polar import Polar
-from pitchpoint.io.openfast.aerodyn import AeroDynInput, read_aerodyn
+from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
 
 FOLDER = Path(__file__).parent / "nrel_5mw"
 AERODYN = FOLDER / "onshore" / "AeroDyn.dat"

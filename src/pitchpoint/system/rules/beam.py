@@ -54,16 +54,11 @@ def beam_stations(model: Model) -> dict[int, Body]:
 def beam_bank(places: Places) -> Bank:
     """Elements of all beams."""
     model = places.model
-    rows, names, first = [np.zeros(0, RECORD)], [], beam_numbers(model)
+    rows, names = [np.zeros(0, RECORD)], []
     for name, part in model.beams.items():
-        (_, axes), length = _line(model, part)
+        _, length = _line(model, part)
         piece = _piece(part, length)
-        inner = [(first[name] + k, np.zeros(3), np.eye(3)) for k in range(part.pieces - 1)]
-        nodes = [
-            _clamped(model, places, part.ends[0], axes),
-            *inner,
-            _clamped(model, places, part.ends[1], axes),
-        ]
+        nodes = beam_nodes(places, name)
         for k, (one, two) in enumerate(zip(nodes[:-1], nodes[1:], strict=True), start=1):
             rows.append(
                 beam_row(
@@ -77,6 +72,15 @@ def beam_bank(places: Places) -> Bank:
             )
             names.append(name if part.pieces == 1 else f"{name}.{k}")
     return Bank("beam", np.concatenate(rows), tuple(names))
+
+
+def beam_nodes(places: Places, name: str) -> list[tuple[int, Array, Array]]:
+    """Nodes of a beam from its first end: body, position and section axes in the frame of that body."""
+    model = places.model
+    part, first = model.beams[name], beam_numbers(model)[name]
+    axes = beam_frame(model, part)[1]
+    inner = [(first + k, np.zeros(3), np.eye(3)) for k in range(part.pieces - 1)]
+    return [_clamped(model, places, part.ends[0], axes), *inner, _clamped(model, places, part.ends[1], axes)]
 
 
 def _line(model: Model, part: BeamPart) -> tuple[tuple[Array, Array], float]:
