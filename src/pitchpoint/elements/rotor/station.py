@@ -45,7 +45,7 @@ PLACE: list[tuple[Any, ...]] = [
 ]
 
 RECORD = np.dtype(
-    [(name, "i8") for name in ("i", "j", "k", "ii", "ij", "ji", "jj", "ik", "ki", "jk", "kj", "kk")]
+    [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
     + PLACE
     + [
         ("first", "i8"),  # 1: first station of a rotor; it has the sums of the rotor

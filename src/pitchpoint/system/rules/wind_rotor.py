@@ -168,14 +168,14 @@ def _on_beam(places: Places, name: str, at: str) -> Callable[[Any, Station], Non
     def fasten(row: Any, station: Station) -> None:
         """Station between two nodes, by the shape functions of a beam; beyond the ends on the end."""
         local = world.T @ (station.place - root)
-        beside = float(np.hypot(local[0], local[1]))
-        if beside > 0.1 * length or not -0.1 * length <= local[2] <= 1.1 * length:
+        offset = float(np.hypot(local[0], local[1]))
+        if offset > 0.1 * length or not -0.1 * length <= local[2] <= 1.1 * length:
             raise ModelError(
                 [
                     Message(
                         at,
                         f"names {name}, which is not where the blade is; distance of a station",
-                        f"{max(beside, local[2] - length, -local[2]):.3g} m",
+                        f"{max(offset, local[2] - length, -local[2]):.3g} m",
                         f"<= {0.1 * length:.3g} m, a tenth of the beam",
                         "place the ends of the beam at root and tip of the blade",
                     )
