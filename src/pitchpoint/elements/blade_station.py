@@ -42,7 +42,7 @@ ROTOR = (
 @kernel
 def _share(f, b, side, force, moment):
     """Add the force and moment of the station to a body through the shape functions."""
-    share = b["n_i"] if side == 0 else b["n_j"]
+    share = b["share_i"] if side == 0 else b["share_j"]
     turn = b["w_i"] if side == 0 else b["w_j"]
     m = add(cross(row(b["arm"], side), force), times(turn, moment))
     for r in range(3):

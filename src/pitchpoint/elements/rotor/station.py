@@ -30,8 +30,8 @@ R, V, S, C, N, T, O, E, U, RHO = range(10)
 outward, normal of the blade, air relative to the station, place from the centre of the hub."""
 
 PLACE: list[tuple[Any, ...]] = [
-    ("n_i", "f8"),  # shares of both origins in the place, n_i + n_j = 1
-    ("n_j", "f8"),
+    ("share_i", "f8"),  # shares of both origins in the place, share_i + share_j = 1
+    ("share_j", "f8"),
     ("w_i", "f8"),  # shares of both rotations, w_i + w_j = 1
     ("w_j", "f8"),
     ("a_i", "f8", 3),  # arms, spans and chords in the axes of the bodies
@@ -88,8 +88,8 @@ def place(b, f, g, h):
     arm_i = into_world(f["S"], triple(b["a_i"], 0))
     arm_j = into_world(g["S"], triple(b["a_j"], 0))
     arm_k = into_world(h["S"], triple(b["p_k"], 0))
-    ni = b["n_i"]
-    nj = b["n_j"]
+    ni = b["share_i"]
+    nj = b["share_j"]
     at = add(add(times(ni, origin(f)), times(nj, origin(g))), add(arm_i, arm_j))
     move = add(times(ni, velocity(f)), times(nj, velocity(g)))
     move = add(move, add(cross(angular_velocity(f), arm_i), cross(angular_velocity(g), arm_j)))

@@ -22,7 +22,7 @@ def _moved(b, f, side, c):
     if side == 2:
         shift = add(unit(c), d_arm)
         return d_arm, shift, ZERO, ZERO, swept, cross(w, row(b["x"], N))
-    share = b["n_i"] if side == 0 else b["n_j"]
+    share = b["share_i"] if side == 0 else b["share_j"]
     shift = add(times(share, unit(c)), d_arm)
     span = into_world(f["S"], triple(b["s_i"] if side == 0 else b["s_j"], 0))
     chord = into_world(f["S"], triple(b["c_i"] if side == 0 else b["c_j"], 0))
@@ -142,9 +142,9 @@ def station_tangent(b, f, g, h, kk, ck, cd, force):
             moment = add(cross(row(b["arm"], 0), dF), times(b["w_i"], dM))
             if side == 0:
                 moment = add(moment, cross(d_arm, force))
-            put(to_i, c, -1.0, times(b["n_i"], dF), moment)
+            put(to_i, c, -1.0, times(b["share_i"], dF), moment)
             if b["j"] != 0:
                 moment = add(cross(row(b["arm"], 1), dF), times(b["w_j"], dM))
                 if side == 1:
                     moment = add(moment, cross(d_arm, force))
-                put(to_j, c, -1.0, times(b["n_j"], dF), moment)
+                put(to_j, c, -1.0, times(b["share_j"], dF), moment)

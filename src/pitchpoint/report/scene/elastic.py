@@ -28,6 +28,8 @@ Read = Callable[[str], "Array | None"]
 RINGS = 4
 """Number of rings of corners along every segment of a beam."""
 MAX_NODES = 300
+SLENDER = 0.015
+"""Radius of beams of unknown section, relative to their length."""
 BAR = 0.008
 """Half width of the bars between nodes, relative to the size of the machine."""
 
@@ -64,7 +66,7 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     wish = np.array(part.axis or ((0.0, 1.0, 0.0) if abs(z[0]) > 0.999 else (1.0, 0.0, 0.0)))
     x = unit(wish - z * (z @ wish))
     y = np.cross(z, x)
-    outline = _section(part)
+    outline = _section(part, float(np.linalg.norm(tip - root)))
     count = RINGS * part.pieces + 1
     share = np.linspace(0.0, 1.0, count)
     ring = outline[:, :1] * x + outline[:, 1:] * y
@@ -89,13 +91,16 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     )
 
 
-def _section(part: Beam) -> Array:
+def _section(part: Beam, length: float) -> Array:
     """Corners of the cross section of a beam along its axes 1 and 2, (n, 2) [m]; a circle if unknown."""
     section = part.section
-    if section.width is not None and section.height is not None:
+    if section is None:  # properties without a shape
+        radius = SLENDER * length
+    elif section.width is not None and section.height is not None:
         w, h = 0.5 * section.width, 0.5 * section.height
         return np.array([[w, -h], [w, h], [-w, h], [-w, -h]])
-    radius = 0.5 * section.diameter if section.diameter else math.sqrt((section.area or 0.0) / math.pi)
+    else:
+        radius = 0.5 * section.diameter if section.diameter else math.sqrt((section.area or 0.0) / math.pi)
     angle = 2.0 * math.pi / 20 * np.arange(20)
     return radius * np.column_stack([np.cos(angle), np.sin(angle)])
 

@@ -4,10 +4,8 @@
 from __future__ import annotations
 
 import functools
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,6 +21,7 @@ from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.beam import beam_nodes
 from pitchpoint.system.rules.places import Places
+from pitchpoint.system.rules.structure_files import change_time
 from pitchpoint.system.wind import WindField
 
 if TYPE_CHECKING:
@@ -150,7 +149,7 @@ def _on_body(places: Places, end: str) -> Callable[[Any, Station], None]:
 
     def fasten(row: Any, station: Station) -> None:
         """Rigid station on one body."""
-        row["i"], row["n_i"], row["w_i"] = number, 1.0, 1.0
+        row["i"], row["share_i"], row["w_i"] = number, 1.0, 1.0
         row["a_i"] = point + turn @ (station.place - origin)
         row["s_i"], row["c_i"] = turn @ station.span, turn @ station.chord
 
@@ -191,7 +190,7 @@ def _on_beam(places: Places, name: str, at: str) -> Callable[[Any, Station], Non
         for end, (number, point, axes), n, h, w in zip(
             "ij", nodes[k : k + 2], shares, slopes, (1.0 - x, x), strict=True
         ):
-            row[end], row[f"n_{end}"], row[f"w_{end}"] = number, n, w
+            row[end], row[f"share_{end}"], row[f"w_{end}"] = number, n, w
             row[f"a_{end}"] = n * point + h * axes[:, 2] + w * (axes @ beyond)
             row[f"s_{end}"] = w * (axes @ (world.T @ station.span))
             row[f"c_{end}"] = w * (axes @ (world.T @ station.chord))
@@ -203,15 +202,10 @@ def _on_beam(places: Places, name: str, at: str) -> Callable[[Any, Station], Non
 def _read(part: WindRotor, at: str, file: str | None) -> AeroDynInput:
     """Contents of the AeroDyn file of a rotor."""
     try:
-        return _contents(part.aerodyn, _stamp(Path(part.aerodyn)))
+        return _contents(part.aerodyn, change_time(part.aerodyn))
     except ModelError as error:
         problems = [p.changed(where=f"{at}.aerodyn: {p.where}", file=None) for p in error.problems]
         raise ModelError(problems, file) from None
-
-
-def _stamp(path: Path) -> int:
-    """Time of the last change; 0 if the file does not exist."""
-    return os.stat(path).st_mtime_ns if path.exists() else 0
 
 
 @functools.lru_cache(maxsize=8)
