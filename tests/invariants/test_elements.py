@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from pitchpoint.elements import (
-    blade_station,
     bushing,
     clearance_bearing,
     drive,
@@ -25,15 +24,11 @@ from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.kind import FRAME
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.shaft_beam import shaft_row
-from pitchpoint.elements.rotor.record import air_record, polar_rows, station_records, tower_rows
-from pitchpoint.geometry.rotor.flow import RotorFlow
-from pitchpoint.geometry.rotor.tower import Tower
-from pitchpoint.model.wind.steady import SteadyWind
 from pitchpoint.multibody.beam_section import Beam, rectangle, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from pitchpoint.system.wind import WindField
+from tests.support.blade_stations import stations_between
 from tests.support.engine import (
     bearings,
     couplings,
@@ -43,7 +38,6 @@ from tests.support.engine import (
     positive,
     torques,
 )
-from tests.support.rotors import report_rotor
 
 #: Kinds with a contract suite of their own.
 ELSEWHERE = {
@@ -173,35 +167,6 @@ def _torque(rng):
     return records
 
 
-def _blade_station(rng):
-    """Three stations of a blade of the NREL 5 MW between both bodies, the first of them the hub, in wind
-    across the axis, with a tower."""
-    rotor, flow = report_rotor(), RotorFlow()
-    records = np.zeros(3, blade_station.RECORD)
-    records["i"], records["j"], records["k"] = 1, 2, 1
-    shares = np.array([0.2, 0.5, 1.0])
-    records["share_i"], records["share_j"], records["w_i"], records["w_j"] = 1 - shares, shares, 1 - shares, shares
-    records["a_i"], records["a_j"] = rng.normal(size=(2, 3, 3))
-    records["a_i"][:, 0] += np.array([2.0, 3.0, 5.0])
-    for end, share in (("i", 1.0 - shares), ("j", shares)):
-        records[f"s_{end}"] = share[:, None] * np.array([1.0, 0.1, -0.05])
-        records[f"c_{end}"] = share[:, None] * np.array([0.0, 1.0, -0.1])
-    records["p_k"], records["axis"] = (0.1, 0.2, 4.0), (0.0, 0.1, np.sqrt(0.99))
-    records["a_i"][:, 2] += 4.0
-    records["air"], records["blade"] = air_record(flow), station_records(rotor)[[5, 9, 13]]
-    wind = SteadyWind(speed=12.0, hub_height=4.0, exponent=0.2, inflow_angle=0.3, direction=0.4)
-    records["wind"], records["box"], records["first"][0], records["length"] = (
-        WindField(wind).record,
-        -1,
-        1,
-        0.02,
-    )
-    knots, tower = polar_rows(rotor), tower_rows(Tower(elevation=[0.0, 9.0], diameter=[0.5, 0.3]))
-    records["rows"], records["sections"], records["tower"]["n"] = len(knots), knots.size, len(tower)
-    records["tower"]["x"] = -3.0
-    return records, np.concatenate([knots.ravel(), tower.ravel()])
-
-
 def _damping(rng):
     return damping_records(positive(rng, 12), [(0, 0), (0, 6), (6, 6)])
 
@@ -214,7 +179,7 @@ def _drive(rng):
 
 SAMPLES = {
     "beam": _beam,
-    "blade_station": _blade_station,
+    "blade_station": stations_between,
     "bearing": _bearing,
     "bushing": _bushing,
     "clearance_bearing": lambda rng: _ring(clearance_bearing, rng, gap=1e-3),

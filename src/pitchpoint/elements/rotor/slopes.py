@@ -15,9 +15,9 @@ from pitchpoint.elements.rotor.induction import heavy_induction, inflow_angle, l
 from pitchpoint.elements.rotor.loads import induced
 from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
 
-VX, VY, THETA, YAW, DOWNWIND = 0, 1, 2, 3, 4
-"""Columns of the derivatives."""
-INPUTS = 5
+VX, VY, THETA, YAW, DOWNWIND, Z_N, W_N, Z_T, W_T, F = range(10)
+"""Columns of the derivatives: inputs, then states of dynamic inflow and stall (`unsteady`)."""
+INPUTS, COLUMNS = 5, 10
 
 
 @kernel
@@ -107,14 +107,14 @@ def momentum_slopes(b, air, knots, flow, phi):
 @kernel
 def no_induction(U):
     """Derivatives of the velocities of the air without induction."""
-    for c in range(INPUTS):
+    for c in range(COLUMNS):
         U[0, c] = 1.0 if c == VX else 0.0
         U[1, c] = 1.0 if c == VY else 0.0
 
 
 @kernel
 def induced_slopes(b, air, knots, p, U):
-    """Derivatives of the velocities of `induced`, shape (2, 5), in U."""
+    """Derivatives of the velocities of `induced`, shape (2, 10), in U."""
     no_induction(U)
     sx = 1.0 if p["vx"] >= 0.0 else -1.0
     sy = 1.0 if p["vy"] >= 0.0 else -1.0
@@ -173,7 +173,7 @@ def skew_slopes(air, b, p, ux, U):
 
 @kernel
 def steady_slopes(b, air, knots, p, U):
-    """Derivatives of the velocities of `steady_inflow`, shape (2, 5), in U."""
+    """Derivatives of the velocities of `steady_inflow`, shape (2, 10), in U."""
     no_induction(U)
     if b["tip"] <= 0.0 or b["hub"] <= 0.0:
         return
@@ -188,33 +188,45 @@ def steady_slopes(b, air, knots, p, U):
 
 
 @kernel
-def load_slopes(b, air, knots, p, U, L):
-    """Derivatives of normal and tangential force and moment per length, shape (3, 5), in L.
+def load_slopes(b, air, knots, p, U, lift, L):
+    """Derivatives of normal and tangential force and moment per length, shape (3, 10), in L.
 
-    U contains the derivatives of the velocities; the results of the record p are those at these velocities.
+    U contains the derivatives of the velocities, `lift` those of the coefficient of lift with respect to the
+    angle of attack and to the state of separation.
     """
-    for r in range(3):
-        for n in range(INPUTS):
-            L[r, n] = 0.0
     w = p["speed"]
-    if p["loss"] == 0.0 or w == 0.0:
-        return
+    idle = p["loss"] == 0.0 or w == 0.0
     ux = w * math.sin(p["phi"])
     uy = w * math.cos(p["phi"])
     i = interval(knots, b["first"], b["last"], p["alpha"])
-    _, cl1 = coefficient(knots, i, 1, p["alpha"])
     _, cd1 = coefficient(knots, i, 3, p["alpha"])
     _, cm1 = coefficient(knots, i, 5, p["alpha"])
     cl = p["lift"]
     cd = p["drag"]
-    q = 0.5 * air["rho"] * b["chord"]
-    for n in range(INPUTS):
+    q = 0.0 if idle else 0.5 * air["rho"] * b["chord"]
+    for n in range(COLUMNS):
+        da = angle_slope(p, U, n)
         dx = U[0, n]
         dy = U[1, n]
-        dw = (ux * dx + uy * dy) / w
-        da = (uy * dx - ux * dy) / (w * w) - (1.0 if n == THETA else 0.0)
-        by_n = cl * dy + cd * dx + da * (cl1 * uy + cd1 * ux)
-        by_t = cl * dx - cd * dy + da * (cl1 * ux - cd1 * uy)
-        L[0, n] = q * (dw * (cl * uy + cd * ux) + w * by_n)
-        L[1, n] = q * (dw * (cl * ux - cd * uy) + w * by_t)
+        dw = speed_slope(p, U, n)
+        dl = lift[0] * da + (lift[1] if n == F else 0.0)
+        dd = cd1 * da
+        L[0, n] = q * (dw * (cl * uy + cd * ux) + w * (cl * dy + cd * dx + dl * uy + dd * ux))
+        L[1, n] = q * (dw * (cl * ux - cd * uy) + w * (cl * dx - cd * dy + dl * ux - dd * uy))
         L[2, n] = q * b["chord"] * (2.0 * w * dw * p["moment"] + w * w * cm1 * da)
+
+
+@kernel
+def angle_slope(p, U, n):
+    """Derivative of the angle of attack with respect to column n."""
+    w = p["speed"]
+    da = -1.0 if n == THETA else 0.0
+    if w > 0.0:
+        da += (math.cos(p["phi"]) * U[0, n] - math.sin(p["phi"]) * U[1, n]) / w
+    return da
+
+
+@kernel
+def speed_slope(p, U, n):
+    """Derivative of the speed of the air relative to the station with respect to column n."""
+    return math.sin(p["phi"]) * U[0, n] + math.cos(p["phi"]) * U[1, n]

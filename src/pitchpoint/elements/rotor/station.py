@@ -29,6 +29,10 @@ R, V, S, C, N, T, O, E, U, RHO = range(10)
 """Rows of the vectors of a station: place, velocity, span, chord, axis of the hub, direction of rotation,
 outward, normal of the blade, air relative to the station, place from the centre of the hub."""
 
+STATES = ("l1", "l2", "l3", "l4", "l5")
+"""Fields of the hidden bodies of the states z_n, w_n, z_t, w_t and f (`unsteady`)."""
+BODIES = ("i", "j", "k", *STATES)
+
 PLACE: list[tuple[Any, ...]] = [
     ("share_i", "f8"),  # shares of both origins in the place, share_i + share_j = 1
     ("share_j", "f8"),
@@ -45,9 +49,12 @@ PLACE: list[tuple[Any, ...]] = [
 ]
 
 RECORD = np.dtype(
-    [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
+    [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk", *STATES)]
+    + [("pairs", "i8", (len(BODIES), len(BODIES)))]
     + PLACE
     + [
+        ("inflow", "i8"),  # 1: the induced velocities are states
+        ("stall", "i8"),  # 1: the point of separation is a state, if the section has lift
         ("first", "i8"),  # 1: first station of a rotor; it has the sums of the rotor
         ("length", "f8"),  # length of the blade of this station [m]
         ("blade", STATION),
@@ -61,9 +68,16 @@ RECORD = np.dtype(
         ("point", POINT),
         ("x", "f8", (10, 3)),
         ("arm", "f8", (3, 3)),  # arms of bodies i, j and hub in world axes
-        ("gradient", "f8", (3, 3)),  # of the wind, row per component
-        ("flow", "f8", (2, 5)),  # derivatives of the velocities and of the loads
-        ("slopes", "f8", (3, 5)),
+        ("gradient", "f8", (3, 3)),  # of the wind at the station, row per component
+        ("hub_gradient", "f8", (3, 3)),  # and at the centre of the rotor
+        ("state", "f8", 5),  # states and their rates
+        ("rates", "f8", 5),
+        ("steady", "f8", (2, 10)),  # derivatives: of velocities with steady induction, velocities, loads, rates
+        ("flow", "f8", (2, 10)),
+        ("slopes", "f8", (3, 10)),
+        ("by_rate", "f8", (5, 10)),
+        ("lift", "f8", 2),
+        ("inputs", "f8", 5),  # changes of the inputs for one motion
         ("radius", "f8"),
         ("so", "f8"),  # components of the span along o and n, and their length
         ("sn", "f8"),
@@ -124,11 +138,38 @@ def place(b, f, g, h):
 
 
 @kernel
-def hub_inflow(b, h, t):
-    """Set the air relative to the centre of the rotor; status."""
+def set_gradient(b, at, t, tower, G):
+    """Write the gradient of the wind at a point to G by central differences; status."""
+    h = 1e-3
+    for c in range(3):
+        step = (h if c == 0 else 0.0, h if c == 1 else 0.0, h if c == 2 else 0.0)
+        for side in range(2):
+            there = add(at, step) if side == 0 else less(at, step)
+            if tower != 0:
+                u, v, up, status = wind_of(b, there, t)
+            else:
+                u, v, up, status = undisturbed(b, there, t)
+            if status != OK:
+                return status
+            share = (0.5 if side == 0 else -0.5) / h
+            if side == 0:
+                G[0, c] = 0.0
+                G[1, c] = 0.0
+                G[2, c] = 0.0
+            G[0, c] += share * u
+            G[1, c] += share * v
+            G[2, c] += share * up
+    return OK
+
+
+@kernel
+def hub_inflow(b, h, t, exact):
+    """Set the air relative to the centre of the rotor, and with `exact` the gradient there; status."""
     arm = into_world(h["S"], triple(b["p_k"], 0))
     at = add(origin(h), arm)
     u, v, up, status = undisturbed(b, at, t)
+    if status == OK and exact != 0:
+        status = set_gradient(b, at, t, 0, b["hub_gradient"])
     move = add(velocity(h), cross(angular_velocity(h), arm))
     b["hub_wind"][0] = u - move[0]
     b["hub_wind"][1] = v - move[1]
@@ -164,24 +205,4 @@ def meet_air(b, t):
     along, across, size = across_rotor(b)
     p["yaw"] = math.atan2(size, along)
     p["downwind"] = dot(row(x, O), across) / size if size > 0.0 else 1.0
-    return OK
-
-
-@kernel
-def set_gradient(b, t):
-    """Set the gradient of the wind at the station by central differences; status."""
-    at = row(b["x"], R)
-    G = b["gradient"]
-    h = 1e-3
-    for c in range(3):
-        step = (h if c == 0 else 0.0, h if c == 1 else 0.0, h if c == 2 else 0.0)
-        u1, v1, w1, status = wind_of(b, add(at, step), t)
-        if status != OK:
-            return status
-        u0, v0, w0, status = wind_of(b, less(at, step), t)
-        if status != OK:
-            return status
-        G[0, c] = (u1 - u0) / (2.0 * h)
-        G[1, c] = (v1 - v0) / (2.0 * h)
-        G[2, c] = (w1 - w0) / (2.0 * h)
     return OK

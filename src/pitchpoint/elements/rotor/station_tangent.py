@@ -75,8 +75,9 @@ def _blown(G, shift):
 
 
 @kernel
-def station_column(b, f, side, c, ck, cd, force):
-    """Changes of the arm, of the force and of the moment of the station for motion c of one body."""
+def station_column(b, f, side, c, ck, cd):
+    """Changes of the arm and of both axes of the station for motion c of one body; sets those of the inputs
+    of its loads."""
     x = b["x"]
     d_arm, shift, ds, dc, swept, dn = _moved(b, f, side, c)
     nothing = times(0.0, shift)
@@ -101,44 +102,56 @@ def station_column(b, f, side, c, ck, cd, force):
     d_yaw = 0.0
     d_downwind = 0.0
     if b["air"]["skew"] != 0.0:
-        hub = times(-1.0, swept) if side == 2 else nothing
+        hub = less(_blown(b["hub_gradient"], shift), swept) if side == 2 else nothing
         pushed = times(-1.0, shift) if side == 2 else nothing
         d_yaw, d_downwind = _yaw(b, ck, cd, dn, do, hub, pushed)
-    L = b["slopes"]
-    loads = (0.0, 0.0, 0.0)
-    for r in range(3):
-        d = L[r, VX] * d_vx + L[r, VY] * d_vy + L[r, THETA] * d_theta
-        d += L[r, YAW] * d_yaw + L[r, DOWNWIND] * d_downwind
-        loads = add(loads, times(d, unit(r)))
+    b["inputs"][VX] = d_vx
+    b["inputs"][VY] = d_vy
+    b["inputs"][THETA] = d_theta
+    b["inputs"][YAW] = d_yaw
+    b["inputs"][DOWNWIND] = d_downwind
+    return times(ck, d_arm), times(ck, de), times(ck, dt)
+
+
+@kernel
+def combined(A, r, x):
+    """Product of the inputs x with row r of their derivatives."""
+    s = 0.0
+    for n in range(5):
+        s += A[r, n] * x[n]
+    return s
+
+
+@kernel
+def load_changes(b, loads, de, dt):
+    """Changes of force and moment of the station for changes of its loads per length and of its axes."""
+    e = row(b["x"], E)
+    t = row(b["x"], T)
     p = b["point"]
     dF = add(times(loads[0], e), times(loads[1], t))
-    dF = add(dF, times(ck, add(times(p["f_n"], de), times(p["f_t"], dt))))
-    along = cross(t, e)
-    d_along = add(cross(dt, e), cross(t, de))
-    dM = add(times(loads[2], along), times(ck * p["m_c"], d_along))
-    length = b["length"]
-    return times(ck, d_arm), times(length, dF), times(length, dM)
+    dF = add(dF, add(times(p["f_n"], de), times(p["f_t"], dt)))
+    dM = times(loads[2], cross(t, e))
+    dM = add(dM, times(p["m_c"], add(cross(dt, e), cross(t, de))))
+    return times(b["length"], dF), times(b["length"], dM)
 
 
 @kernel
 def station_tangent(b, f, g, h, kk, ck, cd, force):
     """Add the tangents of one station to its pair blocks; `force` is its force."""
+    L = b["slopes"]
+    x = b["inputs"]
     for side in range(3):
         at = f if side == 0 else g
         if side == 2:
             at = h
         if side == 1 and b["j"] == 0:
             continue
-        to_i = kk[b["ii"]]
-        to_j = kk[b["ji"]]
-        if side == 1:
-            to_i = kk[b["ij"]]
-            to_j = kk[b["jj"]]
-        elif side == 2:
-            to_i = kk[b["ik"]]
-            to_j = kk[b["jk"]]
+        to_i = kk[b["pairs"][0, side]]
+        to_j = kk[b["pairs"][1, side]]
         for c in range(6):
-            d_arm, dF, dM = station_column(b, at, side, c, ck, cd, force)
+            d_arm, de, dt = station_column(b, at, side, c, ck, cd)
+            loads = combined(L, 0, x), combined(L, 1, x), combined(L, 2, x)
+            dF, dM = load_changes(b, loads, de, dt)
             moment = add(cross(row(b["arm"], 0), dF), times(b["w_i"], dM))
             if side == 0:
                 moment = add(moment, cross(d_arm, force))
@@ -148,3 +161,23 @@ def station_tangent(b, f, g, h, kk, ck, cd, force):
                 if side == 1:
                     moment = add(moment, cross(d_arm, force))
                 put(to_j, c, -1.0, times(b["share_j"], dF), moment)
+            if b["inflow"] != 0:
+                for r in range(5):
+                    kk[b["pairs"][3 + r, side]][5, c] -= combined(b["by_rate"], r, x)
+
+
+@kernel
+def state_tangent(b, kk, cd):
+    """Add the tangents with respect to the states, the spin rates of hidden bodies about z of the world."""
+    L = b["slopes"]
+    Q = b["by_rate"]
+    for n in range(5):
+        loads = L[0, 5 + n], L[1, 5 + n], L[2, 5 + n]
+        dF, dM = load_changes(b, loads, ZERO, ZERO)
+        moment = add(cross(row(b["arm"], 0), dF), times(b["w_i"], dM))
+        put(kk[b["pairs"][0, 3 + n]], 5, -cd, times(b["share_i"], dF), moment)
+        if b["j"] != 0:
+            moment = add(cross(row(b["arm"], 1), dF), times(b["w_j"], dM))
+            put(kk[b["pairs"][1, 3 + n]], 5, -cd, times(b["share_j"], dF), moment)
+        for r in range(5):
+            kk[b["pairs"][3 + r, 3 + n]][5, 5] -= cd * Q[r, 5 + n]

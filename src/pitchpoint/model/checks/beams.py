@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.components.beam import SHAPES
+from pitchpoint.model.components.beam import IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -68,19 +68,20 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
 def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     given = part.lists
     if part.elastodyn is not None:
-        for name in given:
+        for name in set(given) & set(IN_FILE):
             report.problem((*at, name), "is in the file too", remedy="remove it, or remove elastodyn")
-        return
-    missing = [name for name in ("position", "mass", "bending_1", "bending_2") if name not in given]
-    if missing:
+        if given and ("position" in given) != (len(given) > 1):
+            report.problem(at, "has lists and positions that do not belong together", remedy="give both")
+    elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
         report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
         return
     try:
-        BeamTable(**given)  # type: ignore[arg-type]
+        BeamTable(**{**dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position)), "position": [0.0, 1.0], **given})
     except ModelError as error:
         for p in error.problems:
             key = p.where.partition("[")[0]
-            report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
+            if key in given:
+                report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:

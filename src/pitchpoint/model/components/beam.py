@@ -58,7 +58,7 @@ class BeamProperties(Component):
 
     elastodyn: str | None = key(
         "file",
-        "blade or tower file of ElastoDyn: mass, bending stiffness and structural twist; axis 1 is flapwise, "
+        "blade or tower file of ElastoDyn, instead of mass, bending stiffness and twist: axis 1 is flapwise, "
         "or fore-aft",
         None,
     )
@@ -110,6 +110,8 @@ class BeamProperties(Component):
 
 OPTIONAL = ("torsion", "axial", "twist", "center_1", "center_2")
 """Lists of `BeamProperties` that have defaults."""
+IN_FILE = ("mass", "bending_1", "bending_2", "twist")
+"""Lists of `BeamProperties` that a file of ElastoDyn replaces."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,7 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.keys import end, integer, key, positive, quantities, quantity, text
+from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
+
+
+WAYS = ("steady", "dynamic")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +43,18 @@ class WindRotor(Component):
         (),
         length=(0, 100),
         names="beams",
+    )
+    inflow: str = choice(
+        WAYS,
+        "induced velocity; steady: from the balance of momentum at every instant; dynamic: follows it with two "
+        "time constants (Oye)",
+        "steady",
+    )
+    stall: str = choice(
+        WAYS,
+        "lift; steady: of the polar; dynamic: the point of separation follows with a time constant (Oye), with "
+        "dynamic inflow only",
+        "steady",
     )
     wind: str | None = text(
         "wind at the rotor, unless a scenario names another one", None, display="the only one", names="winds"

@@ -174,7 +174,9 @@ def table_of(model: Model, name: str) -> BeamTable:
     try:
         if given.elastodyn is None:
             return BeamTable(**given.lists)  # type: ignore[arg-type]
-        return _contents(given.elastodyn, change_time(given.elastodyn))
+        table = _contents(given.elastodyn, change_time(given.elastodyn))
+        own = {k: v for k, v in given.lists.items() if k != "position"}
+        return replace(table, **{k: np.interp(table.position, given.position, v) for k, v in own.items()})
     except ModelError as error:
         raise ModelError(
             [p.changed(where=f"{at}: {p.where}".rstrip(": ")) for p in error.problems], model.file

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.elements.rotor.record import air_record, polar_rows, station_records, tower_rows
-from pitchpoint.elements.rotor.station import RECORD
+from pitchpoint.elements.rotor.station import RECORD, STATES
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.model.frames import axes_of, beam_frame, beam_length, place_of
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+WORDS = dict(zip(STATES, ("z_n", "w_n", "z_t", "w_t", "f"), strict=True))
+"""Symbols of the states."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,21 @@ def wind_rotor_bank(places: Places) -> Bank:
     return pack("blade_station", RECORD, rows, names, pool=pool.array())
 
 
+def state_names(model: Model) -> list[str]:
+    """Names of the states of all stations with dynamic inflow, ROTOR.BLADE.STATION.STATE."""
+    found = []
+    for name, part in model.wind_rotors.items():
+        if part.inflow == "dynamic":
+            n = _read(part, f"wind_rotors.{name}", model.file).blade.span.size
+            found += [
+                f"{name}.{b + 1}.{k + 1}.{WORDS[field]}"
+                for b in range(part.blades)
+                for k in range(n)
+                for field in STATES
+            ]
+    return found
+
+
 def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArray[np.void]:
     """Records of one rotor."""
     model, at = places.model, f"wind_rotors.{name}"
@@ -74,9 +91,15 @@ def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArr
     row["axis"] = axes[:, 2]
     n = rotor.blade.span.size
     rows = np.tile(row, part.blades * n)
-    rows["blade"] = np.tile(station_records(rotor, flow.tip_loss, flow.hub_loss), part.blades)
+    stall = part.stall == "dynamic"
+    rows["blade"] = np.tile(station_records(rotor, flow.tip_loss, flow.hub_loss, stall), part.blades)
     rows["length"] = np.tile(_lengths(rotor), part.blades)
     rows["first"][0] = 1
+    if part.inflow == "dynamic":
+        rows["inflow"], rows["stall"] = 1, int(stall)
+        for k, row in enumerate(rows):
+            for field in STATES:
+                row[field] = places.state(f"{name}.{k // n + 1}.{k % n + 1}.{WORDS[field]}")
     for k in range(part.blades):
         stations = _stations(model, part, rotor, k)
         fasten = _fastening(places, part, k, at)
