@@ -14,6 +14,9 @@ from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.openfast.aerodyn import read_aerodyn
 from pitchpoint.solvers.rotor_performance import along_blade, solve_rotor_performance
+from pitchpoint.solvers.rotor_transient import solve_rotor_transient
+from pitchpoint.solvers.time import run_time
+from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.rotors import AERODYN, FOLDER
@@ -96,3 +99,107 @@ def test_rigid_blades_have_the_loads_of_the_steady_rotor(folder, cone, tilt, she
     assert torque == pytest.approx(float(found.rotor_torque[0]) - moment, rel=close)
     assert power == pytest.approx(torque * TURNS, rel=1e-9)
     assert rows[0]["hub_wind_speed[rotor]"] == pytest.approx(SPEED * np.cos(tilt) * np.cos(yaw))
+
+
+TRAIN = """\
+bodies:
+  hub: {inertia: 4.37e7 kg m^2, position: [-5 m, 0, 90 m], axes: {z: [1, 0, 0], x: [0, 0, 1]}}
+  generator: {inertia: 5.0255e6 kg m^2, position: [1 m, 0, 90 m], axes: {z: [1, 0, 0], x: [0, 0, 1]}}
+torsion_springs:
+  shaft: {bodies: [hub, generator], stiffness: 8.67637e8 N m/rad, damping: 6.215e6 N m s/rad}
+winds:
+  steady: {speed: 8 m/s, height: 90 m}
+  rising: {speed: 8 m/s, height: 90 m, profile: uniform, gust: {shape: rise, start: 2 s, duration: 1 s, amplitude: 2 m/s}}
+wind_rotors:
+  rotor: {hub: hub, aerodyn: onshore/AeroDyn.dat, hub_radius: 1.5 m, precone: 2.5 deg, wind: steady}
+loads:
+  torque: {body: generator, torque: "-2.13e6*speed^2"}
+scenarios:
+  free: {speed: {hub: 8 rpm}, duration: 10 s, step: 10 ms, settle_time: 0 s}
+  driven: {wind: rising, drive: {generator: {speed: 9.156 rpm}}, duration: 10 s, step: 20 ms, settle_time: 0 s}
+"""
+
+
+def run(model, scenario):
+    """Times, and a function that returns channels."""
+    system, memory = compile_model(model, scenario), Memory()
+    done = run_time(system, sink=memory)
+    assert done.status == 1, done.sentence
+    rows = np.concatenate(memory.rows)
+    return np.concatenate(memory.times), lambda name: rows[:, system.layout.channel(name)]
+
+
+def test_the_energy_of_the_wind_goes_to_inertia_spring_damper_and_generator(folder):
+    """Two inertias run up in sheared wind; the balance closes to the error of the trapezoidal rule."""
+    t, channel = run(model_of(folder, text=TRAIN), "free")
+    hub, generator = channel("speed[hub]"), channel("speed[generator]")
+    stored = 0.5 * 4.37e7 * hub**2 + 0.5 * 5.0255e6 * generator**2
+    stored += 0.5 * 8.67637e8 * (channel("angle[hub]") - channel("angle[generator]")) ** 2
+    supplied = channel("aerodynamic_power[rotor]") + channel("torque[torque]") * generator
+    supplied -= 6.215e6 * (hub - generator) ** 2
+    np.testing.assert_allclose(
+        channel("aerodynamic_power[rotor]"), channel("rotor_torque[rotor]") * hub, rtol=1e-12
+    )
+    balance = np.diff(stored) - 0.5 * np.diff(t) * (supplied[1:] + supplied[:-1])
+    assert abs(balance.sum()) < 1e-6 * abs(np.diff(stored)).sum()
+    assert hub[-1] > hub[0] * 1.01
+
+
+def test_dynamic_inflow_and_stall_are_those_of_the_transient_rotor(folder):
+    """The wind rises from 8 to 10 m/s in 1 s; the thrust overshoots by 2 %. Both codes
+    integrate the states differently: steps of 20 ms make 1e-3."""
+    dynamic = TRAIN.replace("wind: steady}", "wind: steady, inflow: dynamic, stall: dynamic}")
+    t, channel = run(model_of(folder, text=dynamic), "driven")
+    given = read_aerodyn(folder / "onshore" / "AeroDyn.dat")
+    rotor = Rotor(blade=given.blade, hub_radius=1.5, precone=np.radians(2.5))
+    wind = 8.0 + np.where(t < 2.0, 0.0, np.where(t < 3.0, 1.0 - np.cos(np.pi * (t - 2.0)), 2.0))
+    found = solve_rotor_transient(rotor, t, wind, channel("speed[hub]"), flow=given.flow)
+    thrust = channel("rotor_thrust[rotor]")
+    np.testing.assert_allclose(thrust, found.rotor_thrust.values, rtol=1e-3)
+    assert thrust.max() > 1.02 * thrust[-1]
+    steady, still = run(model_of(folder, text=TRAIN), "driven")
+    assert still("rotor_thrust[rotor]").max() < 1.005 * still("rotor_thrust[rotor]")[-1]
+
+
+def test_blades_on_beams_and_bodies_have_the_loads_of_rigid_blades(folder):
+    """In the initial position of the example, at standstill and at speed, to round-off."""
+    model = load_model(FOLDER.parent / "model.yaml")
+    roots = model.replace_all({"wind_rotors.rotor.beams": (), "wind_rotors.rotor.bodies": ("root_1", "root_2", "root_3")})
+    rigid = model.replace("wind_rotors.rotor.beams", ())
+    for speed in (0.0, TURNS):
+        rows = []
+        for each in (model, roots, rigid):
+            system = compile_model(each, "parked")
+            state = system.initial_state()
+            state.v[system.spin("hub")] = speed
+            rows.append(evaluate.observe(system, state)[[system.layout.channel(f"{w}[rotor]") for w in TOTALS]])
+        np.testing.assert_allclose(rows[1], rows[0], rtol=1e-9, atol=1e-6)
+        np.testing.assert_allclose(rows[2], rows[0], rtol=1e-9, atol=1e-6)
+
+
+TOTALS = ("rotor_thrust", "rotor_torque", "aerodynamic_power")
+
+
+WRONG = {
+    "aerodyn: onshore/AeroDyn.dat": ("aerodyn: nowhere.dat", "nowhere.dat"),
+    "hub_radius: 1.5 m": ("hub_radius: -1.5 m", "hub_radius"),
+    "hub: hub": ("hub: nub", "did you mean hub"),
+    "precone: 2.5 deg": ("precone: 2.5 deg, beams: [shaft]", "names the beam 'shaft', which does not exist"),
+    "precone: 2.5 deg,": ("precone: 2.5 deg, stall: dynamic,", "requires dynamic inflow"),
+    "hub_radius: 1.5 m,": ("hub_radius: 1.5 m, bodies: [hub, generator],", "limit 3, one for each blade"),
+    "wind: steady}": ("wind: storm}", "storm"),
+    ", wind: steady}": ("}", "names no wind (limit rising, steady)"),
+    "steady: {speed: 8 m/s": ("steady: {profile: logarithmic, roughness_length: 60 m, speed: 8 m/s", "roughness_length"),
+    "scenarios:": ("scenarios:\n  calm: {wind: none, duration: 1 s}", "none"),
+}
+
+
+@pytest.mark.parametrize("word", WRONG)
+def test_wrong_rotors_are_told(folder, word):
+    new, words = WRONG[word]
+    assert word in TRAIN
+    with pytest.raises(ModelError) as error:
+        compile_model(model_of(folder, text=TRAIN.replace(word, new)), "free")
+    told = [str(p) for p in error.value.problems]
+    assert any(words in each for each in told), told
+    assert all(p.line for p in error.value.problems)
