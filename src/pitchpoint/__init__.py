@@ -30,7 +30,11 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
     from pitchpoint.geometry.rotor.tower import Tower
     from pitchpoint.io.measured.reading import read_measured
+    from pitchpoint.geometry.beam_table import BeamTable
+    from pitchpoint.model.components.wind import Wind
+    from pitchpoint.model.components.wind_rotor import WindRotor
     from pitchpoint.model.openfast.aerodyn import read_aerodyn
+    from pitchpoint.model.openfast.elastodyn import read_elastodyn
     from pitchpoint.model.openfast.airfoil import read_airfoil
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
@@ -101,6 +105,7 @@ if TYPE_CHECKING:
 __all__ = [
     "BasicRack",
     "Beam",
+    "BeamTable",
     "Bearing",
     "BevelGear",
     "BevelMesh",
@@ -158,9 +163,11 @@ __all__ = [
     "Unbalance",
     "UnitError",
     "ValidityWarning",
+    "Wind",
     "WindBox",
     "WindClass",
     "WindField",
+    "WindRotor",
     "__version__",
     "add_mean",
     "analyse",
@@ -177,6 +184,7 @@ __all__ = [
     "plot",
     "read_aerodyn",
     "read_airfoil",
+    "read_elastodyn",
     "read_mann",
     "read_measured",
     "read_rexs",
@@ -226,6 +234,10 @@ _HOMES = {
     "io.measured.reading": ("read_measured",),
     "model.openfast.aerodyn": ("read_aerodyn",),
     "model.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.elastodyn": ("read_elastodyn",),
+    "geometry.beam_table": ("BeamTable",),
+    "model.components.wind": ("Wind",),
+    "model.components.wind_rotor": ("WindRotor",),
     "io.results": ("open_result",),
     "io.rexs.importing": ("import_rexs",),
     "io.rexs.reading": ("read_rexs",),

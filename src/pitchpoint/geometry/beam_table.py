@@ -101,21 +101,13 @@ class BeamTable:
         x = np.r_[start, inner, end]
         found = {}
         for f in fields(self)[1:]:
-            values = self.values(f.name, length)
+            values = self._values(f.name, length)
             at = np.interp(x, self.position, values)
             found[f.name] = np.trapezoid(at, x) / (end - start)
         return found
 
-    def values(self, name: str, length: float) -> FloatArray:
-        """A property at all positions, with its default.
-
-        Parameters
-        ----------
-        name
-            Name of the property.
-        length
-            Length of the beam [m].
-        """
+    def _values(self, name: str, length: float) -> FloatArray:
+        """A property at all positions, with its default."""
         given = np.asarray(getattr(self, name))
         if given.size:
             return given
