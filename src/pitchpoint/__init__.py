@@ -24,18 +24,13 @@ if TYPE_CHECKING:
         ValidityWarning,
     )
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+    from pitchpoint.geometry.beam_table import BeamTable
     from pitchpoint.geometry.rotor.blade import Blade, Rotor
     from pitchpoint.geometry.rotor.flow import RotorFlow
     from pitchpoint.geometry.rotor.polar import Polar
     from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
     from pitchpoint.geometry.rotor.tower import Tower
     from pitchpoint.io.measured.reading import read_measured
-    from pitchpoint.geometry.beam_table import BeamTable
-    from pitchpoint.model.components.wind import Wind
-    from pitchpoint.model.components.wind_rotor import WindRotor
-    from pitchpoint.model.openfast.aerodyn import read_aerodyn
-    from pitchpoint.model.openfast.elastodyn import read_elastodyn
-    from pitchpoint.model.openfast.airfoil import read_airfoil
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
@@ -71,7 +66,12 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.spring import Maxwell, Spring
     from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
     from pitchpoint.model.components.unbalance import Unbalance
+    from pitchpoint.model.components.wind import Wind
+    from pitchpoint.model.components.wind_rotor import WindRotor
     from pitchpoint.model.model import Model
+    from pitchpoint.model.openfast.aerodyn import read_aerodyn
+    from pitchpoint.model.openfast.airfoil import read_airfoil
+    from pitchpoint.model.openfast.elastodyn import read_elastodyn
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.wind.box import WindBox
     from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass

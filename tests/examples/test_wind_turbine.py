@@ -33,8 +33,7 @@ def observed(system, state):
 
 
 def test_loads_at_8_m_per_s_are_those_of_openfast(model):
-    """Equilibrium of the rotating turbine in uniform wind, to 1.5 %: with the blades bent by 3 m. AeroDyn there
-    has other airfoil interpolation and no pitching moment of the axes of the blades."""
+    """Equilibrium of the rotating turbine in uniform wind, to 1.5 %, with the blades bent by 3 m."""
     changes = {
         "winds.steady.profile": "uniform",
         "scenarios.production.speed": {"hub": "9.1311 rpm"},

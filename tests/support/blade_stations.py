@@ -21,7 +21,12 @@ def stations_between(rng):
     records = np.zeros(3, blade_station.RECORD)
     records["i"], records["j"], records["k"] = 1, 2, 1
     shares = np.array([0.2, 0.5, 1.0])
-    records["share_i"], records["share_j"], records["w_i"], records["w_j"] = 1 - shares, shares, 1 - shares, shares
+    records["share_i"], records["share_j"], records["w_i"], records["w_j"] = (
+        1 - shares,
+        shares,
+        1 - shares,
+        shares,
+    )
     records["a_i"], records["a_j"] = rng.normal(size=(2, 3, 3))
     records["a_i"][:, 0] += np.array([2.0, 3.0, 5.0])
     for end, share in (("i", 1.0 - shares), ("j", shares)):

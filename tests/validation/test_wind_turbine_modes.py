@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Natural frequencies of rotating blades and of the NREL 5 MW turbine on beams with properties over the length.
+"""Natural frequencies of rotating blades and of the NREL 5 MW turbine, whose blades and tower are beams.
 
 Sources: ElastoDyn's files of the turbine in examples/wind-turbine; J. Jonkman, S. Butterfield, W. Musial, G.
 Scott, Definition of a 5-MW Reference Wind Turbine, NREL/TP-500-38060 (2009), Table 9-1; a linearisation of
@@ -33,13 +33,16 @@ def curvature(shape, x):
 
 
 def elastodyn_matrix(table):
-    """Stiffness over mass of the three modes as ElastoDyn computes them: 17 elements, sums over their middles.
+    """Stiffness over mass of the three modes as in ElastoDyn: 17 elements, sums over their middles.
 
     Curvatures act about the twisted axes; slopes and deflections are sums of whole and half elements.
     """
     x, step = (np.arange(NODES) + 0.5) / NODES, LENGTH / NODES
     twist = -np.interp(x, table.position, table.twist)
-    along = {name: np.interp(x, table.position, getattr(table, name)) for name in ("mass", "bending_1", "bending_2")}
+    along = {
+        name: np.interp(x, table.position, getattr(table, name))
+        for name in ("mass", "bending_1", "bending_2")
+    }
 
     def total(f):
         """Integral from the root to the middle of each element."""
@@ -142,14 +145,14 @@ ADAMS = {
     "second tower side to side": (2.9408, 0.005),
 }
 """Frequencies of ADAMS [Hz], whose blades and tower are beams, and tolerances. FAST, with assumed modes and a
-tower without torsion, differs from ADAMS by 17 % in the second flapwise yaw mode and by 6 % in the first: they
-depend on yaw inertia and torsion, of which the report has no more than the nacelle. The masses of the blades
-are 0.7 % less here, as integrated over the table."""
+tower without torsion, differs from ADAMS by 17 % in the second flapwise yaw mode and by 6 % in the first:
+they depend on yaw inertia and torsion, of which the report has no more than the nacelle. The masses of the
+blades are 0.7 % less here, as integrated over the table."""
 
 
 def test_modes_of_the_turbine_at_rest():
     """Generator locked, no air, no gravity. The table has no mode between 1.97 and 2.8 Hz; here is one at
-    2.66 Hz, collective bending of the blades in their plane with the second side-to-side mode of the tower."""
+    2.66 Hz, collective bending of the blades in their plane with the second lateral mode of the tower."""
     model = load_model(FOLDER.parent / "model.yaml").replace_all(
         {
             "wind_rotors.rotor": None,

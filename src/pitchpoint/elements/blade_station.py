@@ -97,7 +97,7 @@ def _write_rates(b, fr):
 
 @kernel
 def _unsteady_loads(b, knots, fr, jac):
-    """Loads with induced velocities and point of separation as states, their rates and derivatives; status."""
+    """Loads with induction and separation as states, their rates and derivatives; status."""
     p = b["point"]
     blade = b["blade"]
     x = b["state"]

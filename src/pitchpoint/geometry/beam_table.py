@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -47,7 +46,7 @@ class BeamTable:
     Examples
     --------
     >>> table = BeamTable(position=[0, 1], mass=[300, 100], bending_1=[2e9, 1e9], bending_2=[3e9, 1e9])
-    >>> float(table.mean(0.0, 0.5, 60.0)["mass"])
+    >>> table.mean(0.0, 0.5, 60.0)["mass"]
     250.0
     """
 
@@ -76,7 +75,9 @@ class BeamTable:
         for f in fields(self)[1:]:
             values = getattr(self, f.name)
             if values.size != x.size and (values.size or f.name in ("mass", "bending_1", "bending_2")):
-                found.append(Message(f.name, "is the number of values", str(values.size), f"{x.size} as of position"))
+                found.append(
+                    Message(f.name, "is the number of values", str(values.size), f"{x.size} as of position")
+                )
             elif not np.isfinite(values).all():
                 found.append(Message(f.name, "contains values that are not finite", remedy="give numbers"))
             elif f.name in ("mass", "bending_1", "bending_2", "torsion", "axial"):
@@ -87,7 +88,7 @@ class BeamTable:
                     found.append(Message(f"{f.name}[{k}]", "is out of range", f"{values[k]:g}", limit))
         return found
 
-    def mean(self, start: float, end: float, length: float) -> Mapping[str, np.float64]:
+    def mean(self, start: float, end: float, length: float) -> dict[str, float]:
         """Mean properties of a piece.
 
         Parameters
@@ -103,7 +104,7 @@ class BeamTable:
         for f in fields(self)[1:]:
             values = self._values(f.name, length)
             at = np.interp(x, self.position, values)
-            found[f.name] = np.trapezoid(at, x) / (end - start)
+            found[f.name] = float(np.trapezoid(at, x)) / (end - start)
         return found
 
     def _values(self, name: str, length: float) -> FloatArray:
@@ -115,4 +116,3 @@ class BeamTable:
         if name == "torsion":
             return STIFF_TORSION * larger
         return STIFF_AXIAL * larger / length**2 if name == "axial" else np.zeros(self.position.size)
-

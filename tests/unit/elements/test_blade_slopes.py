@@ -33,7 +33,6 @@ def loads(point, station, air):
     return np.array([again[name][0] for name in ("f_n", "f_t", "m_c")]), again
 
 
-
 def slopes_of(station, air, found, U, L):
     """Derivatives of the loads with the steady lift."""
     lift = np.zeros(2)

@@ -109,14 +109,16 @@ torsion_springs:
   shaft: {bodies: [hub, generator], stiffness: 8.67637e8 N m/rad, damping: 6.215e6 N m s/rad}
 winds:
   steady: {speed: 8 m/s, height: 90 m}
-  rising: {speed: 8 m/s, height: 90 m, profile: uniform, gust: {shape: rise, start: 2 s, duration: 1 s, amplitude: 2 m/s}}
+  rising: {speed: 8 m/s, height: 90 m, profile: uniform,
+    gust: {shape: rise, start: 2 s, duration: 1 s, amplitude: 2 m/s}}
 wind_rotors:
   rotor: {hub: hub, aerodyn: onshore/AeroDyn.dat, hub_radius: 1.5 m, precone: 2.5 deg, wind: steady}
 loads:
   torque: {body: generator, torque: "-2.13e6*speed^2"}
 scenarios:
   free: {speed: {hub: 8 rpm}, duration: 10 s, step: 10 ms, settle_time: 0 s}
-  driven: {wind: rising, drive: {generator: {speed: 9.156 rpm}}, duration: 10 s, step: 20 ms, settle_time: 0 s}
+  driven: {wind: rising, drive: {generator: {speed: 9.156 rpm}}, duration: 10 s, step: 20 ms,
+    settle_time: 0 s}
 """
 
 
@@ -164,7 +166,9 @@ def test_dynamic_inflow_and_stall_are_those_of_the_transient_rotor(folder):
 def test_blades_on_beams_and_bodies_have_the_loads_of_rigid_blades(folder):
     """In the initial position of the example, at standstill and at speed, to round-off."""
     model = load_model(FOLDER.parent / "model.yaml")
-    roots = model.replace_all({"wind_rotors.rotor.beams": (), "wind_rotors.rotor.bodies": ("root_1", "root_2", "root_3")})
+    roots = model.replace_all(
+        {"wind_rotors.rotor.beams": (), "wind_rotors.rotor.bodies": ("root_1", "root_2", "root_3")}
+    )
     rigid = model.replace("wind_rotors.rotor.beams", ())
     for speed in (0.0, TURNS):
         rows = []
@@ -172,7 +176,9 @@ def test_blades_on_beams_and_bodies_have_the_loads_of_rigid_blades(folder):
             system = compile_model(each, "parked")
             state = system.initial_state()
             state.v[system.spin("hub")] = speed
-            rows.append(evaluate.observe(system, state)[[system.layout.channel(f"{w}[rotor]") for w in TOTALS]])
+            rows.append(
+                evaluate.observe(system, state)[[system.layout.channel(f"{w}[rotor]") for w in TOTALS]]
+            )
         np.testing.assert_allclose(rows[1], rows[0], rtol=1e-9, atol=1e-6)
         np.testing.assert_allclose(rows[2], rows[0], rtol=1e-9, atol=1e-6)
 
@@ -189,7 +195,10 @@ WRONG = {
     "hub_radius: 1.5 m,": ("hub_radius: 1.5 m, bodies: [hub, generator],", "limit 3, one for each blade"),
     "wind: steady}": ("wind: storm}", "storm"),
     ", wind: steady}": ("}", "names no wind (limit rising, steady)"),
-    "steady: {speed: 8 m/s": ("steady: {profile: logarithmic, roughness_length: 60 m, speed: 8 m/s", "roughness_length"),
+    "steady: {speed: 8 m/s": (
+        "steady: {profile: logarithmic, roughness_length: 60 m, speed: 8 m/s",
+        "roughness_length",
+    ),
     "scenarios:": ("scenarios:\n  calm: {wind: none, duration: 1 s}", "none"),
 }
 

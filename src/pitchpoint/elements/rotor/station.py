@@ -25,7 +25,7 @@ from pitchpoint.elements.wrench import angular_velocity, origin, velocity
 from pitchpoint.multibody.channels import F8
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, row, set_row, times, triple
 
-R, V, S, C, N, T, O, E, U, RHO = range(10)
+R, V, S, C, N, T, OUT, E, U, RHO = range(10)
 """Rows of the vectors of a station: place, velocity, span, chord, axis of the hub, direction of rotation,
 outward, normal of the blade, air relative to the station, place from the centre of the hub."""
 
@@ -72,7 +72,11 @@ RECORD = np.dtype(
         ("hub_gradient", "f8", (3, 3)),  # and at the centre of the rotor
         ("state", "f8", 5),  # states and their rates
         ("rates", "f8", 5),
-        ("steady", "f8", (2, 10)),  # derivatives: of velocities with steady induction, velocities, loads, rates
+        (
+            "steady",
+            "f8",
+            (2, 10),
+        ),  # derivatives: of velocities with steady induction, velocities, loads, rates
         ("flow", "f8", (2, 10)),
         ("slopes", "f8", (3, 10)),
         ("by_rate", "f8", (5, 10)),
@@ -125,7 +129,7 @@ def place(b, f, g, h):
     set_row(x, C, chord)
     set_row(x, N, n)
     set_row(x, T, t)
-    set_row(x, O, o)
+    set_row(x, OUT, o)
     set_row(x, E, times(1.0 / size, less(times(so, n), times(sn, o))))
     set_row(x, RHO, rho)
     set_row(b["arm"], 0, arm_i)
@@ -204,5 +208,5 @@ def meet_air(b, t):
     p["pitch"] = theta - b["blade"]["twist"]
     along, across, size = across_rotor(b)
     p["yaw"] = math.atan2(size, along)
-    p["downwind"] = dot(row(x, O), across) / size if size > 0.0 else 1.0
+    p["downwind"] = dot(row(x, OUT), across) / size if size > 0.0 else 1.0
     return OK

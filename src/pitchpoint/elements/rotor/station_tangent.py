@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.rotor.slopes import DOWNWIND, THETA, VX, VY, YAW
-from pitchpoint.elements.rotor.station import C, E, N, O, RHO, S, T, U, across_rotor
+from pitchpoint.elements.rotor.station import OUT, RHO, C, E, N, S, T, U, across_rotor
 from pitchpoint.elements.wrench import angular_velocity, put
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, row, times, triple, unit
 
@@ -35,7 +35,7 @@ def _axes(b, d_rho, dn, ds):
     x = b["x"]
     n = row(x, N)
     t = row(x, T)
-    o = row(x, O)
+    o = row(x, OUT)
     e = row(x, E)
     dm = add(cross(dn, row(x, RHO)), cross(n, d_rho))
     dt = times(1.0 / b["radius"], less(dm, times(dot(t, dm), t)))
@@ -59,7 +59,7 @@ def _yaw(b, ck, cd, dn, do, wind, pushed):
     d_inflow = add(times(ck, wind), times(cd, pushed))
     d_along = dot(n, d_inflow) + ck * dot(dn, inflow)
     d_across = less(d_inflow, add(times(d_along, n), times(ck * along, dn)))
-    o = row(b["x"], O)
+    o = row(b["x"], OUT)
     if size == 0.0:  # the product of yaw and downwind counts
         return (dot(o, d_across) / along if along != 0.0 else 0.0), 0.0
     d_size = dot(across, d_across) / size

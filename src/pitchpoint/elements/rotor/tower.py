@@ -56,5 +56,7 @@ def disturbed(tower, sections, at, u, v):
     dx = at[0] - tower["x"]
     dy = at[1] - tower["y"]
     speed = square**0.5
-    along, across = tower_flow((u * dx + v * dy) / speed, (u * dy - v * dx) / speed, radius_at(sections, at[2]))
+    along, across = tower_flow(
+        (u * dx + v * dy) / speed, (u * dy - v * dx) / speed, radius_at(sections, at[2])
+    )
     return along * u - across * v, along * v + across * u

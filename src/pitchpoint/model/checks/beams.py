@@ -76,7 +76,9 @@ def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
         report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
         return
     try:
-        BeamTable(**{**dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position)), "position": [0.0, 1.0], **given})
+        BeamTable(  # type: ignore[arg-type]
+            **{**dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position)), "position": [0.0, 1.0], **given}
+        )
     except ModelError as error:
         for p in error.problems:
             key = p.where.partition("[")[0]

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pitchpoint.model.component import Component
 from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
 
-
 WAYS = ("steady", "dynamic")
 
 
@@ -46,14 +45,14 @@ class WindRotor(Component):
     )
     inflow: str = choice(
         WAYS,
-        "induced velocity; steady: from the balance of momentum at every instant; dynamic: follows it with two "
-        "time constants (Oye)",
+        "induced velocity; steady: from the balance of momentum at every instant; dynamic: follows it with "
+        "two time constants (Oye)",
         "steady",
     )
     stall: str = choice(
         WAYS,
-        "lift; steady: of the polar; dynamic: the point of separation follows with a time constant (Oye), with "
-        "dynamic inflow only",
+        "lift; steady: of the polar; dynamic: the point of separation follows with a time constant (Oye); "
+        "requires inflow: dynamic",
         "steady",
     )
     wind: str | None = text(

@@ -55,14 +55,18 @@ def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
             remedy="give a blade or tower file of ElastoDyn",
         )
         text.stop()
-    columns = _columns(text, blade, "NBlInpSt", _BLADE) if blade else _columns(text, tower, "NTwInpSt", _TOWER)
+    columns = (
+        _columns(text, blade, "NBlInpSt", _BLADE) if blade else _columns(text, tower, "NTwInpSt", _TOWER)
+    )
     try:
         return _blade(text, columns) if blade is not None else _tower(text, columns)
     except ModelError as error:
         raise ModelError([p.changed(where=p.where, file=text.path.name) for p in error.problems]) from None
 
 
-def _columns(text: InputText, start: Line | None, count: str, needed: tuple[str, ...]) -> dict[str, np.ndarray]:
+def _columns(
+    text: InputText, start: Line | None, count: str, needed: tuple[str, ...]
+) -> dict[str, np.ndarray]:
     """Columns of the table of properties by their titles in lower case."""
     title = next((ln for ln in text.lines if ln.tokens[0].lower() == needed[0].lower()), None)
     if title is None or start is None:

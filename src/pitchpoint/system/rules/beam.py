@@ -12,7 +12,7 @@ import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -150,20 +150,20 @@ def _pieces(model: Model, name: str, length: float) -> list[Piece]:
     return [_tapered(table.mean(a, b, length), length / part.pieces) for a, b in itertools.pairwise(ends)]
 
 
-def _tapered(mean: Mapping[str, Any], length: float) -> Piece:
+def _tapered(mean: Mapping[str, float], length: float) -> Piece:
     """Element with given stiffnesses; its rotary inertia is that of a homogeneous section."""
     area = 1.0
     section = Section(
         A=area,
-        I_1=float(mean["bending_1"] / mean["axial"]),
-        I_2=float(mean["bending_2"] / mean["axial"]),
-        J=float(mean["torsion"] / mean["axial"]),
+        I_1=mean["bending_1"] / mean["axial"],
+        I_2=mean["bending_2"] / mean["axial"],
+        J=mean["torsion"] / mean["axial"],
         kappa_1=0.0,
         kappa_2=0.0,
     )
-    stiff = float(mean["axial"]) / area
-    beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=float(mean["mass"]) / area)
-    return Piece(beam, float(mean["twist"]), (float(mean["center_1"]), float(mean["center_2"])))
+    stiff = mean["axial"] / area
+    beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"] / area)
+    return Piece(beam, mean["twist"], (mean["center_1"], mean["center_2"]))
 
 
 def table_of(model: Model, name: str) -> BeamTable:

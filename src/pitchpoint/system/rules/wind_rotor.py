@@ -117,9 +117,7 @@ def _wind_of(model: Model, part: WindRotor, places: Places) -> str:
 def _rotor(part: WindRotor, given: AeroDynInput, at: str, file: str | None) -> Rotor:
     """Geometry of the rotor at zero tilt; the bodies have the tilt."""
     try:
-        return Rotor(
-            blade=given.blade, blades=part.blades, hub_radius=part.hub_radius, precone=part.precone
-        )
+        return Rotor(blade=given.blade, blades=part.blades, hub_radius=part.hub_radius, precone=part.precone)
     except ModelError as error:
         raise ModelError([p.changed(where=f"{at}: {p.where}") for p in error.problems], file) from None
 
