@@ -32,12 +32,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _blades(rotor, at, report)
             _wind(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
-        if scenario.wind is None:
-            continue
-        if not parts.wind_rotors:
-            remedy = "remove it, or add a rotor to wind_rotors"
-            report.problem(("scenarios", name, "wind"), "has no effect without a rotor", remedy=remedy)
-        else:
+        if scenario.wind is not None:
             known(parts, "winds", scenario.wind, ("scenarios", name, "wind"), report)
 
 
