@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
     from pitchpoint.io.wind.mann import MannGeometry, read_mann, write_mann
-    from pitchpoint.io.wind.turbsim import read_turbsim, write_turbsim
+    from pitchpoint.io.wind.turbsim import write_turbsim
+    from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -309,7 +310,8 @@ _HOMES = {
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
     "io.wind.mann": ("MannGeometry", "read_mann", "write_mann"),
-    "io.wind.turbsim": ("read_turbsim", "write_turbsim"),
+    "io.wind.turbsim": ("write_turbsim",),
+    "model.wind.turbsim": ("read_turbsim",),
     "model.wind.box": ("WindBox",),
     "model.wind.iec": ("Gust", "RotorSite", "WindClass"),
     "model.wind.steady": ("SteadyWind",),

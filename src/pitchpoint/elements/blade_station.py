@@ -9,8 +9,8 @@ The load per length acts over the length of blade of the station, as in the trap
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind
+from pitchpoint.core.status import OK, OUTSIDE_BOX, TABLE_RANGE
+from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind, Power
 from pitchpoint.elements.rotor.loads import (
     set_angles,
     set_coefficients,
@@ -148,7 +148,7 @@ def _loads(b, fr, jac, t):
     if status == OK and jac == 2:
         status = set_gradient(b, row(b["x"], R), t, 1, b["gradient"])
     if status != OK:
-        return status
+        return OUTSIDE_BOX if status == TABLE_RANGE else status
     if b["inflow"] != 0:
         return _unsteady_loads(b, knots_of(b), fr, jac)
     return _steady_loads(b, knots_of(b), jac)
@@ -228,6 +228,11 @@ def _outputs(record):
     return ROTOR if record["first"] else ()
 
 
+def _on_hub(record):
+    """Whether this is the first station of a rotor whose blades are fixed to the hub."""
+    return bool(record["first"]) and record["i"] == record["k"] and record["j"] == 0
+
+
 PAIRS = (
     *WITH_STATE,
     *((end, state) for end in BODIES[:3] for state in BODIES[3:]),
@@ -253,4 +258,5 @@ KIND = Kind(
     large=True,
     sections={"wind_rotors": ""},
     names_modes=False,
+    power=Power("rotor_torque[{}]", source="wind", where=_on_hub),
 )

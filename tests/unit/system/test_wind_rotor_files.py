@@ -3,22 +3,27 @@
 
 from __future__ import annotations
 
+import pickle
 import shutil
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import ModelError, SolverError
 from pitchpoint.geometry.rotor.blade import Rotor
+from pitchpoint.io.wind.turbsim import write_turbsim
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.openfast.aerodyn import read_aerodyn
+from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.turbsim import read_turbsim
 from pitchpoint.solvers.rotor_performance import along_blade, solve_rotor_performance
 from pitchpoint.solvers.rotor_transient import solve_rotor_transient
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.wind import WindField
 from tests.support.rotors import AERODYN, FOLDER
 
 SPEED, TURNS = 8.0, 9.156 * np.pi / 30.0
@@ -212,3 +217,38 @@ def test_wrong_rotors_are_told(folder, word):
     told = [str(p) for p in error.value.problems]
     assert any(words in each for each in told), told
     assert all(p.line for p in error.value.problems)
+
+
+def test_turbulence_of_a_file_is_the_wind_at_the_stations(folder):
+    """A box without fluctuations is the uniform wind; one with them is that of `WindField` at the hub. Outside
+    of the box the run ends with the place."""
+    still = WindBox(
+        velocity=np.full((40, 3, 3, 3), (8.0, 0.0, 0.0), np.float32),
+        time_step=0.5,
+        spacing=(80.0, 80.0),
+        bottom=10.0,
+        hub_height=90.0,
+        mean_speed=8.0,
+        with_mean=True,
+    )
+    write_turbsim(folder / "still.bts", still)
+    more = np.random.default_rng(2).normal(size=still.velocity.shape).astype(np.float32)
+    rough = replace(still, velocity=still.velocity + more)
+    write_turbsim(folder / "rough.bts", rough)
+    text = TRAIN.replace("steady: {speed: 8 m/s, height: 90 m}", "steady: {box: BOX}")
+    uniform = text.replace("{box: BOX}", "{speed: 8 m/s, height: 90 m, profile: uniform}")
+    rows = [
+        observed(compile_model(model_of(folder, text=each)), 0.3)
+        for each in (text.replace("BOX", "still.bts"), uniform)
+    ]
+    assert rows[0]["rotor_torque[rotor]"] == pytest.approx(rows[1]["rotor_torque[rotor]"], rel=1e-4)
+    system = compile_model(model_of(folder, text=text.replace("BOX", "rough.bts")))
+    wind = WindField(box=read_turbsim(folder / "rough.bts")).velocity([[-5.0, 0.0, 90.0]], 0.0)[0]
+    assert observed(system, 0.3)["hub_wind_speed[rotor]"] == pytest.approx(wind[0], rel=1e-6)
+    again = pickle.loads(pickle.dumps(system))
+    assert observed(again, 0.3) == observed(system, 0.3)
+    small = replace(still, spacing=(20.0, 20.0), bottom=70.0)
+    write_turbsim(folder / "small.bts", small)
+    with pytest.raises(SolverError, match=r"wind_rotors.rotor.1.8 \(line 11\): a blade left the box of turbulence"):
+        compiled = compile_model(model_of(folder, text=text.replace("BOX", "small.bts")), "free")
+        run_time(compiled)

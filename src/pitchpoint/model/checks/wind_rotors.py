@@ -18,14 +18,18 @@ if TYPE_CHECKING:
 def check_wind_rotors(parts: Parts, report: Reader) -> None:
     """Check winds, and number and kind of the blades of all rotors."""
     for name, wind in parts.winds.items():
+        at = ("winds", name)
+        if wind.speed is not None and wind.height is None and at not in report.tainted:
+            report.problem(at, "has no height", remedy="give the height of its speed, such as that of the hub")
+        if wind.box is not None and wind.gust is not None:
+            report.problem((*at, "gust"), "has no steady wind to change", remedy="give speed instead of box")
         try:
             _ = wind.steady, wind.gust.data if wind.gust is not None else None
         except ModelError as error:
             for p in error.problems:
                 within = ("gust",) if p.where.startswith("gust") else ()
                 key = p.where.rpartition(".")[2].replace("hub_height", "height")
-                at = ("winds", name, *within, key)
-                report.problem(at, p.text, value=p.value, limit=p.limit, remedy=p.remedy)
+                report.problem((*at, *within, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
     for name, rotor in parts.wind_rotors.items():
         at = ("wind_rotors", name)
         if at not in report.tainted:

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.keys import choice, component, positive, quantity
+from pitchpoint.model.keys import choice, component, key, positive, quantity
 from pitchpoint.model.wind.iec import GUSTS, Gust
 from pitchpoint.model.wind.steady import PROFILES, SteadyWind
 
@@ -40,9 +40,19 @@ class WindGust(Component):
 class Wind(Component):
     """Wind over the height; x of the world is downwind for direction 0, z upward from the ground."""
 
-    speed: float = quantity("speed", "speed at the reference height", minimum=0.0, maximum=150.0)
-    height: float = quantity(
-        "length", "reference height, that of the hub", minimum=1.0, maximum=1000.0, also=("hub_height",)
+    speed: float | None = quantity(
+        "speed", "speed at the reference height", None, minimum=0.0, maximum=150.0, one_of="mean"
+    )
+    box: str | None = key(
+        "file", "instead of speed: full-field turbulence of TurbSim (.bts), with the mean wind", None, one_of="mean"
+    )
+    height: float | None = quantity(
+        "length",
+        "reference height, that of the hub; required with speed",
+        None,
+        minimum=1.0,
+        maximum=1000.0,
+        also=("hub_height",),
     )
     profile: str = choice(PROFILES, "power law, logarithmic law, or the same speed at all heights", "power")
     exponent: float = quantity(
@@ -64,8 +74,10 @@ class Wind(Component):
     gust: WindGust | None = component(WindGust, "transient of the wind")
 
     @property
-    def steady(self) -> SteadyWind:
-        """The wind without transient."""
+    def steady(self) -> SteadyWind | None:
+        """The wind without transient; None with a box."""
+        if self.speed is None or self.height is None:
+            return None
         return SteadyWind(
             speed=self.speed,
             hub_height=self.height,

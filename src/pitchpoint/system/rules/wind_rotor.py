@@ -18,6 +18,9 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.model.frames import axes_of, beam_frame, beam_length, place_of
 from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
+from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.file_errors import WindFileError
+from pitchpoint.model.wind.turbsim import read_turbsim
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.beam import beam_nodes
 from pitchpoint.system.rules.places import Places
@@ -78,9 +81,7 @@ def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArr
     flow = given.flow if part.density is None else replace(given.flow, density=part.density)
     row = np.zeros(1, RECORD)
     row["air"] = air_record(flow)
-    wind = model.winds[_wind_of(model, part, places)]
-    row["wind"] = WindField(wind.steady, wind.gust.data if wind.gust is not None else None).record
-    row["box"] = -1
+    _set_wind(row, pool, model, _wind_of(model, part, places))
     polars = polar_rows(rotor)
     row["knots"], row["rows"] = pool.add(polars), len(polars)
     if flow.tower is not None:
@@ -112,6 +113,17 @@ def _wind_of(model: Model, part: WindRotor, places: Places) -> str:
     """Name of the wind at a rotor: of the scenario, of the rotor, or the only one."""
     scenario = places.scenario
     return (scenario.wind if scenario is not None else None) or part.wind or next(iter(model.winds))
+
+
+def _set_wind(row: NDArray[np.void], pool: Pool, model: Model, name: str) -> None:
+    """Write a wind to the record of a rotor, its box of turbulence to the pool."""
+    wind = model.winds[name]
+    box = None if wind.box is None else _box(wind.box, f"winds.{name}.box", model.file)
+    row["wind"] = WindField(wind.steady, wind.gust.data if wind.gust is not None else None, box).record
+    row["box"] = -1
+    if box is not None:
+        numbers = box.velocity.reshape(-1)
+        row["box"] = pool.add(np.resize(numbers, numbers.size + numbers.size % 2).view(np.float64))
 
 
 def _rotor(part: WindRotor, given: AeroDynInput, at: str, file: str | None) -> Rotor:
@@ -232,3 +244,16 @@ def _read(part: WindRotor, at: str, file: str | None) -> AeroDynInput:
 @functools.lru_cache(maxsize=8)
 def _contents(path: str, stamp: int) -> AeroDynInput:
     return read_aerodyn(path)
+
+
+def _box(path: str, at: str, file: str | None) -> WindBox:
+    """Turbulence of a file."""
+    try:
+        return _turbulence(path, change_time(path))
+    except WindFileError as error:
+        raise ModelError([Message(at, str(error))], file) from None
+
+
+@functools.lru_cache(maxsize=2)
+def _turbulence(path: str, stamp: int) -> WindBox:
+    return read_turbsim(path)
