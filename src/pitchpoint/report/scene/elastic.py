@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.frames import place_of, split, unit
 from pitchpoint.model.shafts import station_names
+from pitchpoint.report.scene.blades import blade_rings, rigid_blades
 from pitchpoint.report.scene.shapes import skin
 from pitchpoint.viz.scene.content import Blend, ModalShape, SceneSolid
 
@@ -46,7 +47,9 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
     read
         Function that returns channels of the result at the frames.
     """
-    found = [_beam(model, name, part, at) for name, part in model.beams.items()]
+    blades = blade_rings(model)
+    found = [_beam(model, name, part, at, blades.get(name)) for name, part in model.beams.items()]
+    found += rigid_blades(model, at)
     notes: list[str] = []
     for name in model.elastic_bodies:
         try:
@@ -58,8 +61,8 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
     return found, notes
 
 
-def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
-    """Beam with its cross section, which follows its ends and stations."""
+def _beam(model: Model, name: str, part: Beam, at: Places, blade: Array | None = None) -> SceneSolid:
+    """Beam with its cross section, or with the sections of a blade, which follows its ends and stations."""
     root, tip = (place_of(model, end) for end in part.ends)
     assert root is not None and tip is not None
     z = unit(tip - root)
@@ -72,6 +75,9 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     ring = outline[:, :1] * x + outline[:, 1:] * y
     points = (root + share[:, None] * (tip - root))[:, None, :] + ring
     n = len(outline)
+    if blade is not None:
+        points, n, count = blade, blade.shape[1], len(blade)
+        share = np.clip((blade.mean(axis=1) - root) @ z / float(np.linalg.norm(tip - root)), 0.0, 1.0)
     stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
     between = [number for number in stations if number is not None]
     # a scene at rest has no stations of beams

@@ -115,6 +115,21 @@ def _wind_of(model: Model, part: WindRotor, places: Places) -> str:
     return (scenario.wind if scenario is not None else None) or part.wind or next(iter(model.winds))
 
 
+def blades_of(model: Model, name: str) -> tuple[Rotor, list[list[Station]]]:
+    """Geometry of a rotor of a model, and the stations of its blades in the world at zero coordinates.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        Name of the rotor.
+    """
+    part, at = model.wind_rotors[name], f"wind_rotors.{name}"
+    rotor = _rotor(part, _read(part, at, model.file), at, model.file)
+    return rotor, [_stations(model, part, rotor, k) for k in range(part.blades)]
+
+
 def _set_wind(row: NDArray[np.void], pool: Pool, model: Model, name: str) -> None:
     """Write a wind to the record of a rotor, its box of turbulence to the pool."""
     wind = model.winds[name]
