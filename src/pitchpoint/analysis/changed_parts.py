@@ -14,11 +14,13 @@ RESIDUALS = ("residual", "residual shape")
 """Kinds of features of one gear."""
 BEYOND = 3.0
 """Rise of a residual beyond that of the whole signal over its spread."""
+CHANCE = 0.01
+"""Probability that any feature of a part of a healthy record has risen as much."""
 TIMES = 4.0
 """Rise of the power of a residual over that of any other gear: averages have at least eight revolutions."""
 
 
-def changed_parts(features: Sequence[Feature], found: Deviations, chance: float = 0.01) -> list[int]:
+def changed_parts(features: Sequence[Feature], found: Deviations) -> list[int]:
     """Numbers of the features that name a part, at most one per part, the most certain first.
 
     Parameters
@@ -27,8 +29,6 @@ def changed_parts(features: Sequence[Feature], found: Deviations, chance: float 
         Features, length m.
     found
         Deviations of the record.
-    chance
-        Probability that any feature of a part of a healthy record has risen as much [-].
 
     Returns
     -------
@@ -38,7 +38,7 @@ def changed_parts(features: Sequence[Feature], found: Deviations, chance: float 
     Notes
     -----
     Features of single parts are residuals of gears and lines of bearing parts. One has risen if its one-sided
-    probability, times their number (Bonferroni) [1]_, is at most `chance`. A gear is named if the power of
+    probability, times their number (Bonferroni) [1]_, is at most 1 %. A gear is named if the power of
     its residual has risen by four times as much as that of any other gear in the channel, and not merely as
     the whole signal, or if only its residual has become more peaked: impacts of a gear remain in the averages
     of others, divided by the number of revolutions. A bearing part is named if its lines have risen most of
@@ -59,7 +59,7 @@ def changed_parts(features: Sequence[Feature], found: Deviations, chance: float 
     """
     own = [k for k, feature in enumerate(features) if feature.kind in (*RESIDUALS, "bearing")]
     one_sided = np.where(found.score > 0.0, 0.5 * found.probability, 1.0)
-    risen = [k for k in own if one_sided[k] * len(own) <= chance]
+    risen = [k for k in own if one_sided[k] * len(own) <= CHANCE]
     levels = {f.channel: float(found.deviation[k]) for k, f in enumerate(features) if f.kind == "level"}
     named: dict[tuple[bool, str], int] = {}
     for k in sorted(risen, key=lambda k: float(one_sided[k])):
@@ -80,7 +80,7 @@ def changed_parts(features: Sequence[Feature], found: Deviations, chance: float 
             same = [j for j in rivals if features[j].kind == feature.kind]
             alone &= all(_rise(found, k) > TIMES * _rise(found, j) for j in same)
         else:
-            alone = all(one_sided[j] > chance for j in rivals)
+            alone = all(one_sided[j] > CHANCE for j in rivals)
         if alone:
             named.setdefault((bearing, feature.part), k)
     return list(named.values())

@@ -205,8 +205,8 @@ def healthy_range(healthy: ArrayLike, points: ArrayLike | None = None) -> Health
     return HealthyRange(found, float(found.max()), 1.0 / (count + 1))
 
 
-def left_at(distances: ArrayLike, limit: float, consecutive: int = 2) -> int | None:
-    """Number of the first of consecutive records above a limit; None if there are none.
+def left_at(distances: ArrayLike, limit: float) -> int | None:
+    """Number of the first of two consecutive records above a limit; None if there are none.
 
     Parameters
     ----------
@@ -214,8 +214,6 @@ def left_at(distances: ArrayLike, limit: float, consecutive: int = 2) -> int | N
         Distances of the records in order [-], shape (n,).
     limit
         Limit [-].
-    consecutive
-        Required number of consecutive records [-].
 
     Notes
     -----
@@ -232,10 +230,8 @@ def left_at(distances: ArrayLike, limit: float, consecutive: int = 2) -> int | N
     3
     """
     above = np.asarray(distances, dtype=np.float64) > limit
-    for k in range(above.size - consecutive + 1):
-        if above[k : k + consecutive].all():
-            return k
-    return None
+    both = np.flatnonzero(above[:-1] & above[1:])
+    return int(both[0]) if both.size else None
 
 
 def _checked(

@@ -33,6 +33,8 @@ MIN_TURNS = 3.0
 """Minimum number of shaft revolutions for points between the orders that are free of leakage."""
 RESOLVED = 8.0
 """Minimum number of revolutions of another shaft whose orders are single lines that can be omitted."""
+FROM_MESH = 2
+"""Orders next to a mesh line that are not part of a comb."""
 MAX_ORDERS = 6000
 MIN_LINES = 6
 """Minimum number of comb lines for a rank test."""
@@ -144,7 +146,7 @@ class ShaftView:
             apart &= np.minimum(*near) > 2.5 * line
         return apart
 
-    def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
+    def comb(self, without: int = 0) -> Measured:
         """Test whether the orders exceed the points between them, away from mesh lines and sidebands.
 
         Multiples of `without` are omitted, if given.
@@ -152,8 +154,8 @@ class ShaftView:
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
         for mesh, teeth in self.parts.gears_of(self.shaft.name).values():
-            if teeth >= 4 * from_mesh and mesh:
-                keep &= _distance(number.astype(np.float64), float(teeth)) > from_mesh
+            if teeth >= 4 * FROM_MESH and mesh:
+                keep &= _distance(number.astype(np.float64), float(teeth)) > FROM_MESH
         if without:
             keep &= number % without != 0
         number = number[keep & (number > LOW_ORDERS)]

@@ -68,6 +68,7 @@ def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) 
     from pitchpoint.analysis.shaft_channel import with_shaft_angle
     from pitchpoint.core.errors import split_notes
     from pitchpoint.io.measured.reading import read_measured
+    from pitchpoint.io.measured.record import as_options
     from pitchpoint.io.target import check_target
 
     files, tool = _files_and_tool(words)
@@ -85,7 +86,7 @@ def analyse(words: tuple[str, ...], as_json: bool, quiet: bool, **options: Any) 
     if tacho is not None:
         record = with_shaft_angle(record, tacho, pulses_per_revolution=options["pulses_per_revolution"])
         angle = f"angle[{tacho}]"
-    notes = split_notes(str(record.attrs.get("notes", "")))
+    notes = split_notes(as_options(str(record.attrs.get("notes", ""))))
     lost = _lost(record, options["lines"])
     notes += [lost] if lost else []
     if tool is None:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +12,8 @@ from pitchpoint.cli.options import common, output, pairs, quantity
 from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from pitchpoint.report.diagnosis.study import Study
 
 PAGE_ENDINGS = (".html", ".htm")
@@ -134,27 +135,21 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     from pitchpoint.cli.diagnose_folder import TABLE_ENDINGS, diagnose_records, files_or_folder
     from pitchpoint.cli.diagnose_trend import show_trend
     from pitchpoint.cli.settings import say_bare_option
+    from pitchpoint.report.diagnosis.options import check_options
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
     files, folder = files_or_folder(files, join=options.pop("join"))
     trend = folder is not None and bool(options["references"])
-    endings = PAGE_ENDINGS if folder is None or trend else (*PAGE_ENDINGS, *TABLE_ENDINGS)
+    endings = PAGE_ENDINGS if folder is None else (*PAGE_ENDINGS, *TABLE_ENDINGS)
     target = _target(options.pop("output"), [*files, options["model"]], endings)
-    if options["all_channels"] and options["channels"]:
-        raise click.UsageError("--all-channels and --channel both choose channels; omit one of them")
-    if options["pulses"] is not None and options["tacho"] is None:
-        raise click.UsageError("--pulses requires --tacho CHANNEL")
-    if options["tacho"] is not None and options["pulses"] is None:
-        raise click.UsageError("--tacho requires --pulses N, the pulses per revolution")
-    given = [flag for flag in ("tacho", "angle") if options[flag] is not None]
-    if len(given) > 1:
-        raise click.UsageError("--tacho and --angle give the same quantity; omit one of them")
-    if options["train"] is not None and (options["model"] or options["scenario"]):
-        raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
+    problems = _contradictions(options)
+    if problems:
+        raise click.UsageError("; ".join(problems))
     for text in options["speeds"]:
         say_bare_option(text.rpartition("=")[2].rpartition("..")[2], "angular_speed", "--speed")
     options["units"] = pairs(options["units"], "--unit")
     request = Request(file=files[0] if folder is None else folder, more=files[1:], **options)
+    check_options(request)
     if trend:
         return show_trend(request, target, as_json, quiet)
     if folder is not None:
@@ -163,7 +158,7 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     if request.references:
         from pitchpoint.report.diagnosis.reference import compare
 
-        found = replace(found, change=compare(request, found))
+        found = found.with_change(compare(request, found))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page
@@ -176,6 +171,32 @@ def diagnose(files: tuple[str, ...], as_json: bool, quiet: bool, **options: Any)
     if target is not None and not quiet:
         show(f"report written to {target}")
     return None
+
+
+def _contradictions(options: Mapping[str, Any]) -> list[str]:
+    """Options that exclude each other, or have no effect alone."""
+    given = {name for name, value in options.items() if value not in (None, (), False)}
+    rules = (
+        (
+            {"all_channels", "channels"} <= given,
+            "--all-channels and --channel both choose channels",
+        ),
+        ("pulses" in given and "tacho" not in given, "--pulses requires --tacho CHANNEL"),
+        (
+            "tacho" in given and "pulses" not in given,
+            "--tacho requires --pulses N per revolution",
+        ),
+        ({"tacho", "angle"} <= given, "--tacho and --angle give the same quantity; omit one of them"),
+        (
+            "train" in given and bool({"model", "scenario"} & given),
+            "--train replaces a model and its scenario; omit one of the two",
+        ),
+        *(
+            (name in given and "references" not in given, f"--{name.replace('_', '-')} requires --reference")
+            for name in ("load", "load_from")
+        ),
+    )
+    return [text for broken, text in rules if broken]
 
 
 def _target(path: str | None, inputs: list[str | None], endings: tuple[str, ...]) -> Path | None:
@@ -196,7 +217,7 @@ def _target(path: str | None, inputs: list[str | None], endings: tuple[str, ...]
 def _print(found: Study, quiet: bool) -> None:
     """Print findings and tests."""
     from pitchpoint.cli.diagnose_trend import print_change
-    from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
+    from pitchpoint.report.diagnosis.words import cells_of_test
 
     for number, text in enumerate(found.sentences):
         show(text)
@@ -213,20 +234,14 @@ def _print(found: Study, quiet: bool) -> None:
     rated = [row.sentence for row in found.severity if not row.is_verdict]
     for text in (*rated, *[""] * bool(rated)):
         show(text)
-    rows = [
-        [
-            e.shaft if e.kind != "bearing" else e.gear,
-            what_is_tested(e),
-            e.channel,
-            f"{e.value:.1f} {unit_of(e.kind)}" if e.value > NEVER else "–",
-            f"{e.threshold:.1f} {unit_of(e.kind)}",
-            percent(e.probability),
-            outcome(e, found.diagnosis),
-        ]
-        for e in found.diagnosis.evidence
-    ]
-    heads = ["shaft or bearing", "test", "channel", "value", "limit", "by noise", "result"]
-    table("Tests", heads, rows)
+    rows = []
+    several = len(found.over.signals) > 1
+    for e in found.diagnosis.evidence:
+        whose, test, *rest = cells_of_test(e, found.diagnosis)
+        rows.append([whose, test, *[e.channel] * several, *rest])
+    heads = ["shaft or bearing", "test", *["channel"] * several, "value", "limit", "by noise", "result"]
+    title = "Tests" if several else f"Tests of {next(iter(found.over.signals))}"
+    table(title, heads, rows, keys=2)
     if quiet:
         return
     notes = found.change.notes if found.change is not None else ()

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
-from pitchpoint.cli.output import emit_json, show, show_notes, table
+from pitchpoint.cli.output import emit_json, plain, show, show_notes, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -34,15 +35,22 @@ def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool
     Returns the exit code.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.report.diagnosis.change_page import TREND_HEAD, trend_page, trend_rows
+    from pitchpoint.report.diagnosis.change_page import TREND_HEAD, trend_csv, trend_page, trend_rows
     from pitchpoint.report.diagnosis.change_words import trend_sentences
     from pitchpoint.report.diagnosis.reference import trend
 
     found = trend(request)
     if target is not None:
-        from pitchpoint.io.target import write_file
+        from pitchpoint.io.target import TABLE_OF_DIAGNOSES, write_file
 
-        write_file(target, trend_page(found, request.file))
+        ending = target.suffix.lower()
+        if ending == ".csv":
+            text = trend_csv(found)
+        elif ending == ".json":
+            text = json.dumps(plain({"about": TABLE_OF_DIAGNOSES} | found.as_data()), indent=2) + "\n"
+        else:
+            text = trend_page(found, request.file)
+        write_file(target, text)
     code = exit_code_of(KeyboardInterrupt()) if found.missing else OK
     if as_json:
         emit_json(found.as_data())
@@ -54,5 +62,5 @@ def show_trend(request: Request, target: Path | None, as_json: bool, quiet: bool
     if not quiet:
         show_notes(found.notes)
         if target is not None:
-            show(f"report written to {target}")
+            show(f"{'report' if target.suffix.lower().startswith('.htm') else 'table'} written to {target}")
     return code

@@ -52,7 +52,9 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         say(f"error: {error}")
         return FAILED
     if isinstance(error, PitchpointError):
-        say(f"error: {error}")
+        from pitchpoint.io.measured.record import as_options
+
+        say(f"error: {as_options(str(error))}")
         return FAILED if is_disk_fault(error) else BAD_INPUT
     if isinstance(error, MemoryError):
         say("error: not enough memory; store fewer samples (sample_rate) or use fewer points")

@@ -88,9 +88,9 @@ def _is_animation(_: Path, head: bytes) -> bool:
 
 
 def _is_diagnoses(_: Path, head: bytes) -> bool:
-    """Identify a table of diagnoses by its first columns or its first entry."""
+    """Identify a table of diagnoses or of a trend by its first columns or its first entry."""
     first = f'{{\n  "about": "{TABLE_OF_DIAGNOSES}"'
-    return head.startswith((DIAGNOSES_HEAD.encode(), first.encode()))
+    return head.startswith((DIAGNOSES_HEAD.encode(), TREND_OF_RECORDS.encode(), first.encode()))
 
 
 def written_by_diagnose(path: Path) -> bool:
@@ -128,7 +128,8 @@ HOUSING_MARK = "# housing matrix written by pitchpoint\n"
 TABLE_OF_DIAGNOSES = "diagnoses by pitchpoint"
 """Entry `about` of a table of diagnoses in JSON."""
 DIAGNOSES_HEAD = "file,verdict,test,channel,value,limit"
-"""First columns of a table of diagnoses in CSV."""
+TREND_OF_RECORDS = "file,state,distance,limit"
+"""First columns of a table of diagnoses, and of one of a trend, in CSV."""
 
 CONTACT_TABLE = "gear-contact-potential-"
 """Beginning of the attribute `format` of a contact table; the version of the format follows."""

@@ -30,6 +30,10 @@ LETTERS = 24
 """Maximum number of labels in one plot without overlap."""
 DEPTH = -4.0
 """Range of the amplitude axis below the largest amplitude [decades]."""
+LOWEST = -6.0
+"""Lowest level that is drawn [dB]: levels of noise between its lines have no meaning."""
+ENTRIES = 8
+"""Largest number of parts with an entry in the legend of their own; of more, one per group."""
 
 
 @dataclass(frozen=True)
@@ -133,6 +137,68 @@ def plot_lines(
     return figure
 
 
+def plot_levels(
+    places: Array,
+    level: Array,
+    lines: Sequence[Lines],
+    *,
+    limit: float,
+    over: str = "frequency",
+    highest: float,
+) -> go.Figure:
+    """Levels of spectral lines above their surroundings, with a limit and marked lines of machine parts.
+
+    Parameters
+    ----------
+    places
+        Frequencies [Hz] or orders, rising, shape (n,).
+    level
+        Levels [dB], shape (n,).
+    lines
+        Marked lines; those above the end of the axis are omitted.
+    limit
+        Limit of the levels [dB].
+    over
+        `frequency` or `order`.
+    highest
+        End of the horizontal axis [Hz, or orders].
+    """
+    across = scale("Hz", [highest]) if over == "frequency" else None
+    factor = across.factor if across else 1.0
+    figure = theme.figure(
+        across.title("frequency") if across else "order", "level above the median [dB]", height=380
+    )
+    shown = places <= highest
+    x, y = places[shown], np.maximum(level[shown], LOWEST)
+    kept = kept_samples(y, 6000)
+    figure.add_scatter(
+        x=(x[kept] * factor).astype(np.float32),
+        y=y[kept].astype(np.float32),
+        mode="lines",
+        name="spectrum",
+        line={"color": theme.GREY, "width": 1.0},
+        showlegend=False,
+    )
+    figure.add_hline(
+        y=limit,
+        line={"color": theme.RED, "width": 1.2, "dash": "dash"},
+        annotation={
+            "text": f"limit {limit:g} dB",
+            "font": {"size": 11},
+            "xanchor": "right",
+            "x": 1.0,
+            "yanchor": "bottom",
+        },
+    )
+    for part in lines:
+        _mark_levels(figure, part, (x, y), factor, single=len(lines) <= ENTRIES)
+    figure.update_xaxes(range=[0.0, highest * factor])
+    top = max(limit, float(y.max(initial=0.0)))
+    figure.update_yaxes(range=[LOWEST, 1.12 * top + 1.0])
+    figure.update_layout(showlegend=bool(lines))
+    return figure
+
+
 def plot_mean_turn(
     turn: MeanTurn,
     *,
@@ -212,6 +278,36 @@ def in_hertz(spectrum: FineSpectrum, frequency: float) -> FineSpectrum:
     if not np.isfinite(frequency):
         return spectrum
     return replace(spectrum, step=spectrum.step * frequency, resolution=spectrum.resolution * frequency)
+
+
+def _mark_levels(
+    figure: go.Figure, part: Lines, curve: tuple[Array, Array], factor: float, *, single: bool
+) -> None:
+    """Draw marks at the largest level next to each line of a part, with its labels above them."""
+    x, y = curve
+    inside = part.places <= x[-1]
+    if not inside.any():
+        return
+    at = np.searchsorted(x, part.places[inside])
+    near = [slice(max(k - 2, 0), k + 3) for k in at]
+    first = single or not any(trace.legendgroup == part.group for trace in figure.data)
+    figure.add_scatter(
+        x=(part.places[inside] * factor).tolist(),
+        y=[float(y[one].max()) for one in near],
+        mode="markers+text" if part.labels else "markers",
+        text=list(part.labels),
+        textposition="top center",
+        name=part.name if single or not part.group else part.group,
+        legendgroup=part.name if single else part.group,
+        showlegend=first,
+        marker={
+            "color": theme.SERIES[part.look % len(theme.SERIES)],
+            "symbol": SYMBOLS[(part.look if part.symbol is None else part.symbol) % len(SYMBOLS)],
+            "size": 11 if part.labels else 8,
+            "line": {"width": 2.4 if part.labels else 1.4},
+        },
+        hovertemplate="%{x:.6g}: %{y:.1f} dB<extra>" + part.name + "</extra>",
+    )
 
 
 def _mark(

@@ -88,6 +88,7 @@ def plot_distances(
             text="left the healthy range",
             showarrow=False,
             xanchor="right" if left > len(names) / 2 else "left",
+            xshift=-4 if left > len(names) / 2 else 4,
             yanchor="top",
             font={"size": 11},
         )

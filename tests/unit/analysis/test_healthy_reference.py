@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import stats
+from scipy.special import polygamma
 
 from pitchpoint.analysis.changed_parts import changed_parts
 from pitchpoint.analysis.healthy_reference import deviations, healthy_range, left_at
@@ -44,12 +45,18 @@ def test_the_stated_rate_of_false_alarms_holds_and_a_shift_is_found(count: int, 
 def test_single_features_have_the_stated_probability() -> None:
     # variances from a scaled inverse chi-square distribution, for which the moderated t distribution is exact
     rng = np.random.default_rng(2)
-    features, prior = 4000, 4.0
+    features, prior, nu = 40_000, 4.0, 2.0
     scatter = np.sqrt(prior / rng.chisquare(prior, features))
     x = np.array([0.0, 1.0, 2.0, 3.0, 7.0])
     y = scatter * rng.standard_normal((5, features)) + 2.0 * x[:, None]
     found = deviations(y[:4], y[4], x[:4, None], x[4:])
-    assert found.freedom == pytest.approx(prior + 2.0, rel=0.15)
+    # ν₀ from ψ'(ν₀/2) = variance of log s² less ψ'(ν/2): three standard deviations of the sample variance of
+    # log F, whose fourth cumulant is ψ'''(ν/2) + ψ'''(ν₀/2)
+    fourth, variance = (sum(float(polygamma(order, 0.5 * free)) for free in (nu, prior)) for order in (3, 1))
+    scatter_of_variance = np.sqrt((fourth + 2.0 * variance**2) / features)
+    allowed = 3.0 * scatter_of_variance * 2.0 / -float(polygamma(2, 0.5 * prior))
+    assert allowed < 0.32
+    assert found.freedom == pytest.approx(prior + nu, abs=allowed)
     for level in (0.5, 0.1, 0.01):
         assert np.mean(found.probability < level) == pytest.approx(level, abs=4.0 * np.sqrt(level / features))
 

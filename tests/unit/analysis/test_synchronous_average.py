@@ -85,7 +85,7 @@ def test_noise_falls_with_the_root_of_the_averages() -> None:
         cut = slice(0, n * 512 + 1)
         mean = synchronous_average(noise[cut], angle[cut], samples_per_turn=128)
         assert mean.averages == n
-        assert rms(mean.values) == pytest.approx(0.5 / np.sqrt(n), rel=0.19)
+        assert rms(mean.values) == pytest.approx(0.5 / np.sqrt(n), rel=3.0 / np.sqrt(2.0 * 128.0))
         plain = np.fft.rfft(noise[: n * 512].reshape(n, 512).mean(axis=0))[:64] / 512
         expected = plain * 0.5 * (1.0 + between(TURN * np.arange(64) / 512))
         # the ends of the record alone differ: a few samples of n turns

@@ -148,7 +148,7 @@ def test_units_and_sample_rate_from_the_command_line(tmp_path, capsys):
     path = tmp_path / "a.csv"
     path.write_text("a,b\n" + "".join(f"{k % 7},{k}\n" for k in range(40)), encoding="utf-8")
     arguments = ["analyse", str(path), "signal_statistics", "-c", "a"]
-    assert "give sample_rate= in Hz (--sample-rate on the command line)" in refusal(arguments, capsys)
+    assert "(limit one of them); give --sample-rate" in refusal(arguments, capsys)
     found = json_of([*arguments, "--sample-rate", "2 kHz", "--unit", "a=10 mm/s"], capsys)
     assert found["variables"]["max"] == {"dims": [], "unit": "m/s", "values": pytest.approx(0.06)}
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.io import savemat
 
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import json_of, written
@@ -40,8 +41,8 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
         (["--train", "32/95", "--speed", "10Hz", "-c", "ac"], "no channel 'ac'; did you mean acc?"),
         (["--train", "32/95", "--tacho", "acc"], "--tacho requires --pulses N"),
         (
-            ["--train", "32/95", "--speed", "10Hz", "--bearing", "left:8"],
-            "'left:8' has no shaft; write left:8@SHAFT; there are: 1, 2",
+            ["--train", "32/95", "--speed", "10Hz", "--bearing", "DE:6205-2RS JEM"],
+            "'DE:6205-2RS JEM' has no shaft; write 'DE:6205-2RS JEM@SHAFT'; there are: 1, 2",
         ),
     ],
 )
@@ -125,3 +126,67 @@ def test_impossible_bearings_slips_and_ranges_are_refused(
     speed = [] if "--speed" in options else ["--speed", "900rpm"]
     assert run_command(["diagnose", str(path), "--sample-rate", "2kHz", *speed, *options]) == 2
     assert words in capsys.readouterr().err
+
+
+def test_all_problems_of_options_are_stated_before_anything_is_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise AssertionError("read before the options were checked")
+
+    monkeypatch.setattr("pitchpoint.report.diagnosis.record.read_record", fail)
+    file = rig_file(tmp_path)
+    wrong = ["--speed", "abc", "--train", "3-4", "--bearing", "b:BPFO=x", "--shaft", "a", "--slip", "30%"]
+    more = ["--machine-group", "9", "--reference", str(tmp_path / "nothere"), "--load", "half"]
+    assert run_command(["diagnose", file, *wrong, *more]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("error: 7 problems")
+    for words in (
+        "--train: '3' is not a pair",
+        "--speed: 'abc'",
+        "--shaft: 'a' is not NAME=RATIO",
+        "--bearing: 'b:BPFO=x': 'BPFO=x' is not a fault order",
+        "--slip: 0.3 (limit 0 to 0.1)",
+        "--machine-group: no group '9'",
+        "nothere' does not exist and matches no file",
+        "--load: load 'half' is not a number",
+    ):
+        assert words in said
+    contradictions = ["--load-from", "{load}", "--all-channels", "-c", "acc", "--pulses", "3"]
+    assert run_command(["diagnose", file, "--speed", "10Hz", *contradictions]) == 2
+    said = capsys.readouterr().err
+    for words in ("both choose channels", "--pulses requires --tacho", "--load-from requires --reference"):
+        assert words in said
+
+
+def test_a_scenario_of_a_file_without_a_model_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = ["--speed", "10Hz", "--bearing", "left:6205", "--scenario", "rated"]
+    assert run_command(["diagnose", rig_file(tmp_path), *options]) == 2
+    assert "--scenario rated: " in capsys.readouterr().err
+
+
+def test_messages_about_files_state_options_of_the_command(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In Python the same messages state the arguments of `read_measured`."""
+    from pitchpoint.io.measured.reading import read_measured
+    from pitchpoint.io.measured.record import MeasuredError
+
+    path = tmp_path / "a.mat"
+    signal = np.random.default_rng(1).standard_normal(2000)
+    options = ["--speed", "10Hz", "--bearing", "left:6205"]
+    for content, argument, option in (
+        ({"x": signal}, "give sample_rate=", "give --sample-rate"),
+        ({"x": signal, "y": signal[:-7], "fs": 5e3}, "by channels=", "by --channel"),
+    ):
+        savemat(path, content)
+        with pytest.raises(MeasuredError, match=argument):
+            read_measured(path)
+        assert run_command(["diagnose", str(path), *options]) == 2
+        said = capsys.readouterr().err
+        assert option in said and argument not in said
+    savemat(path, {"x": np.round(100 * signal).astype("i2"), "scale": 0.5, "fs": 1000.0})
+    assert run_command(["analyse", str(path)]) == 0
+    assert "give --unit 'x=0.5 m/s^2'" in capsys.readouterr().out

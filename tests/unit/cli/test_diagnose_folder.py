@@ -53,7 +53,7 @@ def test_a_table_has_a_row_for_each_file(folder: Path, capsys: pytest.CaptureFix
     shown = capsys.readouterr().out
     assert shown.index("empty.csv") < shown.index("run9.csv") < shown.index("run10.csv")
     assert "local fault on Z1" in shown and "not diagnosed: " in shown
-    assert "not measured files, omitted: notes.md" in shown
+    assert ": notes.md" in shown
     with (folder / "table.csv").open(encoding="utf-8") as file:
         failed, sound, broken = csv.DictReader(file)
     assert (sound["verdict"], broken["verdict"]) == ("nothing found", "local fault on Z1")
@@ -69,6 +69,30 @@ def test_a_table_has_a_row_for_each_file(folder: Path, capsys: pytest.CaptureFix
     twice = json.loads((folder / "table.json").read_text(encoding="utf-8"))
     assert without_time(again["files"]) == without_time(twice["files"])
     assert again["files"][2]["frequency"] == pytest.approx(10.0, rel=1e-3)
+
+
+def test_files_that_are_no_records_are_skipped_and_broken_ones_are_rows(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "run10.csv").unlink()
+    (folder / "note.txt").write_text("bearing changed on 3 May\nnew oil\n", encoding="utf-8")
+    (folder / "tool.bin").write_bytes(b"\x7fELF" + bytes(range(256)))
+    shutil.copy(folder / "run9.csv", folder / "run9.dat")  # numbers with an unusual ending
+    (folder / "broken.mat").write_bytes(b"MATLAB 5.0 MAT-file" + bytes(200))
+    assert diagnosed(folder, "--json") == 3
+    found = json.loads(capsys.readouterr().out)
+    rows = {row["file"]: row for row in found["files"]}
+    assert {name: row["failed"] for name, row in rows.items()} == {
+        "broken.mat": True,
+        "empty.csv": True,
+        "run9.csv": False,
+        "run9.dat": False,
+    }
+    assert found["omitted"] == ["note.txt", "notes.md", "tool.bin"]
+    # a speed that is not known has no tolerance
+    assert rows["broken.mat"]["tolerance"] is None and rows["run9.csv"]["tolerance"] == 0.0
+    assert diagnosed(folder) == 3
+    assert "3 files are not records, omitted: note.txt, notes.md, tool.bin" in capsys.readouterr().out
 
 
 def test_all_files_diagnosed_is_success(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

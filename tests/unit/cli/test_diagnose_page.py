@@ -6,13 +6,16 @@ from __future__ import annotations
 import html
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.io import savemat
 
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import json_of, written
+from tests.support.measured_sets import motor_records
 from tests.support.rig_records import BROKEN_PAIR, rig_file
 
 TRAIN = ["--train", "32/95", "--speed", "10Hz"]
@@ -82,6 +85,58 @@ def test_figures_have_axes_with_units_and_marked_lines(
     turn = drawn[titles.index(("tooth pitches from the start of the record", "[m/s²]"))]
     assert [shape["yref"] for shape in turn["layout"]["shapes"]] == ["y domain", "y2 domain"]
     assert all(shape["x0"] < 6.4 < shape["x1"] for shape in turn["layout"]["shapes"])
+
+
+def bearing_file(folder: Path) -> list[str]:
+    """Impacts of an outer ring, 3.05 per revolution at 25 Hz with random slip, in noise of their rms."""
+    rate, rng = 12_000.0, np.random.default_rng(1)
+    x = 0.4 * rng.standard_normal(60_000)
+    for when in rate * np.cumsum(rng.normal(1 / 76.25, 1e-4, 380)):
+        x[int(when) : int(when) + 100] += 4 * np.exp(-np.arange(100) / 20) * np.sin(1.5 * np.arange(100))
+    savemat(folder / "fan.mat", {"acc": x, "fs": rate})
+    machine = ["--speed", "25Hz±0.1%", "--bearing", "bearing A:BPFO=3.05,BPFI=4.95,BSF=1.99,FTF=0.382"]
+    return [str(folder / "fan.mat"), *machine]
+
+
+def motor_file(_: Path) -> list[str]:
+    """Inner ring with 0.014 in at 2 hp, in the sensor of the other end, found by median whitening."""
+    files = [one.file for one in motor_records() if one.file.name == "IR014_2.mat"]
+    if not files:
+        pytest.skip("the measured records are not beside the project")
+    bearing = ["--bearing", "DE:6205-2RS JEM"]
+    return [str(files[0]), "--sample-rate", "12kHz", "-c", "X171_FE_time", *bearing]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named", "detector", "limit"),
+    [
+        (bearing_file, "outer ring of bearing A", "cepstral whitening", 15.0),
+        (motor_file, "inner ring of bearing DE", "median whitening", 17.0),
+    ],
+)
+def test_the_envelope_is_that_of_the_detector_of_the_verdict(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    arguments: Callable[[Path], list[str]],
+    named: str,
+    detector: str,
+    limit: float,
+) -> None:
+    """The numbered lines of the part named are above the limit of the detector, as in table and sentence."""
+    page, printed = page_of(arguments(tmp_path), tmp_path, capsys)
+    assert f"a local fault on the {named}, seen in" in printed
+    assert f"by {detector}" in printed.splitlines()[0]
+    row = next(line for line in printed.splitlines() if line.rstrip().endswith("found"))
+    assert f"ring, by {detector}" in row and f"{limit:.1f} dB" in row
+    assert f"by {detector}, level above the running median" in captions(page)
+    (figure,) = [f for f in figures(page) if "median [dB]" in f["layout"]["yaxis"]["title"]["text"]]
+    assert [note["text"] for note in figure["layout"]["annotations"]] == [f"limit {limit:g} dB"]
+    (part,) = [trace for trace in figure["data"] if trace.get("text")]
+    assert part["text"] == ["1", "2", "3"]
+    first, second, third = part["x"]
+    assert second == pytest.approx(2 * first) and third == pytest.approx(3 * first)
+    # one of the lines may be 4 dB lower
+    assert sorted(part["y"])[1] >= limit and min(part["y"]) >= limit - 4.0
 
 
 def test_a_healthy_record_has_the_same_pictures_and_says_what_would_be_found(

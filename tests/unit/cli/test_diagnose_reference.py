@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import csv
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.io import savemat
 
+from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.cli.main import run_command
+from pitchpoint.io.target import written_by_diagnose
 from pitchpoint.report.diagnosis.record_files import record_file, record_files
 from tests.support.cli_files import json_of
 
@@ -54,6 +58,11 @@ def test_a_damaged_tooth_is_named_by_its_residual_at_a_load_between_the_healthy_
     found = json_of(["diagnose", file, *arguments, "--load", "70%", "-o", str(page)], capsys)["change"]
     assert found["differs"] and found["interpolated_over"] == ["load"]
     assert found["named"] == ["Z1"]
+    first = json_of(["diagnose", file, *arguments, "--load", "70%", "-c", "acc"], capsys)["sentences"][0]
+    by_itself = "by itself nothing found: "
+    assert (by_itself in first and first.startswith("differs from 5 healthy records (distance ")) or (
+        "a local fault on gear Z1" in first
+    )
     assert found["probability"] == pytest.approx(1 / 6)
     assert len(found["healthy"]) == 5 and found["distance"] > found["limit"]
     assert max(one["distance"] for one in found["healthy"]) == found["limit"]
@@ -63,6 +72,9 @@ def test_a_damaged_tooth_is_named_by_its_residual_at_a_load_between_the_healthy_
     # the load of 30 % comes from the table of the folder
     assert run_command(["diagnose", str(rig / "history" / "run9.mat"), *arguments]) == 0
     said = capsys.readouterr().out
+    # the first sentence contains the result of the comparison
+    assert said.startswith("within the range of 5 healthy records (distance ")
+    assert "); by itself nothing found: " in said.splitlines()[0]
     assert "within the range of 5 healthy records, interpolated over load" in said
     assert "Largest deviations from healthy records" in said
 
@@ -93,7 +105,7 @@ def test_one_healthy_record_gives_differences_without_a_rate(
     found = json_of(["diagnose", file, *MACHINE, "--reference", sound], capsys)["change"]
     assert found["limit"] is None and found["distance"] is None and not found["differs"]
     assert "without a limit, and without a rate of false alarms" in found["sentences"][1]
-    assert found["notes"] == ["channels are named after the records: X105_DE with X097_DE is compared"]
+    assert found["notes"] == ["channels are named after the records: X105_DE is compared with X097_DE"]
     residual = {one["feature"]: one["deviation"] for one in found["features"]}
     assert residual["residual of Z1"] > 3.0
 
@@ -113,9 +125,26 @@ def test_the_trend_of_a_folder_leaves_the_healthy_range_at_the_fourth_record(
     assert [one["differs"] for one in found["records"][1:]] == [False, False, True, True, True]
     assert "record 4 of 6" in found["sentences"][0]
     assert "Trend of history" in page.read_text(encoding="utf-8")
-    assert run_command([*arguments, *healthy]) == 0
+    for ending in ("csv", "json"):
+        assert run_command([*arguments, *healthy, "-o", str(tmp_path / f"trend.{ending}")]) == 0
     said = capsys.readouterr().out
-    assert "above the limit" in said and "healthy" in said
+    assert "above the limit" in said and "healthy" in said and "table written to" in said
+    with (tmp_path / "trend.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["file"] for row in rows] == [f"run{k}.mat" for k in range(9, 3, -1)]
+    assert [row["state"] for row in rows] == ["healthy", *["compared"] * 5]
+    assert [row["above the limit"] for row in rows] == ["", "no", "no", "yes", "yes", "yes"]
+    assert [row["load"] for row in rows] == ["30", "90", "50", "70", "40", "80"]
+    for row, one in zip(rows, found["records"], strict=True):
+        assert float(row["distance"]) == pytest.approx(one["distance"], rel=1e-3)
+        assert float(row["speed [rpm]"]) == pytest.approx(600.0, rel=0.01)
+    text = (tmp_path / "trend.json").read_text(encoding="utf-8")
+    assert {key: value for key, value in json.loads(text).items() if key != "about"} == found
+    # a table may be replaced, and in the folder it is not a record
+    assert run_command([*arguments, *healthy, "-o", str(tmp_path / "trend.csv"), "-q"]) == 0
+    assert all(written_by_diagnose(tmp_path / f"trend.{ending}") for ending in ("csv", "json"))
+    with pytest.raises(SignalError, match="has no records"):
+        record_files([str(tmp_path)], None, "FILES")
 
 
 def test_what_cannot_be_compared_is_refused(
@@ -132,6 +161,12 @@ def test_what_cannot_be_compared_is_refused(
     assert "has no records" in told(file, "--reference", str(tmp_path / "empty"))
     assert "compared with itself" in told(file, "--reference", file)
     assert "is a folder" in told(healthy, file, "--reference", healthy)
+    assert "'pc{load}' matches none of the 6 file names, such as run9.mat" in told(
+        file, "--reference", healthy, "--load-from", "pc{load}"
+    )
+    assert "--load: is the load of one record" in told(
+        str(rig / "history"), "--reference", healthy, "--load", "40%"
+    )
     assert "must contain {load}" in told(file, "--reference", healthy, "--load-from", "pc")
     assert "is not a number" in told(file, "--reference", healthy, "--load", "half")
     assert "different units" in told(
@@ -159,8 +194,6 @@ def test_tables_and_names_of_folders(tmp_path: Path) -> None:
     found = record_files([str(tmp_path)], None, "--reference")
     assert [(f.name, f.load, f.unit) for f in found] == [("r10.csv", 1.5, "kN"), ("r2.csv", -2.0, "kN")]
     assert record_file(str(tmp_path / "r10.csv"), "r{load}.").load == 10.0
-    from pitchpoint.analysis.sampled import SignalError
-
     for text, message in (
         ("file,lod\nr2.csv,1\n", "did you mean"),
         ("load\n1\n", "has no column 'file'"),

@@ -76,7 +76,7 @@ def test_contradictory_sample_rates_are_named_and_the_option_decides(tmp_path):
     with pytest.raises(MeasuredError) as caught:
         read_measured(path)
     assert "Header.SampFreq 12800 Hz, Header.XInc 0.0001 s (10000 Hz) contradict" in str(caught.value)
-    assert "--sample-rate" in str(caught.value)
+    assert "give the correct one by sample_rate=" in str(caught.value)
     data = read_measured(path, sample_rate=10000.0)
     assert data.sample_rate == 10000.0 and "Header.SampFreq = 12800 Hz contradicts" in data.notes
     with pytest.raises(MeasuredError, match="1000 Hz contradicts the file"):
@@ -252,7 +252,7 @@ def test_records_of_different_length_in_one_file(tmp_path):
 @pytest.mark.skipif(REAL is None, reason="the records of real rigs are not here")
 def test_real_records():
     assert REAL is not None
-    with pytest.raises(MeasuredError, match=r"--sample-rate"):
+    with pytest.raises(MeasuredError, match=r"give sample_rate="):
         read_measured(REAL / "cwru" / "normal_0.mat")
     data = read_measured(REAL / "cwru" / "normal_0.mat", sample_rate="12 kHz")
     assert list(data.data_vars) == ["X097_DE_time", "X097_FE_time"] and data.sizes["time"] == 243938

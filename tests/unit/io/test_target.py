@@ -26,7 +26,7 @@ from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.rexs.exporting.exporting import export_rexs
 from pitchpoint.io.rexs.housing_file import matrix_text
 from pitchpoint.io.rexs.writing.text import rexs_bytes
-from pitchpoint.io.target import KINDS, PDF_TITLE, OutputError, check_target, write_file
+from pitchpoint.io.target import KINDS, PDF_TITLE, TREND_OF_RECORDS, OutputError, check_target, write_file
 from pitchpoint.io.wind.turbsim import write_turbsim
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
@@ -93,6 +93,12 @@ def own_file(kind: str, path: Path) -> Path:
             pytest.importorskip("OCP", reason="OCC (the extra cad) is not installed")
         export_gear(GEAR, path, kind, n_flank=5)
     return path
+
+
+def test_a_table_of_a_trend_may_be_replaced_by_one_of_diagnoses(tmp_path: Path) -> None:
+    path = tmp_path / "trend.csv"
+    path.write_text(f"{TREND_OF_RECORDS},load\n", encoding="utf-8")
+    assert check_target(path, "diagnoses") == path
 
 
 @pytest.mark.parametrize("kind", KINDS)

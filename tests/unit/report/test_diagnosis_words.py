@@ -8,13 +8,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.diagnosis import Diagnosis, MeshLines
 from pitchpoint.analysis.family_evidence import PARTLY
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import train_parts
 from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.tooth_places import gear_turns, one_gear, place_sentence
-from pitchpoint.report.diagnosis.words import nothing_found, observation, outcome, sentence, what_is_tested
+from pitchpoint.report.diagnosis.words import (
+    cells_of_test,
+    nothing_found,
+    observation,
+    outcome,
+    sentence,
+    what_is_tested,
+)
 
 
 def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Evidence:
@@ -25,8 +32,8 @@ def _evidence(*, found: bool, explained: str = "", value: float = 9.0) -> Eviden
     ("beyond", "words"),
     [
         (0, "none of 5 tests exceeds its limit"),
-        (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage; listed below"),
-        (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage; listed below"),
+        (1, "1 of 5 tests exceeds its limit, but not in the pattern of damage"),
+        (3, "3 of 5 tests exceed their limits, but not in the pattern of damage"),
     ],
 )
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:
@@ -49,6 +56,51 @@ def test_one_line_of_two_meshes_is_told_once() -> None:
     words = sentence(finding, Diagnosis((finding,), (), tuple(rows), {}, (), (), {}, 2, 0.01), parts, 30.0)
     assert words.count("980 Hz") == 1
     assert "sideband +2 of the mesh of Z2 and of that of Z3 (by noise alone" in words
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [
+        (1, "sideband +1, is at 990 Hz in acc, 20 % of the largest mesh line; runout, eccentricity"),
+        (-2, "sideband −2, is at 900 Hz in acc, 20 % of the largest mesh line; misalignment or an oval gear"),
+        (-3, "sideband −3, is at 870 Hz in acc, 20 % of the largest mesh line; deviations that vary several"),
+    ],
+)
+def test_the_cause_of_sidebands_follows_their_number(number: int, words: str) -> None:
+    """A modulation once per turn has sidebands one shaft frequency from the mesh; 32 teeth at 30 Hz."""
+    parts = train_parts([(32, 96)])
+    row = Evidence(
+        "acc", "sidebands", "shaft 1", "Z1", 20.0, 11.0, 1e-9, 32.0 + number, 0.1, number, True, 0.01
+    )
+    seen = Finding("modulation", "shaft 1", ("Z1",), "acc", 1e-9)
+    lines = MeshLines("mesh 1", 32.0, np.array([0.5, 0.1]), True, ())
+    found = Diagnosis((), (seen,), (row,), {"acc": (lines,)}, (), (), {}, 2, 0.01)
+    text = observation(seen, found, parts, 30.0, "m/s^2")
+    assert text.startswith("sidebands of the mesh of Z1 at multiples of the speed of shaft 1 (30 Hz): ")
+    assert words in text and "once per turn" not in text
+
+
+def test_the_word_bearing_is_not_repeated() -> None:
+    parts = train_parts([(32, 96)])
+    for name, words in (("A", "inner ring of bearing A, seen"), ("bearing", "inner ring of bearing, seen")):
+        row = Evidence("acc", "bearing", "inner ring", name, 20.0, 15.0, 1e-9, 5.4, 0.0, 0, True, 0.01)
+        finding = Finding("bearing", "inner ring", (name,), "acc", 1e-9)
+        found = Diagnosis((finding,), (), (row,), {}, (), (), {}, 2, 0.01)
+        assert words in sentence(finding, found, parts, 30.0)
+
+
+def test_an_excluded_line_has_no_probability_by_noise() -> None:
+    """The rule gives it the probability 1, which would contradict a value far above the limit."""
+    row = replace(_evidence(found=False, explained="below 1 % of the rms"), probability=1.0)
+    found = Diagnosis((), (), (row,), {}, (), (), {}, 1, 0.01)
+    assert cells_of_test(row, found) == (
+        "shaft 1",
+        "all orders",
+        "9.0 σ",
+        "3.0 σ",
+        "–",
+        "below 1 % of the rms",
+    )
 
 
 def test_an_event_per_turn_is_told_with_its_highest_line() -> None:

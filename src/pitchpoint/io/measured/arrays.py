@@ -177,7 +177,7 @@ class Arrays:
         chosen = [f for f in others if any(wanted.takes(name) for name, _ in _split(f, None))]
         count = sum(math.prod(f.extent) for f in (*chosen, *times))
         if count > self._most:
-            remedy = "choose fewer channels with channels="
+            remedy = "choose fewer channels by channels="
             limit = f"{self._most / 1e6:.0f} million"
             raise refused(
                 self._path, "", f"{count / 1e6:.0f} million samples", "are chosen at once", limit, remedy

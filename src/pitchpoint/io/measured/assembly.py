@@ -178,7 +178,7 @@ def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:
             usual = record.time.values.size
         odd = [f"{name} {n}" for name, n in lengths.items() if n != usual]
         listed = ", ".join(odd[:_SHOWN])
-        remedy = "choose channels of one length with channels="
+        remedy = "choose channels of one length by channels="
         raise refused(path, "samples", listed, "differ in length from the rest", str(usual), remedy)
     count = next(iter(lengths.values()))
     if count < 2:

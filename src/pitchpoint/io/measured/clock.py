@@ -36,7 +36,7 @@ def finite(path: Path, columns: Sequence[Column]) -> None:
             "",
             "are not finite numbers",
             "0",
-            "cut the record before them, repair them, or leave the channel out with channels=",
+            "cut the record before them, repair them, or choose the other channels by channels=",
         )
 
 
@@ -78,7 +78,7 @@ def clock_of(path: Path, record: Record, count: int, sample_rate: float | None) 
             "",
             "the file has neither a time axis nor a sample rate",
             "one of them",
-            "give sample_rate= in Hz (--sample-rate on the command line)",
+            "give sample_rate=",
         )
     source = stated.name if stated is not None and sample_rate is None else ""
     return Clock(_even_times(record.start, count, rate), rate, source, tuple(notes))
@@ -108,12 +108,12 @@ def _stated(path: Path, record: Record, sample_rate: float | None) -> tuple[Stat
     agree = [r for r in possible if abs(r.value / (sample_rate or possible[0].value) - 1.0) <= AGREE]
     others = [r for r in possible if r not in agree]
     if others and not decided:
-        remedy = "give the correct one by sample_rate= (--sample-rate on the command line)"
+        remedy = "give the correct one by sample_rate="
         listed = _listed(possible)
         raise refused(path, "sample rate", listed, "contradict each other", "0.1 %", remedy)
     if decided and not agree and record.time is None:
         raise _contradiction(path, float(sample_rate or 0.0), _listed(possible))
-    notes += [f"{r.name} = {r.shown} contradicts sample_rate: not used" for r in others]
+    notes += [f"{r.name} = {r.shown} contradicts sample_rate=: not used" for r in others]
     return (agree[0] if agree else None), notes
 
 
@@ -126,7 +126,7 @@ def _listed(stated: Sequence[Stated]) -> str:
 
 def _contradiction(path: Path, given: float, limit: str) -> MeasuredError:
     return refused(
-        path, "sample_rate", f"{given:g} Hz", "contradicts the file", limit, "leave it out or correct it"
+        path, "sample_rate=", f"{given:g} Hz", "contradicts the file", limit, "leave it out or correct it"
     )
 
 
@@ -136,7 +136,7 @@ def _agree(path: Path, given: float, axis: float, stated: Stated | None) -> None
         return
     if stated is None:
         raise _contradiction(path, given, f"{axis:.6g} Hz")
-    remedy = "give the correct one by sample_rate= (--sample-rate on the command line)"
+    remedy = "give the correct one by sample_rate="
     limit = f"{axis:.6g} Hz"
     raise refused(path, stated.name, _listed([stated]), "contradicts the time axis", limit, remedy)
 
@@ -169,7 +169,7 @@ def _stored_axis(
         coarse = resolution > 0.25 * abs(step)
         message = "does not increase" + (f" (times are written to {resolution:g} s only)" if coarse else "")
         remedy = (
-            "leave the column out and give sample_rate=" if coarse else "sort the file, drop repeated samples"
+            "delete the column and give sample_rate=" if coarse else "sort the file, drop repeated samples"
         )
         raise _uneven(
             path, record, f"sample {k + 1} at {time[k + 1]:.9g} s after {time[k]:.9g} s", message, remedy

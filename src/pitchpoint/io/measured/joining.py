@@ -56,7 +56,7 @@ def read_joined(
     twice = [path for path, count in Counter(p.resolve() for p in paths).items() if count > 1]
     if twice:
         raise refused(twice[0], "", "", "is given more than once", "once", "name each file once")
-    records = _named(paths, {path: read(path, None) for path in paths})
+    records = _named(paths, _every(paths, read))
     names = [column.name for record, _ in records.values() for column in record.columns]
     together = Path(_few([str(path) for path in paths]))
     if channels is not None:
@@ -94,6 +94,21 @@ def read_joined(
     )
     data.attrs = _attributes(parts, notes)
     return data
+
+
+def _every(
+    paths: Sequence[Path], read: Callable[[Path, None], tuple[Record, str]]
+) -> dict[Path, tuple[Record, str]]:
+    """All files; those that cannot be read are named together."""
+    found, problems = {}, []
+    for path in paths:
+        try:
+            found[path] = read(path, None)
+        except MeasuredError as error:
+            problems.append(str(error))
+    if problems:
+        raise MeasuredError("; ".join(problems))
+    return found
 
 
 def _has_columns(name: str, names: Sequence[str]) -> bool:

@@ -90,11 +90,11 @@ def _elements(path: Path, data: memoryview, order: str) -> Iterator[tuple[int, m
             at += 8
             continue
         if at + 8 + size > len(data):
-            raise truncated(path, at + 8 + size, len(data), "bytes of a variable or of the file")
+            raise truncated(path, at + 8 + size, len(data))
         yield kind, data[at + 8 : at + 8 + size]
         at += 8 + size + (-size % 8 if kind != _COMPRESSED else 0)
     if bytes(data[at:]).strip(b"\0"):
-        raise truncated(path, at + 8, len(data), "bytes of a variable or of the file")
+        raise truncated(path, at + 8, len(data))
 
 
 def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays, depth: int) -> None:

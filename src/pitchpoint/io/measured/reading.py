@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-_EXPECTED = {
+EXPECTED = {
     ".wav": ("WAV",),
     ".wave": ("WAV",),
     ".mat": ("MAT", "MAT 4", "HDF5"),
@@ -113,7 +113,7 @@ def _read(path: Path, asked: tuple[str, ...] | None) -> tuple[Record, str]:
     try:
         return _record(path, data, asked), digest
     except MemoryError:
-        remedy = "choose fewer channels=, or cut it into shorter records"
+        remedy = "choose fewer channels by channels=, or cut it into shorter records"
         raise refused(path, "", "", "requires more memory than there is", None, remedy) from None
 
 
@@ -122,7 +122,7 @@ def _record(path: Path, packed: bytes, asked: tuple[str, ...] | None) -> Record:
     from pitchpoint.io.measured.assembly import unknown_channels
 
     data = unpacked(path, packed)
-    form = _form(path, data)
+    form = form_of(path, data)
     if data is not packed and form in ("HDF5", "UFF"):
         raise refused(path, "", form, "is packed", "CSV, MAT 4 to 7 or WAV", "unpack the file first")
     reader = _reader(path, data, form)
@@ -159,7 +159,7 @@ def _contents(path: Path) -> bytes:
     return data
 
 
-def _form(path: Path, data: bytes) -> str:
+def form_of(path: Path, data: bytes) -> str:
     """Format by contents; an extension of another format is an error."""
     if data.startswith(_HDF5) or data[512:520] == _HDF5:
         form = "HDF5"
@@ -174,7 +174,7 @@ def _form(path: Path, data: bytes) -> str:
     else:
         form = "text"
     suffix = suffix_of(path)
-    expected = _EXPECTED.get(suffix, (form,))
+    expected = EXPECTED.get(suffix, (form,))
     if form not in expected:
         first = data[:8].decode("latin-1")
         what = {"text": "no known format", "MAT": "MAT 5"}.get(form, form)
@@ -218,4 +218,4 @@ def _hertz(path: Path, value: float | str | None) -> float | None:
     try:
         return parse_quantity(value, "frequency", positive=True)
     except UnitError as error:
-        raise refused(path, "sample_rate", "", str(error), "> 0", "such as 25.6 kHz") from error
+        raise refused(path, "sample_rate=", "", str(error), "> 0", "such as 25.6 kHz") from error

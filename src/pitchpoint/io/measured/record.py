@@ -19,8 +19,24 @@ TIME_NAMES = ("time", "t", "zeit", "temps", "tiempo", "timestamp")
 """Common names of a time axis."""
 
 
+OPTIONS = {"sample_rate": "--sample-rate", "channels": "--channel", "units": "--unit"}
+"""Options of the command line for the arguments of `read_measured`."""
+
+
 class MeasuredError(PitchpointError, ValueError):
     """A measured file cannot be used; the message gives place, value, limit and remedy."""
+
+
+def as_options(text: str) -> str:
+    """Message with the options of the command line in place of the arguments of `read_measured`.
+
+    Examples
+    --------
+    >>> as_options("choose fewer channels by channels=, or give units={'a': '2 N'}")
+    "choose fewer channels by --channel, or give --unit 'a=2 N'"
+    """
+    text = re.sub(r"units=\{'([^'{}]*)': '([^'{}]*)'\}", r"--unit '\1=\2'", text)
+    return re.sub(r"\b(sample_rate|channels|units)=(?![\w'\"])", lambda found: OPTIONS[found[1]], text)
 
 
 @dataclass(frozen=True)

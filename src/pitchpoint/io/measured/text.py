@@ -357,7 +357,7 @@ def _careful(
 
 
 def _no_number(path: Path, name: str, cell: str, line: int) -> MeasuredError:
-    remedy = "repair or delete this line, or omit the column with channels="
+    remedy = "repair or delete this line, or choose the other columns by channels="
     return refused(path, name, repr(cell[:40]), "is not a number", None, remedy, line=line + 1)
 
 

@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from shlex import quote
 
 from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
 from pitchpoint.analysis.sampled import SignalError
@@ -53,19 +54,29 @@ def given_bearing(text: str, parts: TurningParts, names: Mapping[str, str]) -> G
     SignalError
         If the option cannot be read, or the bearing or its shaft is unknown.
     """
+    name, orders, source, at = read_bearing(text)
+    shaft = _shaft(text, at, parts, names)
+    turn = float(parts.shaft(shaft).order)
+    return GivenBearing(Bearing(name, {part: turn * order for part, order in orders.items()}, shaft), source)
+
+
+def read_bearing(text: str) -> tuple[str, dict[str, float], str, str]:
+    """Name, events per revolution of its shaft by part, source of these, and shaft of a bearing option.
+
+    Raises
+    ------
+    SignalError
+        If the option cannot be read, or the bearing is unknown or impossible.
+    """
     match = _OPTION.fullmatch(text.strip())
     if match is None:
         raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
     name, what, at = match[1].strip(), match[2].strip(), (match[3] or "").strip()
-    shaft = _shaft(text, at, parts, names)
-    turn = float(parts.shaft(shaft).order)
     if "=" in what:
-        orders, source = _of_orders(text, what), "fault orders of --bearing"
-    elif "," in what:
-        orders, source = _of_elements(text, what), "rolling elements of --bearing"
-    else:
-        orders, source = _of_designation(text, what)
-    return GivenBearing(Bearing(name, {part: turn * order for part, order in orders.items()}, shaft), source)
+        return name, _of_orders(text, what), "fault orders of --bearing", at
+    if "," in what:
+        return name, _of_elements(text, what), "rolling elements of --bearing", at
+    return name, *_of_designation(text, what), at
 
 
 def _shaft(text: str, at: str, parts: TurningParts, names: Mapping[str, str]) -> str:
@@ -74,7 +85,7 @@ def _shaft(text: str, at: str, parts: TurningParts, names: Mapping[str, str]) ->
         if len(parts.shafts) == 1:
             return parts.shafts[0].name
         raise SignalError(
-            f"--bearing: {text!r} has no shaft; write {text}@SHAFT; there are: {', '.join(names)}"
+            f"--bearing: {text!r} has no shaft; write {quote(text + '@SHAFT')}; there are: {', '.join(names)}"
         )
     shaft = names.get(at)
     if shaft is None:

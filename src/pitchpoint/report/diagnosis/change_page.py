@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
 from html import escape
 from pathlib import Path
@@ -10,6 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from pitchpoint import __version__
+from pitchpoint.io.csv_cells import plain_cell
+from pitchpoint.io.target import TREND_OF_RECORDS
 from pitchpoint.report.diagnosis.change_words import change_sentences, feature_words, trend_sentences
 from pitchpoint.report.diagnosis.reference import Change, Trend
 from pitchpoint.report.diagnosis.tables import rows_html
@@ -29,13 +33,13 @@ ABOUT = (
 )
 
 
-def change_section(change: Change) -> Section:
-    """Section of one record: result, distances, deviations of bands, largest deviations."""
+def change_section(change: Change, about: str = ABOUT) -> Section:
+    """Section of one record: result, distances with their explanation, deviations of bands, largest ones."""
     section = Section("reference", "Comparison with healthy records")
     for text in change_sentences(change):
         section.add(f"<p><b>{escape(text[:1].upper() + text[1:])}.</b></p>")
     if change.limits is not None:
-        section.add(f"<p>{ABOUT}</p>")
+        section.add(f"<p>{about}</p>" if about else "")
         names = [one.file.name for one in change.healthy] + [change.file.file.name]
         distances = np.r_[change.limits.distances, change.found.distance]
         healthy = [True] * len(change.healthy) + [False]
@@ -78,12 +82,21 @@ def trend_page(trend: Trend, source: str) -> str:
     items = "".join(f"<li>{escape(text)}</li>" for text in trend.notes)
     section.add(f'<ul class="notes">{items}</ul>' if items else "")
     far = max((c for c, own in zip(changes, healthy, strict=True) if not own), key=lambda c: c.found.distance)
-    last = change_section(far)
+    last = change_section(far, about="")
     last.heading = f"Record with the largest distance, {far.file.file.name}"
     facts = [("folder", Path(source).name), ("records", str(len(changes))), ("version", __version__)]
     return page(f"Trend of {Path(source).name}", facts, [section, last], f"Made by pitchpoint {__version__}.")
 
 
+TREND_COLUMNS = (
+    *TREND_OF_RECORDS.split(","),
+    "above the limit",
+    "by chance",
+    "load",
+    "unit of load",
+    "speed [rpm]",
+    "sentences",
+)
 TREND_HEAD = ("record", "state", "load", "speed [Hz]", "distance", "limit")
 
 
@@ -104,6 +117,31 @@ def trend_rows(trend: Trend) -> list[tuple[str, ...]]:
             )
         )
     return rows
+
+
+def trend_csv(trend: Trend) -> str:
+    """Table of a trend as CSV: a row per record, numbers without units."""
+    made = io.StringIO()
+    writer = csv.writer(made, lineterminator="\n")
+    writer.writerow(TREND_COLUMNS)
+    for change in trend.changes:
+        file, hertz, distance = change.file.file, change.file.frequency, change.found.distance
+        healthy = _is_healthy(trend, change)
+        limits = change.limits or trend.limits
+        cells: list[object] = [
+            file.name,
+            "healthy" if healthy else "compared",
+            f"{distance:.4g}",
+            f"{trend.limits.limit:.4g}",
+            "" if healthy else "yes" if distance > trend.limits.limit else "no",
+            f"{limits.probability(distance):.3g}",
+            "" if file.load is None else f"{file.load:g}",
+            file.unit,
+            "" if math.isnan(hertz) else f"{60.0 * hertz:.6g}",
+            "; ".join(change_sentences(change)),
+        ]
+        writer.writerow([plain_cell(cell) for cell in cells])
+    return made.getvalue()
 
 
 def deviation_rows(change: Change, count: int) -> list[tuple[str, ...]]:

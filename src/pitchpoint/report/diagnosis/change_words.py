@@ -92,6 +92,18 @@ def trend_sentences(trend: Trend) -> list[str]:
     return [text + rest]
 
 
+def change_in_short(change: Change) -> str:
+    """Result of the comparison in few words."""
+    records = _records(len(change.healthy))
+    if change.limits is None:
+        return f"compared with {records}, without a limit"
+    ratio = f"distance {change.found.distance:.2f}, limit {change.limits.limit:.2f}"
+    if not change.differs:
+        return f"within the range of {records} ({ratio})"
+    named = ", ".join(change.features[k].part for k in change.named)
+    return f"differs from {records} ({ratio}), {f'named: {named}' if named else 'no part named'}"
+
+
 def largest_features(change: Change, count: int = NAMED) -> list[int]:
     """Most significant features, one of each kind and channel; without a spread the largest deviations."""
     known = not math.isnan(change.found.freedom) and change.found.freedom > 0.0

@@ -97,8 +97,8 @@ def matched_features(one: Described, record: Described) -> tuple[Mapping[Feature
     names = {plain: name for name, plain in own.items()} if unique else {}
     pairs = {name: names[plain] for name, plain in other.items() if plain in names}
     found = {replace(f, channel=pairs[f.channel]): v for f, v in one.features.items() if f.channel in pairs}
-    words = ", ".join(f"{new} with {old}" for old, new in pairs.items())
-    return found, f"channels are named after the records: {words} is compared" if pairs else ""
+    words = ", ".join(f"{new} is compared with {old}" for old, new in pairs.items())
+    return found, f"channels are named after the records: {words}" if pairs else ""
 
 
 def _plain(name: str) -> str:
@@ -145,8 +145,8 @@ def operating_points(
                 )
         else:
             notes.append(
-                f"{name}: varies, but {len(among)} healthy records do not determine its effect (limit "
-                f"{FEWEST + len(used) + 1} records with different values); it is part of the deviations"
+                f"{name}: varies, but healthy records do not suffice to determine its effect: {len(among)} "
+                f"(limit {FEWEST + len(used) + 1} with different values); it is part of the deviations"
             )
     points = np.column_stack([columns[name] for name in used]) if used else np.empty((len(every), 0))
     return tuple(used), points, notes

@@ -81,6 +81,8 @@ def machine_of(request: Request, record: Record) -> Machine:
         If the model has no such scenario or nothing that rotates.
     """
     model = None if request.train is not None else _model(request, record)
+    if model is None and request.scenario is not None and request.train is None:
+        raise SignalError(f"--scenario {request.scenario}: {request.file} contains no model; give --model")
     found = _of_model(request, record, model) if model is not None else _of_options(request, record)
     return _with_bearings(found, request)
 
@@ -96,7 +98,7 @@ def _of_options(request: Request, record: Record) -> Machine:
             f"file, variable {record.speed_source}",
         )
     if request.train is not None:
-        parts = train_parts(_stages(request.train))
+        parts = train_parts(stages(request.train))
     else:
         if not (request.bearings or request.shafts or request.speeds or where or record.fault_orders):
             raise SignalError(
@@ -131,7 +133,7 @@ def _at(request: Request) -> str:
     return (request.tacho or request.angle or "").partition("@")[2]
 
 
-def _stages(train: str) -> list[tuple[int, int]]:
+def stages(train: str) -> list[tuple[int, int]]:
     """Tooth numbers of each mesh."""
     stages = []
     for text in train.split("-"):
@@ -149,15 +151,8 @@ def _with_shafts(
 ) -> tuple[TurningParts, dict[str, str]]:
     """Add shafts driven by belts or by gears of unknown tooth numbers."""
     for text in options:
-        match = _SHAFT.fullmatch(text.strip())
-        ratio = _ratio(match[2]) if match else None
-        if match is None or ratio is None:
-            raise SignalError(
-                f"--shaft: {text!r} is not NAME=RATIO@SHAFT; write it as in fan=120/280@motor, the "
-                "revolutions of fan "
-                "per revolution of motor"
-            )
-        name, driver = match[1].strip(), (match[3] or parts.shafts[0].name).strip()
+        name, ratio, driver = read_shaft(text)
+        driver = driver or parts.shafts[0].name
         if driver not in names:
             raise SignalError(f"--shaft: no shaft {driver!r}; there are: {', '.join(names)}")
         if name in names:
@@ -168,6 +163,24 @@ def _with_shafts(
         if not same:
             parts = replace(parts, shafts=(*parts.shafts, Shaft(name, order)))
     return parts, names
+
+
+def read_shaft(text: str) -> tuple[str, Fraction, str]:
+    """Name, ratio and driver of `NAME=RATIO[@SHAFT]`; the driver is empty if it is not given.
+
+    Examples
+    --------
+    >>> read_shaft("fan=120/280@motor")
+    ('fan', Fraction(3, 7), 'motor')
+    """
+    match = _SHAFT.fullmatch(text.strip())
+    ratio = _ratio(match[2]) if match else None
+    if match is None or ratio is None:
+        raise SignalError(
+            f"--shaft: {text!r} is not NAME=RATIO@SHAFT; write it as in fan=120/280@motor, the "
+            "revolutions of fan per revolution of motor"
+        )
+    return match[1].strip(), ratio, (match[3] or "").strip()
 
 
 def _ratio(text: str) -> Fraction | None:

@@ -19,6 +19,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.csv_cells import plain_cell
 from pitchpoint.io.measured.folder import records_in
+from pitchpoint.io.measured.record import as_options
 from pitchpoint.io.target import TABLE_OF_DIAGNOSES
 from pitchpoint.report.diagnosis.request import Request, diagnose_file
 from pitchpoint.report.diagnosis.study import Study
@@ -49,7 +50,7 @@ class FileRow:
     frequency
         Rotation frequency of the reference shaft [Hz]; None if it varies or is unknown.
     tolerance
-        Its relative tolerance that remains [-].
+        Its relative tolerance that remains [-]; None if the file is not diagnosed.
     speeds
         Lowest and highest rotation frequency [Hz], if it varies.
     time
@@ -68,7 +69,7 @@ class FileRow:
     limit: float | None = None
     unit: str = ""
     frequency: float | None = None
-    tolerance: float = 0.0
+    tolerance: float | None = None
     time: float = 0.0
     sentences: tuple[str, ...] = ()
     failed: bool = False
@@ -133,7 +134,13 @@ class FolderDiagnosis:
         """Remarks on the folder."""
         done = len(self.rows)
         stopped = [f"interrupted after {done} of {done + self.left} files; the others are not in the table"]
-        omitted = [f"not measured files, omitted: {', '.join(self.omitted)}"]
+        listed = ", ".join(self.omitted[:LISTED]) + ", ..." * (len(self.omitted) > LISTED)
+        count = (
+            "1 file is not a record"
+            if len(self.omitted) == 1
+            else f"{len(self.omitted)} files are not records"
+        )
+        omitted = [f"{count}, omitted: {listed}"]
         return stopped * bool(self.left) + omitted * bool(self.omitted)
 
     def as_data(self) -> dict[str, Any]:
@@ -194,6 +201,8 @@ class FolderDiagnosis:
         return page(title, facts, [summary, details, notes], f"Made by pitchpoint {__version__}.")
 
 
+LISTED = 6
+"""Number of omitted files with their names in a note."""
 NOTHING, FAILED = "nothing found", "not diagnosed"
 QUIET = (NOTHING, FAILED)
 
@@ -247,9 +256,7 @@ def _row(file: str, study: Study) -> FileRow:
     return FileRow(
         file,
         "; ".join(words) or NOTHING,
-        test=what_is_tested(best)
-        if best.kind in ("bearing", "sidebands")
-        else f"{what_is_tested(best)} of {best.shaft}",
+        test=_test(best),
         channel=best.channel,
         value=best.value if math.isfinite(best.value) else None,
         limit=best.threshold,
@@ -258,11 +265,16 @@ def _row(file: str, study: Study) -> FileRow:
         tolerance=study.over.tolerance,
         speeds=study.over.speeds,
         sentences=tuple(
-            text.removesuffix("; listed below")
-            for k, words in enumerate(study.sentences)
-            for text in (words, *study.details(k))
+            text for k, words in enumerate(study.sentences) for text in (words, *study.details(k))
         ),
     )
+
+
+def _test(e: Evidence) -> str:
+    """Name of a test with the part to which it belongs."""
+    if e.kind == "bearing":
+        return ", by ".join((f"{e.shaft} of {e.gear}", *e.detectors[:1]))
+    return what_is_tested(e) if e.kind == "sidebands" else f"{what_is_tested(e)} of {e.shaft}"
 
 
 def _short(shaft: str, gears: Sequence[str], kind: str) -> str:
@@ -287,6 +299,6 @@ def _strongest(study: Study) -> Evidence:
 
 def _message(error: BaseException, file: str) -> str:
     """Message without the path of the file, which the row has; an error of this program is named as such."""
-    text = str(error).removeprefix(f"{file}: ") or type(error).__name__
+    text = as_options(str(error).removeprefix(f"{file}: ")) or type(error).__name__
     own = isinstance(error, PitchpointError | OSError | MemoryError)
     return text if own else f"internal error: {type(error).__name__}: {error}; diagnose this file alone"

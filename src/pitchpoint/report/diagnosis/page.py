@@ -72,10 +72,13 @@ def _answer(study: Study) -> Section:
     """Findings in sentences, with the tooth if one stands out."""
     section = Section("answer", "Result")
     for number, words in enumerate(study.sentences):
-        section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
+        # what is found in bold type, not its evidence
+        part, seen, evidence = _capital(words).partition(", seen in ")
+        rest = f"</b>{escape(seen + evidence)}." if seen else ".</b>"
+        section.add(f"<p><b>{escape(part)}{rest}</p>")
         for detail in study.details(number):
             section.add(f"<p>{escape(_capital(detail))}.</p>")
-    if study.change is not None:
+    if study.change is not None and study.diagnosis.findings:
         words = change_sentences(study.change)[0]
         section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
     if not study.diagnosis.findings:

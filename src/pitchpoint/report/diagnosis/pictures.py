@@ -9,30 +9,26 @@ from html import escape
 
 import numpy as np
 
-from pitchpoint.analysis.bearing_signals import envelope_band, without_healthy_lines
-from pitchpoint.analysis.bearing_tests import alike
-from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.mesh_angle import HARMONICS as MESH_HARMONICS
-from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.shaft_tests import MIN_TURNS
 from pitchpoint.analysis.speed_track import ALONE
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.analysis.turning_parts import Shaft
+from pitchpoint.report.diagnosis.envelope_pictures import add_envelopes, axis_of, named_line, place_of
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, gear_turns
+from pitchpoint.report.diagnosis.words import named_mesh
 from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
-from pitchpoint.viz.quantities import amount, number, span
+from pitchpoint.viz.quantities import amount, number
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.spectrum_plots import plot_time_frequency
 
-SIDEBANDS, BEARING_HARMONICS = 6, 3
-"""Number of marked shaft orders on each side of a line, and of marked harmonics of a bearing part."""
-PARTS = {"outer ring": "○", "inner ring": "◇", "rolling element": "□", "cage": "△"}
-"""Symbol of each bearing part, in the order of the plot symbols."""
+SIDEBANDS = 6
+"""Number of marked shaft orders on each side of a line."""
 ABOUT_INDICATORS = (
     "rms: of the mean turn and of its residual (without mesh harmonics and the two lowest orders). Crest "
     "factor, kurtosis and tooth energy: of the residual; FM4, M6A and M8A: of the difference signal. Tooth "
@@ -49,7 +45,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
     spectrum = in_hertz(fine_spectrum(over.signals[channel], over.samples_per_turn), over.frequency)
     section.add(f"<p>{escape(_level(study, channel, unit))}</p>")
     section.add_figure(
-        plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=_axis(study)),
+        plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=axis_of(study)),
         f"Spectrum of {channel}"
         + (
             f", with the mesh lines of all gears and their harmonics up to {HARMONICS}."
@@ -65,7 +61,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
             _add_orders(section, study, spectrum, study.parts.shaft(evidence.shaft), view, unit)
         _add_turn(section, study, rows, evidence, unit)
     if study.parts.bearings:
-        _add_envelope(section, study, channel, unit)
+        add_envelopes(section, study, channel, unit)
     if rows:
         section.add("<h3>Indicators of the mean turns</h3>")
         section.add(indicator_tables(rows, unit))
@@ -125,27 +121,13 @@ def _level(study: Study, channel: str, unit: str) -> str:
     )
 
 
-def _axis(study: Study) -> str:
-    return "frequency" if math.isfinite(study.over.frequency) else "order"
-
-
-def _rate(study: Study, order: float) -> float:
-    """Frequency [Hz] of an order if the speed is known, else the order."""
-    return order * study.over.frequency if math.isfinite(study.over.frequency) else order
-
-
-def _named(study: Study, name: str, order: float) -> str:
-    value = number(_rate(study, order), 4)
-    return f"{name}, {value} Hz" if math.isfinite(study.over.frequency) else f"{name}, order {value}"
-
-
 def _meshes(study: Study, spectrum: FineSpectrum) -> list[Lines]:
     """Mesh lines with their harmonics."""
     found = []
     for look, mesh in enumerate(study.parts.meshes, start=1):
         order = study.parts.mesh_order(mesh)
-        places = line_places(_rate(study, order), HARMONICS, spectrum.highest)
-        found.append(Lines(_named(study, mesh.name, order), places, look=look))
+        places = line_places(place_of(study, order), HARMONICS, spectrum.highest)
+        found.append(Lines(named_line(study, mesh.name, order), places, look=look))
     return [lines for lines in found if lines.places.size]
 
 
@@ -167,12 +149,13 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     found = []
     for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
         words = (
-            f"Harmonic {harmonic} of {mesh} with its sidebands at the rotation frequency of {shaft.name}, "
-            "numbered: slow modulation over a turn raises the first sidebands, a local fault all of them."
+            f"Harmonic {harmonic} of {named_mesh(mesh)} with its sidebands at the rotation frequency of "
+            f"{shaft.name}, numbered: slow modulation over a turn raises the first sidebands, a local fault "
+            "all of them."
         )
         found.append(_View(harmonic * teeth, harmonic * teeth, words))
     if e.kind == "comb":
-        middle = _clearest(spectrum, _rate(study, float(shaft.order)))
+        middle = _clearest(spectrum, place_of(study, float(shaft.order)))
         words = (
             f"The {2 * SIDEBANDS + 1} consecutive orders of {shaft.name} that stand out most: a local fault "
             "raises all of them above the spectrum between them. Numbers are orders of the shaft."
@@ -193,7 +176,7 @@ def _sidebands(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[tuple[
         found.append((mesh.name, teeth, max(round(test.order / study.parts.mesh_order(mesh)), 1)))
     # meshes without a test are shown too, if the spectrum covers them
     for gear, (mesh, teeth) in study.parts.gears_of(e.shaft).items():
-        if gear in gears and _rate(study, study.parts.mesh_order(mesh)) < spectrum.highest:
+        if gear in gears and place_of(study, study.parts.mesh_order(mesh)) < spectrum.highest:
             found.append((mesh.name, teeth, 1))
     return found
 
@@ -221,15 +204,17 @@ def _add_orders(
     section: Section, study: Study, spectrum: FineSpectrum, shaft: Shaft, view: _View, unit: str
 ) -> None:
     """Add a detail of the spectrum with the orders of a shaft and mesh lines."""
-    step = _rate(study, float(shaft.order))
+    step = place_of(study, float(shaft.order))
     low = max((view.middle - SIDEBANDS - 0.6) * step, 0.3 * step)
     high = min((view.middle + SIDEBANDS + 0.6) * step, spectrum.highest)
     orders = range(math.ceil(low / step), math.floor(high / step) + 1)
     labels = tuple(_order_label(k - view.counted, view.counted > 0) for k in orders)
-    name = _named(study, f"orders of {shaft.name}", float(shaft.order))
+    name = named_line(study, f"orders of {shaft.name}", float(shaft.order))
     marks = [Lines(name, step * np.array(orders, dtype=np.float64), labels)]
     marks += [m for m in _meshes(study, spectrum) if ((m.places >= low) & (m.places <= high)).any()]
-    figure = plot_lines(spectrum, marks, unit=unit, quantity="amplitude", over=_axis(study), span=(low, high))
+    figure = plot_lines(
+        spectrum, marks, unit=unit, quantity="amplitude", over=axis_of(study), span=(low, high)
+    )
     section.add_figure(figure, view.words)
 
 
@@ -264,58 +249,3 @@ def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence,
     words += f", over the teeth of {' or '.join(turn.gears)}" if known else ""
     shaded = "; shaded: angle of one tooth with the most energy of the residual" if marked else ""
     section.add_figure(figure, f"{words}, in its sense of rotation from {turn.since}{shaded}.")
-
-
-def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> None:
-    """Add the spectrum of the squared envelope, as used by the bearing tests."""
-    over, parts = study.over, study.parts
-    try:
-        if parts.meshes:
-            rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
-            low, high = envelope_band(rest, over.samples_per_turn, parts)
-            envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
-        else:
-            low, high = 0.0, 0.5 * over.samples_per_turn
-            envelope = band_envelope(over.signals[channel], over.samples_per_turn, whiten=True).envelope
-        spectrum = in_hertz(fine_spectrum(envelope**2, over.samples_per_turn), over.frequency)
-    except SignalError as reason:
-        section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
-        return
-    found = {
-        (e.gear, e.shaft): e.order
-        for e in study.diagnosis.evidence
-        if e.channel == channel and e.detectors and e.found
-    }
-    marks = [
-        Lines(
-            _named(study, f"{bearing.name}, {part}", order),
-            line_places(_rate(study, order), BEARING_HARMONICS, spectrum.highest),
-            look=look,
-            group=bearing.name,
-            symbol=list(PARTS).index(part),
-        )
-        for look, bearing in enumerate(alike(parts.bearings), start=1)
-        for part, nominal in bearing.orders.items()
-        # of a part that is found with its slip
-        for order in [found.get((bearing.name, part), nominal)]
-    ]
-    there = {part for bearing in parts.bearings for part in bearing.orders}
-    shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]
-    last = max((float(m.places[-1]) for m in marks if m.places.size), default=spectrum.highest)
-    known = math.isfinite(over.frequency)
-    band = span(_rate(study, low), _rate(study, high)) if known else f"orders {low:.4g} to {high:.4g}"
-    figure = plot_lines(
-        spectrum,
-        marks,
-        unit=f"({unit})²" if unit else "",
-        quantity="squared envelope",
-        over=_axis(study),
-        span=(0.0, min(1.15 * last, spectrum.highest)),
-    )
-    section.add_figure(
-        figure,
-        f"Spectrum of the squared envelope of {channel} "
-        f"{'without mesh lines' if parts.meshes else 'after whitening'}, band {band}, with the "
-        f"frequencies of the bearing parts and their harmonics up to {BEARING_HARMONICS}: "
-        f"{', '.join(shown)}.",
-    )

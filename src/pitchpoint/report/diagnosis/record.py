@@ -269,7 +269,7 @@ def _measured(
 ) -> Record:
     """Read measured files: all channels over time, or the chosen ones if others prevent it."""
     from pitchpoint.io.measured.reading import read_measured
-    from pitchpoint.io.measured.record import MeasuredError
+    from pitchpoint.io.measured.record import MeasuredError, as_options
 
     try:
         data = read_measured(paths, sample_rate=sample_rate)
@@ -293,7 +293,7 @@ def _measured(
         even_times(np.asarray(data["time"].values, dtype=np.float64)),
         channels,
         units={name: str(data[name].attrs.get("units", "")) for name in channels},
-        about={"format": about["format"], "SHA-256": ", ".join(digests), "notes": about["notes"]},
+        about={"format": about["format"], "SHA-256": ", ".join(digests), "notes": as_options(about["notes"])},
         speed=None if speed is None else float(speed) / math.tau,
         speed_source=str(data.attrs.get("shaft_speed_from", "")),
         fault_orders={

@@ -6,17 +6,19 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from glob import glob
 from pathlib import Path
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.core.nearest import hint
+from pitchpoint.io.measured.folder import by_number, records_in
+from pitchpoint.io.measured.record import MeasuredError
 
 TABLE = "records.csv"
 """Table of the records of a folder."""
 COLUMNS = ("file", "load", "speed", "time")
-ENDINGS = (".csv", ".tsv", ".mat", ".h5", ".hdf5", ".hdf", ".nc", ".uff", ".unv", ".wav", ".wave")
 _NUMBER = r"[-+]?\d+(?:\.\d+)?"
 _LOAD = re.compile(rf"\s*({_NUMBER}(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
@@ -70,14 +72,28 @@ def record_files(given: Sequence[str], pattern: str | None, option: str) -> list
     for text in given:
         paths = _expanded(text)
         if not paths:
+            what = "has no records" if Path(text).is_dir() else "does not exist and matches no file"
             problems.append(
-                f"{option}: {text!r} has no records; name files, a folder, or a pattern such as 'day1/*.csv'"
+                f"{option}: {text!r} {what}; name files, a folder, or a pattern such as 'day1/*.csv'"
             )
-        for path in paths:
-            found.setdefault(str(Path(path).resolve()), record_file(path, pattern))
+        try:
+            for path in paths:
+                found.setdefault(str(Path(path).resolve()), record_file(path, pattern))
+        except SignalError as error:
+            problems.append(str(error))
     if problems:
-        raise SignalError("; ".join(problems))
+        raise SignalError("; ".join(dict.fromkeys(problems)))
     return list(found.values())
+
+
+def unmatched(files: Sequence[RecordFile], pattern: str | None) -> list[str]:
+    """Problem of a pattern of loads that matches the name of none of the files; empty if it matches one."""
+    if pattern is None or not files or any(_in_name(file.name, pattern) for file in files):
+        return []
+    return [
+        f"--load-from: {pattern!r} matches none of the {len(files)} file names, such as {files[0].name} "
+        "(limit 1); correct the text before and after {load}"
+    ]
 
 
 def record_file(path: str, pattern: str | None, load: str | None = None) -> RecordFile:
@@ -104,11 +120,12 @@ def _expanded(text: str) -> list[str]:
     if folder.is_file():
         return [text]
     if not folder.is_dir():
-        return sorted((path for path in glob(text) if Path(path).is_file()), key=_natural)
+        return sorted((path for path in glob(text) if Path(path).is_file()), key=by_number)
     table = _table(folder)
     if not table:
-        kept = [path for path in folder.iterdir() if path.is_file() and _is_record(path.name)]
-        return sorted(map(str, kept), key=_natural)
+        with suppress(MeasuredError):
+            return records_in(text)[0]
+        return []
     missing = [name for name in table if not (folder / name).is_file()]
     if missing:
         raise SignalError(
@@ -118,18 +135,7 @@ def _expanded(text: str) -> list[str]:
     if not all(times):
         return [str(folder / name) for name in table]
     # ISO times sort as text, numbers by value
-    return [str(folder / name) for name in sorted(table, key=lambda name: _natural(table[name]["time"]))]
-
-
-def _is_record(name: str) -> bool:
-    """Whether a file of a folder is a record by its name."""
-    return not name.startswith(".") and name != TABLE and name.lower().removesuffix(".gz").endswith(ENDINGS)
-
-
-def _natural(text: str) -> list[tuple[bool, float, str]]:
-    """Key for names in the order of their numbers."""
-    pieces = re.split(r"(\d+)", str(text))
-    return [(piece.isdigit(), float(piece) if piece.isdigit() else 0.0, piece) for piece in pieces]
+    return [str(folder / name) for name in sorted(table, key=lambda name: by_number(table[name]["time"]))]
 
 
 def _table(folder: Path) -> dict[str, dict[str, str]]:

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ from pitchpoint.report.diagnosis.described_record import (
     operating_points,
     read_described,
 )
-from pitchpoint.report.diagnosis.record_files import RecordFile, record_file, record_files
+from pitchpoint.report.diagnosis.record_files import RecordFile, record_file, record_files, unmatched
 from pitchpoint.report.diagnosis.request import Request
 from pitchpoint.report.diagnosis.study import Study
 
@@ -173,6 +174,44 @@ class Trend:
         }
 
 
+def compared_files(request: Request) -> tuple[list[RecordFile], list[RecordFile]]:
+    """Records to compare, one or those of a folder, and healthy records, with their loads; nothing is read.
+
+    Raises
+    ------
+    SignalError
+        If there is no such file, a load is not known in the stated way, or a record would be compared with
+        itself; all problems at once.
+    """
+    problems: list[str] = []
+
+    def listed(find: Callable[[], list[RecordFile]]) -> list[RecordFile]:
+        """Files, or a problem."""
+        try:
+            return find()
+        except SignalError as error:
+            problems.append(str(error))
+            return []
+
+    pattern = request.load_from
+    if Path(request.file).is_dir():
+        files = listed(lambda: record_files([request.file], pattern, "FILES"))
+        if request.load is not None:
+            problems.append(
+                "--load: is the load of one record; give --load-from, or the column load of records.csv"
+            )
+    else:
+        files = listed(lambda: [record_file(request.file, pattern, request.load)])
+    healthy = listed(lambda: record_files(request.references, pattern, "--reference"))
+    if len(files) == 1 and healthy and all(_same_file(one, files[0]) for one in healthy):
+        problems.append(f"--reference: {request.file} is compared with itself; name other records")
+    if not problems:
+        problems += unmatched([*files, *healthy], pattern)
+    if problems:
+        raise SignalError("; ".join(dict.fromkeys(problems)))
+    return files, healthy
+
+
 def compare(request: Request, study: Study) -> Change:
     """Compare a record with the healthy records of a request.
 
@@ -188,12 +227,9 @@ def compare(request: Request, study: Study) -> Change:
     SignalError
         If a healthy record cannot be read, or has nothing in common with the record.
     """
-    file = record_file(request.file, request.load_from, request.load)
-    records = record_files(request.references, request.load_from, "--reference")
+    (file,), records = compared_files(request)
     own = [one for one in records if _same_file(one, file)]
     records = [one for one in records if not _same_file(one, file)]
-    if not records:
-        raise SignalError(f"--reference: {request.file} is compared with itself; name other records")
     healthy = read_described(request, records)
     notes = [f"{one.name} is one of the healthy records; it is compared with the others" for one in own]
     return change_of(described(file, study.over, study.parts, request.slip), healthy, notes)
@@ -207,8 +243,7 @@ def trend(request: Request) -> Trend:
     SignalError
         If a record cannot be read, or there are too few healthy records for a limit.
     """
-    files = record_files([request.file], request.load_from, "FILES")
-    healthy_files = record_files(request.references, request.load_from, "--reference")
+    files, healthy_files = compared_files(request)
     others = [one for one in files if not any(_same_file(one, two) for two in healthy_files)]
     healthy = read_described(request, healthy_files)
     later = {one.file.path: one for one in read_described(request, others, partial=True)}
@@ -282,6 +317,4 @@ def change_of(
 
 
 def _same_file(one: RecordFile, other: RecordFile) -> bool:
-    from pathlib import Path
-
     return Path(one.path).resolve() == Path(other.path).resolve()

@@ -27,8 +27,6 @@ SAME_SPEED = 0.02
 """Relative difference between the speed in a file and that of a shaft."""
 SIMULATED = 20.0
 """Default signal-to-noise ratio of simulation results [dB]."""
-
-
 LARGEST_SLIP = 0.1
 """Largest slip of rolling elements that is searched [-]."""
 
@@ -110,11 +108,7 @@ def diagnose_file(request: Request) -> Study:
         If the file, the machine or an option cannot be used.
     """
     group = machine_group(request.machine_group) if request.machine_group else ""
-    slip = SLIP if request.slip is None else request.slip
-    if not 0.0 <= slip <= LARGEST_SLIP:
-        raise SignalError(
-            f"--slip: {slip:g} (limit 0 to {LARGEST_SLIP:g}); rolling elements slip by 0.01 to 0.02"
-        )
+    slip = slip_of(request)
     prepared = prepare(request)
     record, machine, over = prepared.record, prepared.machine, prepared.over
     other = _other_speed(record, machine)
@@ -140,6 +134,22 @@ def diagnose_file(request: Request) -> Study:
         file=request.file + (f" and {len(request.more)} more" if request.more else ""),
         origin=origin(request, record, machine, found, prepared.noise),
     )
+
+
+def slip_of(request: Request) -> float:
+    """Maximum slip of rolling elements [-].
+
+    Raises
+    ------
+    SignalError
+        If it is out of range.
+    """
+    slip = SLIP if request.slip is None else request.slip
+    if not 0.0 <= slip <= LARGEST_SLIP:
+        raise SignalError(
+            f"--slip: {slip:g} (limit 0 to {LARGEST_SLIP:g}); rolling elements slip by 0.01 to 0.02"
+        )
+    return slip
 
 
 def prepare(request: Request) -> Prepared:

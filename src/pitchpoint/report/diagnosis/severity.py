@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from shlex import quote
 from typing import Any
 
 import numpy as np
@@ -144,7 +145,7 @@ def severities(
         if found is not None:
             rows.append(ChannelSeverity(name, found, group))
     if group and not rows:
-        remedy = f"; give the unit, such as --unit {next(iter(signals))}=m/s^2" if signals else ""
+        remedy = f"; give the unit, such as --unit {quote(next(iter(signals)) + '=m/s^2')}" if signals else ""
         return (), [
             f"vibration severity: no channel of a housing is an acceleration or velocity up to 100 Hz{remedy}"
         ]

@@ -104,6 +104,15 @@ class Study:
             remarks=(*self.remarks, *remarks),
         )
 
+    def with_change(self, change: Change) -> Study:
+        """Add the comparison with healthy records; its result precedes that nothing is found."""
+        from pitchpoint.report.diagnosis.change_words import change_in_short
+
+        words = self.sentences
+        if not self.diagnosis.findings:
+            words = (*words[:-1], f"{change_in_short(change)}; by itself {words[-1]}")
+        return replace(self, change=change, sentences=words)
+
     def details(self, number: int) -> list[str]:
         """Sentences on the nearest sensor and the damaged tooth of a finding."""
         return [
@@ -224,7 +233,13 @@ def study(
         raise SignalError("; ".join(filter(None, (*why, over.advice))))
     if not found.tests:
         raise SignalError(
-            "; ".join((*over.remarks, over.advice or "give the speed more closely, --tacho or --angle"))
+            "; ".join(
+                (
+                    *over.remarks,
+                    *found.untested,
+                    over.advice or "give the speed more closely, --tacho or --angle",
+                )
+            )
         )
     doubt = f"; {over.doubt}" if over.doubt else ""
     words = tuple(sentence(finding, found, parts, over.frequency) + doubt for finding in found.findings)

@@ -12,7 +12,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tooth_places import GAUSSIAN, INDICATORS, GearTurn, crest
-from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
+from pitchpoint.report.diagnosis.words import NEVER, cells_of_test, unit_of
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.tables import plain_table
 
@@ -52,7 +52,7 @@ def shaft_table(study: Study) -> str:
                 shaft.name,
                 *([gears or "–"] if study.parts.meshes else []),
                 str(shaft.order) if shaft.order.denominator < 1000 else number(order, 7),
-                *_rates(order, hertz),
+                *_rates(order, hertz, study.over.speeds),
                 number(turns[shaft.name], 4) if shaft.name in turns else "–",
             )
         )
@@ -72,7 +72,7 @@ def mesh_table(study: Study) -> str:
                 f"{mesh.gears[0]} and {mesh.gears[1]}",
                 f"{mesh.teeth[0]}/{mesh.teeth[1]}",
                 number(line.order, 6),
-                _rates(line.order, study.over.frequency)[0],
+                _rates(line.order, study.over.frequency, study.over.speeds)[0],
                 "yes" if seen else "no",
                 ", ".join(str(k) for k in line.lost) or "none",
             )
@@ -84,7 +84,7 @@ def mesh_table(study: Study) -> str:
         "order",
         "[Hz]",
         "visible",
-        f"aliased of {HARMONICS} harmonics",
+        f"harmonics not covered (of {HARMONICS})",
     )
     return plain_table(head, rows_html(rows, 2)) if rows else ""
 
@@ -92,7 +92,7 @@ def mesh_table(study: Study) -> str:
 def bearing_table(study: Study) -> str:
     """Table of bearings with the frequencies of their parts."""
     rows = [
-        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
+        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency, study.over.speeds)[0])
         for bearing in alike(study.parts.bearings)
         for part, order in bearing.orders.items()
     ]
@@ -114,16 +114,10 @@ def test_table(study: Study) -> str:
 
 def _test_row(e: Evidence, study: Study) -> tuple[str, ...]:
     """Table cells of one test."""
-    hertz, result = study.over.frequency, outcome(e, study.diagnosis)
-    return (
-        e.shaft if e.kind != "bearing" else e.gear,
-        ", by ".join((e.shaft, *e.detectors[:1])) if e.kind == "bearing" else what_is_tested(e),
-        _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
-        f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
-        f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
-        percent(e.probability).replace("less than", "<"),
-        f"**{result}" if result == "found" else result,
-    )
+    hertz = study.over.frequency
+    whose, test, value, limit, chance, result = cells_of_test(e, study.diagnosis)
+    where = _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5)
+    return whose, test, where, value, limit, chance, f"**{result}" if result == "found" else result
 
 
 def limit_table(study: Study, channel: str) -> str:
@@ -206,8 +200,11 @@ def _fault(e: Evidence) -> str:
     return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 
-def _rates(order: float, hertz: float) -> tuple[str, str]:
-    """Hz and rpm of an order; dashes if the speed varies."""
+def _rates(order: float, hertz: float, speeds: tuple[float, float] | None = None) -> tuple[str, str]:
+    """Hz and rpm of an order, with a varying speed their ranges; dashes if these are unknown."""
+    if speeds is not None:
+        low, high = (tuple(number(k * order * speed, 4) for k in (1.0, 60.0)) for speed in speeds)
+        return f"{low[0]} to {high[0]}", f"{low[1]} to {high[1]}"
     if not math.isfinite(hertz):
         return "–", "–"
     return number(order * hertz, 5), number(60.0 * order * hertz, 5)

@@ -30,6 +30,9 @@ RULES = ("below ", "slope ", NOT_VISIBLE, PARTLY)
 NO_IMPACTS = "impacts not confirmed"
 """Why a bearing part with a line above its limit is not named."""
 BY_NOISE = "possible by noise"
+SIDEBAND_CAUSES = {1: "runout, eccentricity or misalignment", 2: "misalignment or an oval gear"}
+MANY_PER_TURN = "deviations that vary several times per turn, such as pitch errors"
+"""Causes of sidebands on sound machines by their number."""
 SHARED = "lines of a clearer part"
 """Why a significant test is neither a finding nor an observation."""
 LOST = "sample rate: above half of it, not testable: {}"
@@ -37,12 +40,12 @@ LOST = "sample rate: above half of it, not testable: {}"
 
 def nothing_found(diagnosis: Diagnosis) -> str:
     """Sentence for a record without findings; it does not state that the machine is healthy."""
-    tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
     beyond = sum(e.value > e.threshold for e in diagnosis.evidence)
-    if beyond:
-        which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
-        return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
-    return f"nothing found: none of {tests} exceeds its limit"
+    tests = f"{diagnosis.tests} tests" if diagnosis.tests > 1 else "1 test"
+    if not beyond:
+        return f"nothing found: none of {tests} exceeds its limit"
+    which = "exceeds its limit" if beyond == 1 else "exceed their limits"
+    return f"nothing found: {beyond} of {tests} {which}, but not in the pattern of damage"
 
 
 def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, frequency: float) -> str:
@@ -66,7 +69,7 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     if finding.kind == "bearing":
         what = BEARING_WORDS.get(finding.shaft, f"a fault of the {finding.shaft}")
         named = f"{finding.gears[0]}{_or_bearings(finding)}"
-        return f"{what} of bearing {named}, seen {where} as {seen} ({chance})"
+        return f"{what} of {_bearing(named)}, seen {where} as {seen} ({chance})"
     gears = _gears(finding.gears)
     turning = _rate(float(parts.shaft(finding.shaft).order), frequency)
     shaft = _named(finding.shaft)
@@ -103,20 +106,18 @@ def observation(
             if line.mesh == parts.gears_of(e.shaft)[e.gear][0].name
         )
         ratio = e.amplitude / max(float(mesh.amplitude.max(initial=0.0)), 1e-300)
+        gears = _gears(finding.gears).removeprefix("gear ")
         return (
-            f"modulation of the mesh of {_gears(finding.gears).removeprefix('gear ')} once per turn of "
-            f"{shaft}: "
-            f"sideband {e.sideband:+d} at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % "
-            "of the "
-            "largest mesh line; runout, eccentricity or misalignment"
+            f"sidebands of the mesh of {gears} at multiples of the speed of {shaft}: the clearest, sideband "
+            f"{_signed(e.sideband)}, is at {_rate(e.order, frequency)} in {e.channel}, {100.0 * ratio:.2g} % "
+            f"of the largest mesh line; {SIDEBAND_CAUSES.get(abs(e.sideband), MANY_PER_TURN)}"
         )
     if finding.kind == "once per turn":
         e = max((e for e in mine if e.kind == "low order" and e.found), key=lambda e: e.value)
         return (
             f"raised lowest orders of {shaft}: line at {_rate(e.order, frequency)} in {e.channel}"
             f"{_level(e, frequency, unit)}, {e.value:.0f} dB above its surroundings; unbalance, "
-            "misalignment or a "
-            "bent shaft"
+            "misalignment or a bent shaft"
         )
     where = (
         "impacts at one angle of the turn are not" if parts.gears_of(finding.shaft) else "the cause is not"
@@ -230,6 +231,21 @@ def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]
     ]
 
 
+def cells_of_test(e: Evidence, diagnosis: Diagnosis) -> tuple[str, str, str, str, str, str]:
+    """Cells of a test: whose it is, test, value, limit, probability by noise, result."""
+    unit = unit_of(e.kind)
+    by_rule = e.explained.startswith(RULES[:2])
+    return (
+        e.gear if e.kind == "bearing" else e.shaft,
+        what_is_tested(e),
+        f"{e.value:.1f} {unit}" if e.value > NEVER else "–",
+        f"{e.threshold:.1f} {unit}",
+        # a line that a rule excludes has no probability
+        "–" if by_rule else percent(e.probability).replace("less than", "<"),
+        outcome(e, diagnosis),
+    )
+
+
 def unit_of(kind: str) -> str:
     """Unit of the value of a test.
 
@@ -256,9 +272,9 @@ def outcome(e: Evidence, diagnosis: Diagnosis) -> str:
 
 
 def what_is_tested(e: Evidence) -> str:
-    """Name of a test."""
+    """Name of a test, of a bearing part with the detector whose value is stated."""
     if e.kind == "bearing":
-        return f"{e.shaft} of {e.gear}"
+        return ", by ".join((e.shaft, *e.detectors[:1]))
     if e.kind == "sidebands":
         return f"sidebands of {e.gear}"
     if e.kind == "period":
@@ -283,7 +299,7 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
     line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
     limit = f"(limit {e.threshold:.0f} dB)"
     if e.kind == "sidebands":
-        return f"{line} {limit}, sideband {e.sideband:+d} of the mesh of {e.gear}"
+        return f"{line} {limit}, sideband {_signed(e.sideband)} of the mesh of {e.gear}"
     if e.kind == "bearing":
         by, *others = e.detectors or ("",)
         also = f", also by {', '.join(others)}" if others else ""
@@ -327,6 +343,32 @@ def _gears(gears: tuple[str, ...]) -> str:
 
 def _named(shaft: str) -> str:
     return shaft if shaft.startswith("shaft") else f"shaft {shaft}"
+
+
+def named_mesh(name: str) -> str:
+    """Name of a mesh that states that it is one.
+
+    Examples
+    --------
+    >>> named_mesh("mesh 1"), named_mesh("second")
+    ('mesh 1', 'mesh second')
+    """
+    return name if "mesh" in name.lower() else f"mesh {name}"
+
+
+def _bearing(name: str) -> str:
+    return name if "bearing" in name.lower() else f"bearing {name}"
+
+
+def _signed(number: int) -> str:
+    """Number of a sideband with a typographic sign.
+
+    Examples
+    --------
+    >>> _signed(2), _signed(-3)
+    ('+2', '−3')
+    """
+    return f"{number:+d}".replace("-", "−")
 
 
 def _rate(order: float, frequency: float) -> str:
