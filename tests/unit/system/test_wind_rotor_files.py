@@ -106,6 +106,23 @@ def test_rigid_blades_have_the_loads_of_the_steady_rotor(folder, cone, tilt, she
     assert rows[0]["hub_wind_speed[rotor]"] == pytest.approx(SPEED * np.cos(tilt) * np.cos(yaw))
 
 
+@pytest.mark.parametrize("turn", [40.0, -150.0])
+def test_the_compass_does_not_matter(folder, turn):
+    """Turbine and wind turned about the vertical by one angle: the same loads, to round-off."""
+    still = observed(compile_model(model_of(folder, 0.1, 0.05, 0.2, 0.0)), 0.4)
+    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    text = HUB.replace("DIRECTION", repr(turn))
+    for word, (x, z) in {
+        "AXIS": (np.cos(0.1), -np.sin(0.1)),
+        "UP": (np.sin(0.1), np.cos(0.1)),
+    }.items():
+        text = text.replace(word, f"{x * c:.17g}, {x * s:.17g}, {z:.17g}")
+    text = text.replace("X m, 0, 90 m", f"{-5 * np.cos(0.1) * c:.17g} m, {-5 * np.cos(0.1) * s:.17g} m, 90 m")
+    turned = observed(compile_model(model_of(folder, 0.1, 0.05, 0.2, text=text)), 0.4)
+    for name in ("rotor_thrust[rotor]", "rotor_torque[rotor]", "hub_wind_speed[rotor]"):
+        assert turned[name] == pytest.approx(still[name], rel=1e-9)
+
+
 TRAIN = """\
 bodies:
   hub: {inertia: 4.37e7 kg m^2, position: [-5 m, 0, 90 m], axes: {z: [1, 0, 0], x: [0, 0, 1]}}
@@ -249,6 +266,8 @@ def test_turbulence_of_a_file_is_the_wind_at_the_stations(folder):
     assert observed(again, 0.3) == observed(system, 0.3)
     small = replace(still, spacing=(20.0, 20.0), bottom=70.0)
     write_turbsim(folder / "small.bts", small)
-    with pytest.raises(SolverError, match=r"wind_rotors.rotor.1.8 \(line 11\): a blade left the box of turbulence"):
+    with pytest.raises(
+        SolverError, match=r"wind_rotors.rotor.1.8 \(line 11\): a blade left the box of turbulence"
+    ):
         compiled = compile_model(model_of(folder, text=text.replace("BOX", "small.bts")), "free")
         run_time(compiled)
