@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from pitchpoint.io.rexs.reading import read_rexs
     from pitchpoint.io.wind.mann import MannGeometry, read_mann, write_mann
     from pitchpoint.io.wind.turbsim import write_turbsim
-    from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -77,6 +76,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.wind.box import WindBox
     from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass
     from pitchpoint.model.wind.steady import SteadyWind
+    from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.model.wind.turbulence import KaimalTurbulence
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pitchpoint.model.wind.file_errors import WindFileError
 from pitchpoint.io.wind.mann import MannGeometry, read_mann
+from pitchpoint.model.wind.file_errors import WindFileError
 from pitchpoint.model.wind.turbsim import read_turbsim
 from tests.unit.io.test_wind_files import turbsim_bytes
 

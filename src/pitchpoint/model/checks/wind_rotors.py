@@ -20,7 +20,9 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
     for name, wind in parts.winds.items():
         at = ("winds", name)
         if wind.speed is not None and wind.height is None and at not in report.tainted:
-            report.problem(at, "has no height", remedy="give the height of its speed, such as that of the hub")
+            report.problem(
+                at, "has no height", remedy="give the height of its speed, such as that of the hub"
+            )
         if wind.box is not None and wind.gust is not None:
             report.problem((*at, "gust"), "has no steady wind to change", remedy="give speed instead of box")
         try:

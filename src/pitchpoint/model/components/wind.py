@@ -44,7 +44,10 @@ class Wind(Component):
         "speed", "speed at the reference height", None, minimum=0.0, maximum=150.0, one_of="mean"
     )
     box: str | None = key(
-        "file", "instead of speed: full-field turbulence of TurbSim (.bts), with the mean wind", None, one_of="mean"
+        "file",
+        "instead of speed: full-field turbulence of TurbSim (.bts), with the mean wind",
+        None,
+        one_of="mean",
     )
     height: float | None = quantity(
         "length",
