@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beams with properties over their length: closed forms of static deflection, twist, offset mass; wrong lists."""
+"""Beams with properties over their length: closed forms of deflection, twist, offset mass; wrong lists."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -76,9 +76,9 @@ def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
         report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
         return
     try:
-        BeamTable(  # type: ignore[arg-type]
-            **{**dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position)), "position": [0.0, 1.0], **given}
-        )
+        plain = dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position))
+        lists: dict[str, Any] = {**plain, "position": [0.0, 1.0], **given}
+        BeamTable(**lists)
     except ModelError as error:
         for p in error.problems:
             key = p.where.partition("[")[0]

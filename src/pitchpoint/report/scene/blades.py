@@ -31,7 +31,7 @@ def blade_rings(model: Model) -> dict[str, Array]:
     """Sections of the blades on beams by the name of the beam: corners in the world, shape (n, k, 3) [m]."""
     from pitchpoint.system.rules.wind_rotor import blades_of
 
-    found = {}
+    found: dict[str, Array] = {}
     for name, part in model.wind_rotors.items():
         if part.beams:
             rotor, blades = blades_of(model, name)
@@ -66,7 +66,7 @@ def rigid_blades(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def _rings(rotor: Rotor, stations: list[Station]) -> Array:
-    """Sections of one blade: ellipses, pointed at the trailing edge where there is lift; circles elsewhere."""
+    """Sections of one blade: pointed at the trailing edge where there is lift, circles elsewhere."""
     angle = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     lifting = [separation(polar) is not None for polar in rotor.blade.polars]
     found = []
