@@ -31,6 +31,8 @@ NO_TOOL = {
     "fault_families.families_in": "a step of diagnose",
     "fault_families.fault_families": "takes fault orders by part",
     "speed_path.speed_path": "a step of speed_track",
+    "speed_without_gears.finer_path": "a step of speed_track",
+    "speed_without_gears.motor_path": "a step of speed_track",
     "speed_track.speed_track": "takes several channels and what turns; the command diagnose",
     "gear_indicators.na4": "takes several averages",
     "gear_indicators.nb4": "takes several averages",

@@ -14,7 +14,7 @@ from pitchpoint.analysis.bearing_detectors import LIMITS, PartLevels, part_level
 from pitchpoint.analysis.shaft_tests import SLIP
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 from pitchpoint.report.diagnosis.bearings import given_bearing
-from pitchpoint.report.diagnosis.record import at_speed
+from pitchpoint.report.diagnosis.steady_speed import at_speed
 from tests.support.measured_sets import gearbox_records, motor_records
 from tests.support.simulated_bearings import PARTS, bearing_machine
 

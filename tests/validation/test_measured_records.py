@@ -17,8 +17,9 @@ import pytest
 
 from pitchpoint.io.measured.reading import read_measured
 from pitchpoint.report.diagnosis.machine import machine_of
-from pitchpoint.report.diagnosis.record import Record, at_speed
+from pitchpoint.report.diagnosis.record import Record
 from pitchpoint.report.diagnosis.request import Request, diagnose_file
+from pitchpoint.report.diagnosis.steady_speed import at_speed
 from pitchpoint.report.diagnosis.study import study
 from tests.support.measured_sets import OFFSETS, MotorRecord, gearbox_records, motor_records, needs_measured
 from tests.support.plain_baseline import plain_baseline

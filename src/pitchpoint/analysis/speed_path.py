@@ -8,7 +8,7 @@ bounded acceleration follows by dynamic programming.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +42,8 @@ CLEAR = float(np.log1p(8.0)) - OF_NOISE
 SMOOTH = 5
 """Number of frames of a running median over the refined speed: an impact displaces the maxima of a frame."""
 
+Places = list[tuple[float, NDArray[np.int64]]]
+
 
 @dataclass(frozen=True)
 class Comb:
@@ -55,11 +57,20 @@ class Comb:
         Shape (m,). Orders at which a wrong multiple of the speed has lines [-]; their levels are subtracted.
     lowest
         Lowest order of the strong lines [-], which sets the width of a path.
+    weights
+        Shape (n,). Weights of the levels of the lines [-]; empty for 1.
     """
 
     orders: Array
     against: Array
     lowest: float
+    weights: Array = field(default_factory=lambda: np.empty(0))
+
+    def lines(self) -> list[tuple[float, float]]:
+        """Weight and order of all lines; negative weights of those that count against a speed."""
+        weights = self.weights if self.weights.size else np.ones(self.orders.size)
+        own = list(zip(weights.tolist(), self.orders.tolist(), strict=True))
+        return [*own, *((-1.0, order) for order in self.against.tolist())]
 
 
 @dataclass(frozen=True)
@@ -84,8 +95,8 @@ class SpeedPath:
         Level of the best path through randomly shifted frames, mean and standard deviation [-].
     at_limit
         Share of the frames in which the speed is at a limit of the range [-].
-    seen
-        Shape (n,). Whether the lines are above chance around a frame.
+    level
+        Shape (n,). Level of the path around a frame [-].
     """
 
     time: Array
@@ -97,7 +108,12 @@ class SpeedPath:
     chance: float
     spread: float
     at_limit: float
-    seen: NDArray[np.bool_]
+    level: Array
+
+    @property
+    def seen(self) -> NDArray[np.bool_]:
+        """Whether the lines are above chance around a frame, shape (n,)."""
+        return np.asarray(self.level > self.chance)
 
     @property
     def gain(self) -> float:
@@ -107,7 +123,11 @@ class SpeedPath:
 
 
 def speed_path(
-    signals: Sequence[Array], rate: float, comb: Comb, limits: tuple[float, float], frame: int
+    signals: Sequence[Array],
+    rate: float,
+    comb: Comb | Sequence[Comb],
+    limits: tuple[float, float],
+    frame: int,
 ) -> SpeedPath:
     """Path of the speed with the highest levels of the lines of a comb.
 
@@ -118,7 +138,7 @@ def speed_path(
     rate
         Sample rate [Hz].
     comb
-        Expected lines.
+        Expected lines, of all channels or of each one; the first comb sets the width of a path.
     limits
         Lowest and highest rotation frequency [Hz].
     frame
@@ -152,11 +172,14 @@ def speed_path(
     True
     """
     resolution = rate / frame
-    top = float(comb.orders.max())
+    combs = [comb] * len(signals) if isinstance(comb, Comb) else list(comb)
+    lowest = combs[0].lowest
+    top = max(float(one.orders.max()) for one in combs if one.orders.size)
     count = max(int(np.ceil((limits[1] - limits[0]) * top / (FINE * resolution))), LOWEST)
     speeds = np.linspace(*limits, count + 1)
     frames = int(np.ceil(2.0 * signals[0].size / frame))
-    highest = max(top, float(comb.against.max(initial=0.0))) * limits[1] + BLOCK * resolution
+    highest = max(max(order for _, order in one.lines()) for one in combs if one.orders.size)
+    highest = highest * limits[1] + BLOCK * resolution
     powers = []
     time = np.empty(0)
     for x in signals:
@@ -167,21 +190,20 @@ def speed_path(
         powers.append(found.amplitude**2)
     levels = [_levels(power) for power in powers]
     places = [
-        (sign, _lines_at(order * speeds, resolution, levels[0].shape[1]))
-        for sign, orders in ((1.0, comb.orders), (-1.0, comb.against))
-        for order in orders
+        [(weight, _lines_at(order * speeds, resolution, levels[0].shape[1])) for weight, order in one.lines()]
+        for one in combs
     ]
-    reach = min(max(int(SMEAR * top / comb.lowest / FINE), 1), speeds.size - 1)
+    reach = min(max(int(SMEAR * top / lowest / FINE), 1), speeds.size - 1)
     rated = _rated(levels, places)
     path, score = _best_path(rated, reach)
-    near = np.abs(speeds - speeds[path][:, None]) <= LOBE * resolution / comb.lowest
-    other, rival = _best_path(np.where(near, -LIMIT * comb.orders.size, rated), reach)
+    near = np.abs(speeds - speeds[path][:, None]) <= LOBE * resolution / lowest
+    other, rival = _best_path(np.where(near, -LIMIT * max(c.orders.size for c in combs), rated), reach)
     chance = _by_chance(levels, places, reach)
     own = rated[np.arange(path.size), path]
     around = np.convolve(np.pad(own, SMOOTH // 2, mode="edge"), np.full(SMOOTH, 1.0 / SMOOTH), mode="valid")
     return SpeedPath(
         time,
-        _refined(powers, levels, comb.orders, speeds[path], resolution),
+        _refined(powers, levels, [one.orders for one in combs], speeds[path], resolution),
         resolution,
         score,
         rival,
@@ -189,8 +211,44 @@ def speed_path(
         float(chance.mean()),
         float(chance.std()),
         float(np.mean((path <= 1) | (path >= count - 1))),
-        around > float(chance.mean()),
+        around,
     )
+
+
+def level_along(signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPath) -> float:
+    """Mean level of the lines of a comb along a path [-], 0 in noise; mean of the channels.
+
+    Parameters
+    ----------
+    signals
+        Values of the channels, shape (n,) each, any unit, the record of the path.
+    rate
+        Sample rate [Hz].
+    comb
+        Lines.
+    path
+        Path of the speed.
+
+    Notes
+    -----
+    ln(1 + power/noise) less its mean in noise, in the frames of the path [1]_. Valid as `speed_path`.
+
+    References
+    ----------
+    .. [1] Q. Leclère, H. André, J. Antoni, A multi-order probabilistic approach for instantaneous angular
+       speed tracking, Mechanical Systems and Signal Processing 81, 2016, 375-386.
+    """
+    frame = round(rate / path.resolution)
+    total = 0.0
+    for x in signals:
+        found = time_frequency_map(x, rate, frame=frame, frames=int(np.ceil(2.0 * x.size / frame)))
+        level = np.pad(_levels(found.amplitude**2), ((0, 0), (0, 1)))
+        rows, count = np.arange(level.shape[0]), level.shape[1] - 1
+        for weight, order in comb.lines():
+            total += weight * float(
+                level[rows, _lines_at(order * path.frequency, path.resolution, count)].mean()
+            )
+    return total / len(signals)
 
 
 def _levels(power: Array) -> Array:
@@ -212,19 +270,17 @@ def _lines_at(frequency: Array, resolution: float, count: int) -> NDArray[np.int
     return np.where((at >= LOWEST) & (at < count), at, count)
 
 
-def _rated(levels: Sequence[Array], places: Sequence[tuple[float, NDArray[np.int64]]]) -> Array:
+def _rated(levels: Sequence[Array], places: Sequence[Places]) -> Array:
     """Level of each speed in each frame, mean of the channels, shape (n_frame, n_speed)."""
-    total = np.zeros((levels[0].shape[0], places[0][1].size))
-    for level in levels:
+    total = np.zeros((levels[0].shape[0], max(at.size for lines in places for _, at in lines)))
+    for level, lines in zip(levels, places, strict=True):
         padded = np.pad(level, ((0, 0), (0, 1)))
-        for sign, at in places:
-            total += sign * padded[:, at]
+        for weight, at in lines:
+            total += weight * padded[:, at]
     return total / len(levels)
 
 
-def _by_chance(
-    levels: Sequence[Array], places: Sequence[tuple[float, NDArray[np.int64]]], reach: int
-) -> Array:
+def _by_chance(levels: Sequence[Array], places: Sequence[Places], reach: int) -> Array:
     """Levels of the best paths through randomly shifted frames, shape (DRAWS,)."""
     random = np.random.default_rng(1)
     found = []
@@ -260,14 +316,18 @@ def _best_path(rated: Array, reach: int) -> tuple[NDArray[np.int64], float]:
 
 
 def _refined(
-    powers: Sequence[Array], levels: Sequence[Array], orders: Array, frequency: Array, resolution: float
+    powers: Sequence[Array],
+    levels: Sequence[Array],
+    combs: Sequence[Array],
+    frequency: Array,
+    resolution: float,
 ) -> Array:
     """Weighted mean of the rotation frequencies of all lines of a frame, from parabolas through maxima."""
     from scipy.ndimage import median_filter
 
     row, near = np.arange(frequency.size), np.arange(-LOWEST + 1, LOWEST)
     total, weight = np.zeros(frequency.size), np.zeros(frequency.size)
-    for power, level in zip(powers, levels, strict=True):
+    for power, level, orders in zip(powers, levels, combs, strict=True):
         logarithm = np.log(np.maximum(power, 1e-300))
         for order in orders:
             at = np.rint(order * frequency / resolution).astype(np.int64)

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import FineSpectrum
 from pitchpoint.analysis.sampled import Array, positive
@@ -24,8 +25,11 @@ CHANCE = 1e-4
 BEYOND = 1.1
 """Searched range over the tolerance: nominal speeds are rounded, and so are their tolerances."""
 FEWEST = 3
-"""Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be mains or other
-machines."""
+"""Smallest number of shaft harmonics, each with a probability below 1 %: fewer may be of other machines."""
+MAINS, MAINS_HARMONICS = (50.0, 60.0), 10
+"""Frequencies of the mains [Hz], and their harmonics that may be in a vibration."""
+MAINS_DRIFT, MAINS_LINES = 1e-3, 2.0
+"""Largest relative deviation of the mains [-], and half width of a line [lines of the record]."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,9 @@ class FoundSpeed:
         `mesh` or `shaft`, whose lines determine the speed; empty if none do.
     chance
         Probability that noise alone has such lines anywhere within the tolerance [-].
+    mains
+        Clear lines at harmonics of the mains that could also be harmonics of a shaft [Hz], if no other lines
+        determine the speed.
     """
 
     frequency: float
@@ -51,6 +58,7 @@ class FoundSpeed:
     lines: tuple[float, ...] = ()
     what: str = ""
     chance: float = 1.0
+    mains: tuple[float, ...] = ()
 
 
 def speed_from_lines(
@@ -79,7 +87,10 @@ def speed_from_lines(
     For a line with the power P over noise of the mean power N, noise alone has exp(-P/N); the sum of the
     negative logarithms over all lines and channels is compared with its gamma distribution [1]_ times the
     number of independent speeds within the tolerance. Each term is limited, which only lowers the sum. Mesh
-    lines are tried first, then shaft harmonics. Valid for a steady speed.
+    lines are tried first, then shaft harmonics. Shaft harmonics at harmonics of 50 and 60 Hz do not count: an
+    induction motor is slower than its field, so that lines there are those of the mains. Neither do
+    lines that are all multiples of one of them: a faster shaft, or twice the supply frequency, has them, too.
+    Valid for a steady speed.
 
     References
     ----------
@@ -102,24 +113,83 @@ def speed_from_lines(
         return FoundSpeed(nominal, 0.0)
     meshes = sorted({parts.mesh_order(mesh) for mesh in parts.meshes})
     turns = sorted({float(shaft.order) for shaft in parts.shafts})
-    for what, steps, harmonics, fewest in (
-        ("mesh", meshes, MESH_HARMONICS, 1),
-        ("shaft", turns, SHAFT_HARMONICS, FEWEST),
-    ):
+    for what, steps, harmonics in (("mesh", meshes, MESH_HARMONICS), ("shaft", turns, SHAFT_HARMONICS)):
         orders = np.unique([k * step for step in steps for k in range(1, harmonics + 1)])
-        found = _search(spectra, orders, nominal, reach)
-        if found is None:
-            continue
-        speed, seen, chance = found
-        if chance < CHANCE and seen.size >= fewest:
-            return FoundSpeed(speed, 0.0, tuple(seen.tolist()), what, chance)
-    return FoundSpeed(nominal, reach)
+        # near the speed of the field, lines of the mains also agree with lines of the shaft
+        for mains in (True, False):
+            found = _search(spectra, orders, nominal, reach, mains=mains)
+            if found is None or found[2] >= CHANCE:
+                break
+            speed, seen, chance = found
+            own = seen[~at_mains(seen * speed, spectra[0].resolution)]
+            if what == "mesh" or _of_a_shaft(own, turns):
+                return FoundSpeed(speed, 0.0, tuple(seen.tolist()), what, chance)
+    lines = _mains_lines(spectra, turns, nominal, reach)
+    return FoundSpeed(nominal, reach, mains=lines)
+
+
+def _of_a_shaft(seen: Array, turns: Sequence[float]) -> bool:
+    """Whether enough lines are seen, and not only every second, third, ... harmonic of each shaft."""
+    numbers = [np.rint(seen / turn) for turn in turns]
+    own = [row[np.abs(row * turn - seen) < 1e-9] for row, turn in zip(numbers, turns, strict=True)]
+    return seen.size >= FEWEST and any(np.gcd.reduce(row.astype(int)) == 1 for row in own if row.size)
+
+
+def at_mains(frequency: Array, resolution: float) -> NDArray[np.bool_]:
+    """Whether frequencies are at a harmonic of the mains, 50 or 60 Hz.
+
+    Parameters
+    ----------
+    frequency
+        Frequencies, shape (n,) [Hz].
+    resolution
+        Distance of the lines of the record [Hz].
+
+    Notes
+    -----
+    Within two lines of the record, and 0.1 % of the frequency [1]_. Valid for the first ten harmonics.
+
+    References
+    ----------
+    .. [1] EN 50160, Voltage characteristics of electricity supplied by public electricity networks, 2010,
+       section 4.2.1.
+
+    Examples
+    --------
+    >>> at_mains(np.array([59.9, 100.0, 107.0]), 0.1).tolist()
+    [True, True, False]
+    """
+    found = np.zeros(np.shape(frequency), dtype=np.bool_)
+    for mains in MAINS:
+        nearest = np.clip(np.rint(frequency / mains), 1, MAINS_HARMONICS) * mains
+        found |= np.abs(frequency - nearest) <= MAINS_DRIFT * nearest + MAINS_LINES * resolution
+    return found
+
+
+def _mains_lines(
+    spectra: Sequence[FineSpectrum], turns: Sequence[float], frequency: float, reach: float
+) -> tuple[float, ...]:
+    """Clear lines at harmonics of the mains that a shaft would have within the range of its speed [Hz]."""
+    near = {k * turn * frequency for turn in turns for k in range(1, SHAFT_HARMONICS + 1)}
+    harmonics = {k * mains for mains in MAINS for k in range(1, MAINS_HARMONICS + 1)}
+    return tuple(
+        mains
+        for mains in sorted(harmonics)
+        if any(abs(mains - line) <= reach * line for line in near)
+        and any(
+            mains < 0.9 * one.highest and one.power(mains) > LIMIT * _noise(one, 1.0, mains, 0.0)
+            for one in spectra
+        )
+    )
 
 
 def _search(
-    spectra: Sequence[FineSpectrum], orders: Array, frequency: float, reach: float
+    spectra: Sequence[FineSpectrum], orders: Array, frequency: float, reach: float, *, mains: bool
 ) -> tuple[float, Array, float] | None:
-    """Best speed, orders of its lines above the noise, and the probability of their sum under noise."""
+    """Best speed, orders of its lines above the noise, and the probability of their sum under noise.
+
+    Lines of the mains count only if `mains` is true.
+    """
     from scipy.stats import gamma
 
     spectrum = spectra[0]
@@ -134,6 +204,8 @@ def _search(
     for one in spectra:
         for row, order in enumerate(orders):
             ratio = one.power(order * tried) / _noise(one, order, frequency, reach)
+            if not mains:
+                ratio = np.where(at_mains(order * tried, one.resolution), 0.0, ratio)
             gain[row] += np.minimum(ratio, LIMIT)
             level += np.log1p(ratio)
     # levels rank the speeds, since many of them may reach the limit of every line

@@ -13,10 +13,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pitchpoint.analysis.envelope import band_envelope
 from pitchpoint.analysis.mesh_angle import HARMONICS, LineAngle, line_angle
 from pitchpoint.analysis.orders import resample_over_angle
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.speed_path import Comb, SpeedPath, speed_path
+from pitchpoint.analysis.speed_without_gears import (
+    IMPACT_HARMONICS,
+    MotorPath,
+    finer_path,
+    impact_combs,
+    motor_path,
+)
 from pitchpoint.analysis.turning_parts import TurningParts
 
 PERIODS = (16, 32, 64, 128, 256, 512)
@@ -25,8 +33,8 @@ SHORTEST = 64
 """Smallest number of samples of a frame."""
 FRAMES = 8
 """Smallest number of whole frames in a record."""
-SHAFT_HARMONICS, ALONE = 3, 10
-"""Harmonics of the shafts of a machine with gears and of one without."""
+SHAFT_HARMONICS = 3
+"""Harmonics of the shafts of a machine with gears."""
 SAME = 0.02
 """Relative difference of orders within which a line between those of the machine may be one of them."""
 MARGIN = 0.05
@@ -41,6 +49,10 @@ APART = 0.1
 """Smallest distance of the level from that of the best other path over its distance from chance [-]."""
 HIDDEN = 0.5
 """Largest share of the frames in which no line is above chance."""
+UNCERTAIN = 0.25
+"""Level above chance over that of the whole path below which the speed of a frame is uncertain [-]."""
+PHASE = 0.5
+"""Largest error of the phase of the highest line of a bearing that is compared [rad]."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +72,9 @@ class SpeedTrack:
     lowest
         Lowest order of the strong lines [-].
     hidden
-        Times between which the lines are not above chance [s], shape (k, 2).
+        Times between which the lines are hardly above chance [s], shape (k, 2).
+    motor
+        What determines the speed of a machine without gears.
     """
 
     angle: Array
@@ -69,6 +83,7 @@ class SpeedTrack:
     agreement: float
     lowest: float
     hidden: Array
+    motor: MotorPath | None = None
 
 
 def speed_track(
@@ -131,18 +146,32 @@ def speed_track(
     x = [as_signal(values, name, SHORTEST) for name, values in signals.items()]
     if not x:
         raise SignalError("signals: there is no channel (limit 1)")
-    comb = _comb_of(parts, limits[1], rate)
-    path = _clearest_path(x, rate, comb, limits)
-    _check(path, parts, limits)
-    _check_range(x, rate, comb, path, limits)
+    motor, comb = None, None
+    if parts.meshes:
+        comb = _comb_of(parts, limits[1], rate)
+        path, lowest = _clearest_path(x, rate, comb, limits), comb.lowest
+        _check(path, parts, limits)
+        _check_range(x, rate, comb, path, limits)
+    else:
+        wide = (1.0 - MARGIN) * limits[0], (1.0 + MARGIN) * limits[1]
+        motor = motor_path(x, rate, parts, wide)
+        _check(motor.path, parts, limits)
+        _check_range(motor.signals, rate, motor.combs, motor.path, limits)
+        motor = finer_path(motor, rate)
+        path, lowest = motor.path, motor.combs[0].lowest
     clock = np.arange(x[0].size) / rate
     angle = _integral(np.interp(clock, path.time, path.frequency), rate)
-    angle, line = _refined(x, angle, parts)
-    if line is not None and line.agreement * comb.lowest > math.pi:
+    refined, line = _refined(x, angle, parts, list(motor.orders) if motor else _lines(parts))
+    if motor and line and line.agreement * _fastest(parts) > PHASE:
+        line = None  # the scatter of these phases would smear the lines of the bearings
+    angle = angle if line is None else refined
+    if comb and line is None:
+        _check_impacts(x, rate, comb, path, parts)
+    if line is not None and line.agreement * lowest > math.pi:
         listed = ", ".join(f"{order:.5g}" for order in line.orders)
         raise SignalError(
             f"speed: the phases of the lines at orders {listed} give angles that differ by "
-            f"{line.agreement:.2g} rad (limit {math.pi / comb.lowest:.2g} rad, half a tooth pitch); check "
+            f"{line.agreement:.2g} rad (limit {math.pi / lowest:.2g} rad, half a tooth pitch); check "
             "the tooth numbers"
         )
     return SpeedTrack(
@@ -150,13 +179,14 @@ def speed_track(
         path,
         line.orders if line else (),
         line.agreement if line else math.nan,
-        comb.lowest,
+        lowest,
         _hidden(path),
+        motor,
     )
 
 
 def _comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
-    """Lines of a machine that a record covers up to the highest speed.
+    """Lines of a machine with gears that a record covers up to the highest speed.
 
     Parameters
     ----------
@@ -170,7 +200,7 @@ def _comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
     Raises
     ------
     SignalError
-        If the record covers no mesh line, or without meshes no shaft order.
+        If the record covers no mesh line.
 
     Examples
     --------
@@ -181,21 +211,19 @@ def _comb_of(parts: TurningParts, highest: float, rate: float) -> Comb:
     """
     meshes = sorted({parts.mesh_order(mesh) for mesh in parts.meshes})
     shafts = sorted({float(shaft.order) for shaft in parts.shafts})
-    strong, harmonics = (meshes, HARMONICS) if meshes else (shafts, ALONE)
     covered = 0.475 * rate / highest
-    orders = {k * order for order in strong for k in range(1, harmonics + 1) if k * order < covered}
+    orders = {k * order for order in meshes for k in range(1, HARMONICS + 1) if k * order < covered}
     if not orders:
-        what = "mesh line" if meshes else "shaft order"
         raise SignalError(
-            f"sample rate: {rate:.6g} Hz; at {highest:.6g} Hz the lowest {what} is at "
-            f"{strong[0] * highest:.6g} Hz (limit {0.475 * rate:.6g} Hz); give a lower range, or a record "
+            f"sample rate: {rate:.6g} Hz; at {highest:.6g} Hz the lowest mesh line is at "
+            f"{meshes[0] * highest:.6g} Hz (limit {0.475 * rate:.6g} Hz); give a lower range, or a record "
             "with a higher rate"
         )
     own = orders | {k * s for s in shafts for k in range(1, SHAFT_HARMONICS + 1) if k * s < covered}
-    between = {(k - 0.5) * order for order in strong for k in range(1, HARMONICS + 1)}
+    between = {(k - 0.5) * order for order in meshes for k in range(1, HARMONICS + 1)}
     every = np.array(sorted(orders))
     against = [b for b in sorted(between) if b < covered and np.abs(every / b - 1.0).min() > SAME]
-    return Comb(np.array(sorted(own)), np.array(against), min(strong))
+    return Comb(np.array(sorted(own)), np.array(against), meshes[0])
 
 
 def _clearest_path(
@@ -223,17 +251,22 @@ def _check(path: SpeedPath, parts: TurningParts, limits: tuple[float, float]) ->
     remedy = "check range and tooth numbers, or give --tacho or --angle"
     if not parts.meshes:
         remedy = "check the range, or give --tacho or --angle"
-    if path.score < least or float(np.mean(path.seen)) < 1.0 - HIDDEN:
-        raise SignalError(
-            f"speed: no {what} determine it within {span}: the level of the best path is {path.score:.2f} "
-            f"(limit {least:.2f}: {SPREADS:g} standard deviations above chance), above chance in "
-            f"{100.0 * float(np.mean(path.seen)):.0f} % of the record (limit {100.0 * HIDDEN:.0f} %); "
-            f"{remedy}"
-        )
+    seen = float(np.mean(path.seen))
+    short = [
+        f"the level of the best path is {path.score:.2f} (limit {least:.2f}: {SPREADS:g} standard deviations "
+        "above chance)"
+    ] * (path.score < least)
+    short += [
+        f"it is above chance in {100.0 * seen:.0f} % of the record (limit {100.0 * (1.0 - HIDDEN):.0f} %)"
+    ] * (seen < 1.0 - HIDDEN)
+    if short:
+        raise SignalError(f"speed: no {what} determine it within {span}: {', '.join(short)}; {remedy}")
     if path.at_limit > AT_LIMIT:
         raise SignalError(
             f"speed: is at a limit of the range {span} in {100.0 * path.at_limit:.0f} % of the record (limit "
-            f"{100.0 * AT_LIMIT:.0f} %); give a wider range, or check the tooth numbers"
+            f"{100.0 * AT_LIMIT:.0f} %); give a wider range"
+            + ", or check the tooth numbers"
+            * bool(parts.meshes)
         )
     if path.score - path.rival < APART * (path.score - path.chance):
         raise SignalError(
@@ -244,7 +277,11 @@ def _check(path: SpeedPath, parts: TurningParts, limits: tuple[float, float]) ->
 
 
 def _check_range(
-    signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPath, limits: tuple[float, float]
+    signals: Sequence[Array],
+    rate: float,
+    comb: Comb | Sequence[Comb],
+    path: SpeedPath,
+    limits: tuple[float, float],
 ) -> None:
     """Refuse a range that the speed leaves: a wider search then finds a clearer path."""
     wide = limits[0] / WIDER, limits[1] * WIDER
@@ -257,7 +294,31 @@ def _check_range(
         raise SignalError(
             f"speed: leaves the range {span} in {100.0 * outside:.0f} % of the record (limit "
             f"{100.0 * OUTSIDE:.0f} %): {found} agrees better with the lines; give a wider range, or check "
-            "the tooth numbers"
+            "tooth numbers and bearings"
+        )
+
+
+def _check_impacts(
+    signals: Sequence[Array], rate: float, comb: Comb, path: SpeedPath, parts: TurningParts
+) -> None:
+    """Refuse a path without a clear mesh line if impacts of a bearing lead to another one."""
+    envelopes = [band_envelope(x, rate, whiten=True).envelope ** 2 for x in signals]
+    limits = float(path.frequency.min()) / WIDER, float(path.frequency.max()) * WIDER
+    found = {}
+    for name, impacts in impact_combs(parts, 0.475 * rate / limits[1]).items():
+        combs = [comb] * len(signals) + [impacts] * len(envelopes)
+        found[name] = speed_path([*signals, *envelopes], rate, combs, limits, round(rate / path.resolution))
+    best = max(found, key=lambda name: found[name].score - found[name].chance, default="")
+    if not best:
+        return
+    other = np.interp(path.time, found[best].time, found[best].frequency)
+    differs = float(np.mean(np.abs(other / path.frequency - 1.0) > SAME))
+    if differs > AT_LIMIT:
+        spans = [f"{60.0 * one.min():.4g} to {60.0 * one.max():.4g} rpm" for one in (path.frequency, other)]
+        raise SignalError(
+            f"speed: no mesh line is clear; mesh lines agree best with {spans[0]}, together with impacts of "
+            f"the {best} with {spans[1]}; they differ in {100.0 * differs:.0f} % of the record (limit "
+            f"{100.0 * AT_LIMIT:.0f} %); give --tacho or --angle"
         )
 
 
@@ -267,12 +328,14 @@ def _over(signals: Sequence[Array], angle: Array) -> tuple[dict[str, Array], flo
     return {str(k): one.values for k, one in enumerate(found)}, found[0].samples_per_revolution
 
 
-def _refined(signals: Sequence[Array], angle: Array, parts: TurningParts) -> tuple[Array, LineAngle | None]:
+def _refined(
+    signals: Sequence[Array], angle: Array, parts: TurningParts, lines: Sequence[float]
+) -> tuple[Array, LineAngle | None]:
     """Angle that follows clear lines in bands without the sidebands of ever slower shafts."""
     line = None
     for slowest in sorted({float(shaft.order) for shaft in parts.shafts}, reverse=True):
         over, per_turn = _over(signals, angle)
-        found = line_angle(over, per_turn, _lines(parts), slowest)
+        found = line_angle(over, per_turn, lines, slowest)
         if found is None:
             continue
         turned = 2.0 * np.pi * np.arange(found.angle.size) / per_turn
@@ -283,12 +346,16 @@ def _refined(signals: Sequence[Array], angle: Array, parts: TurningParts) -> tup
     return angle, line
 
 
+def _fastest(parts: TurningParts) -> float:
+    """Highest order of a bearing that is compared [-]; 0 without bearings."""
+    rates = (order for bearing in parts.bearings for order in bearing.orders.values())
+    return IMPACT_HARMONICS * max(rates, default=0.0)
+
+
 def _lines(parts: TurningParts) -> list[float]:
-    """Orders of the lines whose phases are followed."""
+    """Orders of the mesh lines whose phases are followed."""
     meshes = {parts.mesh_order(mesh) for mesh in parts.meshes}
-    shafts = {float(shaft.order) for shaft in parts.shafts}
-    harmonics = HARMONICS if meshes else ALONE
-    return sorted({k * order for order in meshes or shafts for k in range(1, harmonics + 1)})
+    return sorted({k * order for order in meshes for k in range(1, HARMONICS + 1)})
 
 
 def _integral(frequency: Array, rate: float) -> Array:
@@ -297,7 +364,13 @@ def _integral(frequency: Array, rate: float) -> Array:
 
 
 def _hidden(path: SpeedPath) -> Array:
-    """Times between which the lines are not above chance [s], shape (k, 2)."""
-    edges = np.diff(np.r_[0, (~path.seen).astype(np.int64), 0])
+    """Times between which the lines are hardly above chance [s], shape (k, 2), with the gaps to other frames.
+
+    A single frame covers the time to the middles between it and its neighbours.
+    """
+    uncertain = path.level < path.chance + UNCERTAIN * (path.score - path.chance)
+    edges = np.diff(np.r_[0, uncertain.astype(np.int64), 0])
     first, last = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1) - 1
-    return np.column_stack([path.time[first], path.time[last]])
+    between = 0.5 * (path.time[1:] + path.time[:-1])
+    limits = np.r_[path.time[0], between, path.time[-1]]
+    return np.column_stack([limits[first], limits[last + 1]])

@@ -4,17 +4,21 @@
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.cli.main import run_command
 from pitchpoint.report.diagnosis.request import Request, diagnose_file
 from pitchpoint.report.diagnosis.speeds import given_speed
 from tests.support.cli_files import json_of
+from tests.support.motor_run_ups import ORDERS, RATE, motor_record
 from tests.unit.cli.test_diagnose_files import csv_of, gears_found, only, rig, told
 
+NAMES = {"BPFO": "outer ring", "BPFI": "inner ring", "FTF": "cage"}
 RUN_UP = ["--train", "32/95", "-c", "acc"]
 
 
@@ -118,6 +122,49 @@ def test_noise_has_no_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     table["acc"] = np.random.default_rng(1).standard_normal(table["time"].size)
     said = told([csv_of(tmp_path, table), *RUN_UP, "--speed", "500..1100rpm"], capsys)
     assert "no mesh lines and shaft orders determine it" in said
+
+
+def test_bearings_of_a_motor_in_a_run_up(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Shaft orders 1 to 4 and impacts; the range begins below half the speed."""
+    x, turns = motor_record("up", "inner ring", seed=3)
+    file = csv_of(tmp_path, {"time": np.arange(x.size) / RATE, "acc": x})
+    rates = "DE:" + ",".join(f"{name}={ORDERS[part]}" for name, part in NAMES.items())
+    found = json_of(["diagnose", file, "--bearing", rates, "--speed", "240..2400rpm"], capsys)
+    assert [one["shaft"] for one in found["findings"]] == ["inner ring"]
+    said = " ".join(found["remarks"])
+    assert "by the shaft orders 1, 2, 3, 4 and impacts of inner ring of DE" in said
+    (row,) = [row for row in found["origin"] if row[0] == "speed"]
+    assert row[1].split(":")[1].split("±")[0].strip() in said  # one range in all places
+
+
+def test_a_steady_speed_of_a_motor_that_varies_names_the_option(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    x, _ = motor_record("up", seed=3)
+    file = csv_of(tmp_path, {"time": np.arange(x.size) / RATE, "acc": x})
+    found = json_of(["diagnose", file, "--bearing", "DE:6205", "--speed", "1200rpm"], capsys)
+    assert "give the range, --speed" in " ".join(found["remarks"])
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1797rpm±2", "tolerance 2 has no unit; write ±2% or ±2rpm"),
+        ("600..3000", "has no unit; write it as in 600..3000rpm"),
+        ("600rpm..3000", "has no unit; write it as in 600rpm..3000rpm"),
+    ],
+)
+def test_numbers_without_a_unit_are_refused(text: str, words: str) -> None:
+    with pytest.raises(SignalError, match=re.escape(words)):
+        given_speed(text)
+
+
+def test_a_sample_rate_without_its_prefix(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "noise.csv"
+    np.savetxt(path, np.random.default_rng(1).standard_normal(20_000), header="acc", comments="")
+    options = ["--bearing", "a:6205", "--speed", "1797rpm", "--sample-rate", "12"]
+    said = told([str(path), *options], capsys)
+    assert "0.4 samples per turn" in said and "--sample-rate 12kHz" in said
 
 
 def test_a_unit_of_the_upper_limit_is_that_of_both() -> None:

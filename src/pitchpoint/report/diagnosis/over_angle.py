@@ -97,14 +97,21 @@ class OverAngle:
     names_gears: bool = True
 
 
-def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
-    """Resample channels at equal steps of an angle [rad] recorded with them."""
+def over_angle(
+    signals: Mapping[str, Array], time: Array, angle: Array, speeds: tuple[float, float] | None = None
+) -> OverAngle:
+    """Resample channels at equal steps of an angle [rad] recorded with them.
+
+    `speeds` are the lowest and the highest rotation frequency [Hz], if they are known; else they are those of
+    the angle, whose errors they contain.
+    """
     from pitchpoint.analysis.orders import resample_over_angle
 
     clock = as_increasing(time)
     turned = as_signal(angle, "angle", 16)
     same_length(turned, clock, "angle, time")
-    speed = np.gradient(turned, clock)
+    speed = np.gradient(turned, clock) / math.tau
+    low, high = speeds or (float(np.abs(speed).min()), float(np.abs(speed).max()))
     found, rate = {}, math.nan
     for name, values in signals.items():
         resampled = resample_over_angle(as_signal(values, name, 16), turned)
@@ -116,14 +123,9 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
         []
         if steady
         else [
-            f"the speed varies from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
-            f"instead of frequencies"
+            f"the speed varies from {60.0 * low:.4g} to {60.0 * high:.4g} rpm: orders instead of frequencies"
         ]
     )
     taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
-    limits = None if steady else (float(speed.min()) / math.tau, float(speed.max()) / math.tau)
+    limits = None if steady else (low, high)
     return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks), speeds=limits)
-
-
-def _rpm(speed: float) -> float:
-    return float(speed) * 30.0 / math.pi

@@ -14,7 +14,7 @@ from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.mesh_angle import HARMONICS as MESH_HARMONICS
 from pitchpoint.analysis.shaft_tests import MIN_TURNS
-from pitchpoint.analysis.speed_track import ALONE
+from pitchpoint.analysis.speed_without_gears import SHAFT_HARMONICS
 from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.analysis.turning_parts import Shaft
 from pitchpoint.report.diagnosis.envelope_pictures import add_envelopes, axis_of, named_line, place_of
@@ -76,7 +76,7 @@ def add_speed(section: Section, study: Study, channel: str) -> None:
     path, parts = found.track.path, study.parts
     orders = {mesh.name: parts.mesh_order(mesh) for mesh in parts.meshes}
     orders = orders or {shaft.name: float(shaft.order) for shaft in parts.shafts}
-    harmonics = MESH_HARMONICS if parts.meshes else ALONE
+    harmonics = MESH_HARMONICS if parts.meshes else SHAFT_HARMONICS
     top = 1.1 * harmonics * max(orders.values()) * float(path.frequency.max())
     data = time_frequency_map(
         found.signals[channel],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Read a record over time from a file; its exact speed near a nominal one."""
+"""Read a record over time from a file."""
 
 from __future__ import annotations
 
@@ -12,13 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.line_tests import LONG, fine_spectrum
-from pitchpoint.analysis.mesh_angle import has_clear_mesh
 from pitchpoint.analysis.sampled import SignalError, sample_rate_of
-from pitchpoint.analysis.speed_search import speed_from_lines
-from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.channels import matching
-from pitchpoint.report.diagnosis.over_angle import OverAngle
-from pitchpoint.report.diagnosis.varying_speed import suggested_range
 
 Array = NDArray[np.float64]
 
@@ -112,57 +107,6 @@ class Record:
     speed_source: str = ""
     fault_orders: Mapping[str, float] = field(default_factory=dict)
     rate_source: str = ""
-
-
-def at_speed(
-    signals: Mapping[str, Array],
-    sample_rate: float,
-    parts: TurningParts,
-    frequency: float,
-    tolerance: float,
-) -> OverAngle:
-    """Channels at a steady speed near a nominal one [Hz]; lines of the record give the exact value.
-
-    Raises
-    ------
-    SignalError
-        If the record is shorter than one turn.
-    """
-    length = next(iter(signals.values())).size / sample_rate
-    if length * frequency < 1.0:
-        raise SignalError(
-            f"record: {length:.4g} s are {length * frequency:.2g} turns "
-            "of the reference shaft (limit 1); use a longer record"
-        )
-    spectra = [fine_spectrum(values, sample_rate) for values in signals.values()]
-    found = speed_from_lines(spectra, parts, frequency, tolerance)
-    remarks = []
-    if found.what and abs(found.frequency / frequency - 1.0) > 1e-6:
-        listed = ", ".join(f"{order * found.frequency:.4g}" for order in found.lines[:4])
-        more = ", ..." if len(found.lines) > 4 else ""
-        remarks.append(
-            f"speed from the {found.what} lines at {listed}{more} Hz: {found.frequency:.6g} Hz "
-            f"({found.frequency * 60:.6g} rpm) instead of {frequency:.6g} Hz"
-        )
-    elif found.tolerance > 0.0:
-        lines, omitted = ("mesh or shaft", "shafts and gears") if parts.meshes else ("shaft", "shafts")
-        remarks.append(
-            f"speed: no {lines} lines determine it within ±{100.0 * found.tolerance:.2g} % of "
-            f"{frequency:.6g} Hz; {omitted} are not tested, bearings over the whole range"
-        )
-    per_turn, advice = sample_rate / found.frequency, ""
-    if tolerance > 0.0 and parts.meshes and not (found.what and has_clear_mesh(signals, per_turn, parts)):
-        advice = suggested_range(signals, sample_rate, parts, frequency, tolerance)
-    return OverAngle(
-        dict(signals),
-        per_turn,
-        found.frequency,
-        per_turn,
-        tuple(remarks),
-        tolerance=found.tolerance,
-        lines=found.what,
-        advice=advice,
-    )
 
 
 def strongest_lines(values: Array, samples_per_turn: float) -> list[float]:

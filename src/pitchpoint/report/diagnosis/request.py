@@ -18,8 +18,9 @@ from pitchpoint.report.diagnosis.channels import Places, every_quantity, given_p
 from pitchpoint.report.diagnosis.machine import Machine, machine_of
 from pitchpoint.report.diagnosis.origin import origin
 from pitchpoint.report.diagnosis.over_angle import OverAngle, over_angle
-from pitchpoint.report.diagnosis.record import Record, at_speed
+from pitchpoint.report.diagnosis.record import Record
 from pitchpoint.report.diagnosis.severity import machine_group, severities
+from pitchpoint.report.diagnosis.steady_speed import at_speed
 from pitchpoint.report.diagnosis.study import Study, study, usable
 
 Array = NDArray[np.float64]
@@ -198,12 +199,16 @@ def _other_speed(record: Record, machine: Machine) -> list[str]:
     """Remark on a speed in the file that is the speed of no shaft."""
     if record.speed is None or machine.limits or math.isnan(machine.frequency):
         return []
-    speeds = [machine.frequency * float(shaft.order) for shaft in machine.parts.shafts]
-    if any(abs(record.speed - speed) <= SAME_SPEED * speed for speed in speeds):
+    speeds = {shaft.name: machine.frequency * float(shaft.order) for shaft in machine.parts.shafts}
+    stated = record.speed
+    nearest = min(speeds, key=lambda name: abs(stated - speeds[name]))
+    apart = stated / speeds[nearest] - 1.0
+    if abs(apart) <= SAME_SPEED:
         return []
     return [
-        f"speed: {60.0 * record.speed:.6g} rpm in the file ({record.speed_source}) is the speed of no shaft; "
-        "it is not used"
+        f"speed: the file states {60.0 * stated:.6g} rpm ({record.speed_source}), the speed of no shaft; by "
+        f"--speed {nearest} rotates at {60.0 * speeds[nearest]:.6g} rpm, {100.0 * abs(apart):.2g} % "
+        f"{'slower' if apart > 0.0 else 'faster'}; --speed is used, omit it if the file is right"
     ]
 
 

@@ -86,6 +86,8 @@ def _limits(text: str, option: str) -> tuple[float, float]:
     low, _, high = (part.strip() for part in text.partition(".."))
     if not low or not high or high[0] == "." or ".." in high or _SIGN.search(text):
         raise SignalError(f"{option}: {text!r} is not a range; write it as in 600..1800rpm")
+    if _NUMBER.fullmatch(high):
+        raise SignalError(f"{option}: {text!r} has no unit; write it as in {low}..{high}rpm")
     if _NUMBER.fullmatch(low):
         unit = _NUMBER.match(high)
         low += high[unit.end() :] if unit else ""
@@ -102,6 +104,9 @@ def _tolerance(rest: list[str], frequency: float, option: str) -> float:
     from pitchpoint.core.units import parse_quantity
 
     [text] = rest if len(rest) == 1 else [" ± ".join(rest)]
+    if _NUMBER.fullmatch(text):
+        number = text.strip()
+        raise SignalError(f"{option}: tolerance {number} has no unit; write ±{number}% or ±{number}rpm")
     try:
         if text.rstrip().endswith("%"):
             found = parse_quantity(text, "dimensionless", nonnegative=True)

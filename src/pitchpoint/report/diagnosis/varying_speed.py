@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.analysis.speed_track import SpeedTrack, speed_track
+from pitchpoint.analysis.speed_without_gears import OTHER
 from pitchpoint.analysis.tooth_numbers import sideband_teeth
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.report.diagnosis.over_angle import FoundSpeed, OverAngle, over_angle
@@ -46,38 +47,24 @@ def at_varying_speed(
     Raises
     ------
     SignalError
-        If there are no gears, or nothing in the record determines the speed.
+        If nothing in the record determines the speed.
     """
-    if not parts.meshes:
-        raise SignalError(
-            "speed: a range of speeds requires gears, whose mesh lines determine it (limit 1 mesh); give "
-            "--tacho or --angle, or the speed of a steady part of the record"
-        )
     rate = sample_rate_of(time)
     track = speed_track(signals, rate, parts, *limits)
-    over = over_angle(signals, time, track.angle)
     path = track.path
+    span = float(path.frequency.min()), float(path.frequency.max())
+    over = over_angle(signals, time, track.angle, span)
     remarks = [
         f"speed of {reference} found in the record: {_range(track)} rpm, in frames of "
         f"{1.0 / path.resolution:.3g} s; level of the lines {path.score:.2f}, of the best other path "
         f"{path.rival:.2f} (at {path.rival_ratio:.2f} times the speed), by chance {path.chance:.2f}"
     ]
-    tolerance = 0.0
-    if track.orders:
-        listed = ", ".join(f"{order:.5g}" for order in track.orders)
-        many = len(track.orders) > 1
-        remarks.append(
-            f"angle of {reference} by the phases of the {'lines' if many else 'line'} at order"
-            f"{'s' * many} {listed}; {'agreement of the lines' if many else 'scatter by noise'} "
-            f"{track.agreement:.2g} rad, without phase and delay from mesh to sensor, which all lines contain"
-        )
+    tolerance, how = _accuracy(track, reference)
+    remarks += [how, *_without_gears(track, limits, reference)]
+    if parts.meshes:
+        about, doubt, names_gears = _teeth(over, parts, track)
     else:
-        tolerance = path.resolution / (2.0 * track.lowest * float(np.mean(path.frequency)))
-        remarks.append(
-            f"speed: known within ±{100.0 * tolerance:.2g} %, since no line is clear enough for its phase; "
-            "shafts and gears are not tested"
-        )
-    about, doubt, names_gears = _teeth(over, parts, track) if parts.meshes else ([], "", True)
+        about, doubt, names_gears = [], _other_part(track, parts, reference), True
     remarks += _hidden(track) + about
     return replace(
         over,
@@ -87,6 +74,67 @@ def at_varying_speed(
         tolerance=tolerance,
         found=FoundSpeed(track, signals, rate, float(time[0])),
     )
+
+
+def _accuracy(track: SpeedTrack, reference: str) -> tuple[float, str]:
+    """Relative tolerance of the speed [-], and how it is known in words."""
+    path = track.path
+    if track.orders:
+        listed = ", ".join(f"{order:.5g}" for order in track.orders)
+        many = len(track.orders) > 1
+        return 0.0, (
+            f"angle of {reference} by the phases of the {'lines' if many else 'line'} at order"
+            f"{'s' * many} {listed}; {'agreement of the lines' if many else 'scatter by noise'} "
+            f"{track.agreement:.2g} rad, without phase and delay from mesh to sensor, which all lines contain"
+        )
+    if track.motor is None:
+        tolerance = path.resolution / (2.0 * track.lowest * float(np.mean(path.frequency)))
+    else:
+        tolerance = track.motor.tolerance
+    return tolerance, (
+        f"speed: known within ±{100.0 * tolerance:.2g} %, since no line is clear enough for its phase; "
+        f"shafts{' and gears' * (track.motor is None)} are not tested"
+    )
+
+
+def _without_gears(track: SpeedTrack, limits: tuple[float, float], reference: str) -> list[str]:
+    """What determines the speed of a machine without gears, and what does not."""
+    motor = track.motor
+    if motor is None:
+        return []
+    impacts = f"impacts of {motor.impacts}"
+    if not motor.orders:
+        return [f"speed: by the {impacts} alone, whose slip it contains"]
+    listed = ", ".join(f"{order:.5g}" for order in motor.orders)
+    found = [f"speed: by the shaft orders {listed}" + f" and {impacts}" * bool(motor.impacts)]
+    low, high = (float(value) for value in (track.path.frequency.min(), track.path.frequency.max()))
+    if not motor.impacts and low / 2.0 >= limits[0]:
+        found.append(
+            f"speed: half of it, {30.0 * low:.4g} to {30.0 * high:.4g} rpm, has the same lines if its odd "
+            f"orders are not visible; exclude it with a range that begins above {30.0 * low:.4g} rpm"
+        )
+    return found
+
+
+def _other_part(track: SpeedTrack, parts: TurningParts, reference: str) -> str:
+    """Another part whose impacts would be alike at another speed, if no shaft orders exclude it; or empty."""
+    motor = track.motor
+    if motor is None or motor.orders:
+        return ""
+    orders = {
+        f"{part} of {bearing.name}": order
+        for bearing in parts.bearings
+        for part, order in bearing.orders.items()
+        if part != "cage"
+    }
+    own = orders[motor.impacts]
+    others = {name: own / order for name, order in orders.items() if abs(own / order - 1.0) > OTHER}
+    why = f"no orders of {reference} are visible, only the given range determines the speed"
+    if not others:
+        return why
+    name = min(others, key=lambda one: abs(np.log(others[one])))
+    low, high = (others[name] * float(x) for x in (track.path.frequency.min(), track.path.frequency.max()))
+    return f"{why}; from {60.0 * low:.4g} to {60.0 * high:.4g} rpm it would be the {name}"
 
 
 def suggested_range(
@@ -108,7 +156,8 @@ def suggested_range(
     except SignalError:
         return ""
     low, high = float(track.path.frequency.min()), float(track.path.frequency.max())
-    if not track.orders or high - low < 4.0 * tolerance * frequency:
+    clear = len(track.motor.orders) > 1 if track.motor else bool(track.orders)
+    if not clear or high - low < 4.0 * tolerance * frequency:
         return ""
     near = [float(f"{60.0 * value:.2g}") for value in (0.95 * low, 1.05 * high)]
     return (
@@ -130,8 +179,8 @@ def _hidden(track: SpeedTrack) -> list[str]:
     listed = ", ".join(f"{a:.3g} to {b:.3g} s" for a, b in track.hidden[:SHOWN])
     more = f" and {len(track.hidden) - SHOWN} more" if len(track.hidden) > SHOWN else ""
     return [
-        f"speed: no line is above chance from {listed}{more}; the speed there is uncertain, and so is the "
-        "number of revolutions"
+        f"speed: lines are hardly above chance from {listed}{more}; the speed there is uncertain, and so "
+        "is the number of revolutions"
     ]
 
 
