@@ -48,9 +48,14 @@ def test_loads_at_8_m_per_s_are_those_of_openfast(model):
     assert 0.18 < top < 0.23  # thrust over the stiffness of the tower, 379 kN / 1.8 MN/m
 
 
-def test_the_turbine_runs_with_its_controller(model):
+@pytest.mark.parametrize("step", [0.02, 0.005])
+def test_the_turbine_runs_with_its_controller(model, step):
     """Two seconds from the operating point: the speed remains, the servos hold the pitch."""
-    changes = {"scenarios.production.duration": 2.0, "scenarios.production.settle_time": 0.0}
+    changes = {
+        "scenarios.production.duration": 2.0,
+        "scenarios.production.settle_time": 0.0,
+        "scenarios.production.step": step,
+    }
     system, memory = compile_model(model.replace_all(changes), "production"), Memory()
     done = run_time(system, sink=memory)
     assert done.status == 1, done.sentence
