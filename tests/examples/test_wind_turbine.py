@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.io.yaml_model import load_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
@@ -63,3 +63,15 @@ def test_the_turbine_runs_with_its_controller(model, step):
     speed, pitch = (rows[:, system.layout.channel(c)] for c in ("speed[hub]", "signal[pitch_1]"))
     assert np.ptp(speed) < 0.01 * speed.mean()
     assert np.abs(pitch).max() < 0.01
+
+
+def test_the_page_on_wind_turbines_has_a_model_that_runs():
+    """The first model of docs/howto/wind_turbine.md settles at the speed that the page states."""
+    page = (FOLDER.parents[1] / "docs" / "howto" / "wind_turbine.md").read_text(encoding="utf-8")
+    text = page.split("```yaml\n")[1].split("```")[0]
+    text = text.replace("AeroDyn.dat", str(FOLDER / "nrel_5mw" / "onshore" / "AeroDyn.dat"))
+    system, memory = compile_model(loads_model(text), "run"), Memory()
+    done = run_time(system, sink=memory)
+    assert done.status == 1, done.sentence
+    speed = np.concatenate(memory.rows)[-500:, system.layout.channel("speed[hub]")].mean() * 30.0 / np.pi
+    assert f"settles at {speed:.1f} rpm" in page
