@@ -13,7 +13,7 @@ export PYTHONUTF8 := 1
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test warmup lint pytest nojit stock newest-numba bench validate viewer docs clean
+.PHONY: help install demo test warmup lint pytest nojit stock newest-numba bench validate viewer glue docs clean
 
 help:
 	@echo "make demo      install, compile, run the main example, write a report"
@@ -21,6 +21,7 @@ help:
 	@echo "make bench     speed table, build/bench.json"
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make viewer    the scripts of the 3-D scene and of plots (needs Node.js 20)"
+	@echo "make glue      the functions of FMUs, from C to LLVM text (needs the extra fmi)"
 	@echo "make docs      the documentation as a site, build/docs/html"
 	@echo "make newest-numba  the first five minutes of README in a fresh environment with the newest Numba"
 	@echo "make lint      style, import contracts and types only"
@@ -71,8 +72,8 @@ lint: $(STAMP)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
-# studies run in validate; folders in their order: files of many small tests come last and fill what long ones
-# leave; examples in docstrings of geometry and contact are among the tests of these, all others come at the end
+# studies run in validate; tests/conftest.py puts long files first, and workers keep this order: files of many
+# small tests fill what these leave; examples in docstrings of geometry and contact are among the tests of these
 pytest: warmup
 	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint --ignore=src/pitchpoint/geometry --ignore=src/pitchpoint/contact
 
@@ -106,6 +107,11 @@ viewer:
 	cd viewer && npm ci && node build.mjs
 
 # a fresh environment each time: notebooks and the reference follow from the package, which Sphinx does not watch
+# the text is in the repository: nobody who does not change the C files needs ziglang
+glue: $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[fmi]"
+	$(BIN)/python -m pitchpoint.io.fmu.glue.make
+
 docs: $(DOCS_STAMP)
 	$(BIN)/python docs/generate.py build/docs/source
 	$(BIN)/python -m sphinx -b html -E -W --keep-going -q -j $(JOBS) build/docs/source build/docs/html

@@ -21,6 +21,7 @@ GROUPS = {
         "read_measured",
         "open_result",
         "write_report",
+        "export_fmu",
     ),
     "Components of models": (
         "Gear",

@@ -13,6 +13,8 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 TESTS = Path(__file__).parent
+LONG = ("tests/browser/", "tests/examples/", "tests/validation/")
+"""Folders with the longest files."""
 
 # Before anybody loads NumPy: tests run side by side already, and threads of its linear algebra that share
 # processors spend most of their time waiting for each other (modes of 300 discs: a third of the time).
@@ -56,7 +58,10 @@ def pytest_collection_finish() -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> Iterator[None]:
-    """Every test carries the name of its folder as marker; `--thin` counts what is selected."""
+    """Every test carries the name of its folder as marker; `--thin` counts what is selected.
+
+    The longest files are first: a long file that is started last leaves one worker without work.
+    """
     for item in items:
         try:
             folder = item.path.relative_to(TESTS).parts[0]
@@ -65,6 +70,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if not folder.endswith(".py"):
             item.add_marker(folder)
     yield
+    items.sort(key=lambda item: not item.nodeid.startswith(LONG))
     if config.option.thin:
         kept = thinned(items, config.option.thin)
         config.hook.pytest_deselected(items=[item for item in items if item not in kept])

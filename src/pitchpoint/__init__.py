@@ -78,6 +78,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.wind.steady import SteadyWind
     from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.model.wind.turbulence import KaimalTurbulence
+    from pitchpoint.report.exported_model import export_fmu
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
@@ -176,6 +177,7 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "export_fmu",
     "extrapolate_polar",
     "import_rexs",
     "load_model",
@@ -287,6 +289,7 @@ _HOMES = {
     "model.components.unbalance": ("Unbalance",),
     "model.model": ("Model",),
     "model.scenario": ("Scenario",),
+    "report.exported_model": ("export_fmu",),
     "report.pictures": ("plot",),
     "report.write": ("write_report",),
     "solvers.campbell_dataset": ("solve_campbell",),

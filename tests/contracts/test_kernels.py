@@ -114,8 +114,11 @@ def test_only_the_compiler_modules_import_the_compiler():
             for top in {n.split(".")[0] for n in names} & {"numba", "llvmlite"}:
                 found.setdefault(top, set()).add(name_of(path))
     public = {"public_numba", "intrinsics"}
-    private = {"cache", "parts", "passes", "private_numba"}
-    wanted = {"numba": public | private, "llvmlite": public | {"parts", "private_numba", "machine_code"}}
+    private = {"cache", "parts", "passes", "portable", "private_numba"}
+    wanted = {
+        "numba": public | private,
+        "llvmlite": public | {"parts", "portable", "private_numba", "machine_code"},
+    }
     assert found == {
         top: {f"src/pitchpoint/core/compiler/{name}.py" for name in names} for top, names in wanted.items()
     }

@@ -66,6 +66,7 @@ OTHERWISE = {
     "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
     "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
+    "solvers/exported_run.py": {"force": "name of an input"},
     "solvers/locked_clutches.py": {"torque": "dimension"},
     "solvers/mean_balance.py": {"torque": "dimension"},
     "solvers/speed_drift.py": {"torque": "dimension"},

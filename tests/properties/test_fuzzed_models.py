@@ -22,6 +22,7 @@ def test_every_shipped_and_documented_model_is_among_them():
 def test_faults_of_the_code_have_a_word(monkeypatch: pytest.MonkeyPatch):
     """What the study counts is seen: an exception of another kind has its place and is not a refusal."""
     data, folder = model_trees()["examples/speed-control/model.yaml"]
+    data = copy.deepcopy(data)
     assert outcome(data, folder, compute=False) == "loaded"
     monkeypatch.setattr("pitchpoint.model.build.Model", None)
     assert outcome(data, folder, compute=False).startswith("raw TypeError at keys.py")

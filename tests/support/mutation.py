@@ -17,6 +17,7 @@ import traceback
 import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -35,8 +36,12 @@ EXTREMES = (0, -1, 1, 2, 1e-300, 1e300, -1e300, 1e9, 1e-9, math.inf, math.nan, 1
 STRANGE: tuple[Any, ...] = (None, True, "", "x", "ground", "1 furlong", "nan", [], {}, [0, 0, 0], {"a": 1})
 
 
+@cache
 def model_trees() -> dict[str, tuple[Any, str]]:
-    """Data and folder of every model file that is shipped, and of every whole one in the documentation."""
+    """Data and folder of every model file that is shipped, and of every whole one in the documentation.
+
+    They are read once per process: edit copies.
+    """
     found = {}
     for path in sorted((ROOT / "examples").rglob("*.yaml")):
         found[path.relative_to(ROOT).as_posix()] = (path.read_text(encoding="utf-8"), str(path.parent))

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.analysis.bearing_detectors import LIMITS
+from pitchpoint.analysis.bearing_detectors import LIMITS, TONES
 from tests.support.detector_levels import (
     Levels,
     above,
@@ -24,9 +24,9 @@ from tests.support.detector_levels import (
 from tests.support.measured_sets import needs_measured
 
 HIGHEST = {
-    "motor": [10.4, 14.1, 14.7, 25.3],
-    "gearbox": [13.6, 15.6, 17.4, 25.7],
-    "simulated": [9.2, 11.0, 12.2, 21.5],
+    "motor": [10.4, 14.1, 14.7, 25.3, 23.2],
+    "gearbox": [13.6, 15.6, 17.4, 25.7, 17.5],
+    "simulated": [9.5, 11.6, 14.0, 21.5, 24.1],
 }
 """Highest level of a sound part by machine and detector [dB], as in docs/diagnosis.md."""
 
@@ -51,11 +51,15 @@ def counted() -> dict[str, list[Levels]]:
 @needs_measured
 @pytest.mark.study
 def test_limits_are_those_of_the_counted_records(counted: dict[str, list[Levels]]) -> None:
-    """The limit of the kurtogram is 1 dB higher, by a record of the fan end of the motor with 18.5 dB."""
+    """The limit of the kurtogram is 3 dB higher, by two records of a sound bearing of a loaded rig with 21.4 dB.
+
+    That of the squared envelope is 4 dB higher, by bearings that the motor does not have, with 28.8 dB.
+    """
     for name, rows in counted.items():
         assert list(highest_sound(rows).values()) == pytest.approx(HIGHEST[name], abs=0.06)
     limits = limits_of([row for rows in counted.values() for row in rows])
-    assert limits == {name: int(limit) - (name == "kurtogram band") for name, limit in LIMITS.items()}
+    higher = {"kurtogram band": 3, TONES: 4}
+    assert limits == {name: int(limit) - higher.get(name, 0) for name, limit in LIMITS.items()}
 
 
 @needs_measured
@@ -69,7 +73,7 @@ def test_limits_hold_on_machines_that_were_not_counted(counted: dict[str, list[L
     for name in counted:
         others = [row for other, rows in counted.items() if other != name for row in rows]
         found[name] = above(counted[name], limits_of(others))
-    assert found == {"motor": (10, 0), "gearbox": (0, 9), "simulated": (99, 0)}
+    assert found == {"motor": (10, 0), "gearbox": (0, 9), "simulated": (107, 0)}
 
 
 @needs_measured
@@ -82,4 +86,4 @@ def test_named_parts(counted: dict[str, list[Levels]]) -> None:
         )
         for name, rows in counted.items()
     }
-    assert named == {"motor": (10, 0), "gearbox": (0, 0), "simulated": (105, 0)}
+    assert named == {"motor": (10, 0), "gearbox": (0, 0), "simulated": (106, 0)}

@@ -47,7 +47,7 @@ def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     return request.param, result
 
 
-@pytest.mark.parametrize("noise", [20.0, 0.0])
+@pytest.mark.parametrize("noise", [pytest.param(20.0, marks=pytest.mark.study), 0.0])
 def test_the_verdict_is_that_of_the_angle_channel(run: tuple[str, str], noise: float) -> None:
     state, file = run
     found = [
@@ -63,7 +63,7 @@ def test_the_verdict_is_that_of_the_angle_channel(run: tuple[str, str], noise: f
     assert found[1] == ([("local fault", "idler", ("z2", "z3"))] if state == "broken" else [])
 
 
-@pytest.mark.parametrize("noise", [20.0, 10.0, 0.0])
+@pytest.mark.parametrize("noise", [20.0, pytest.param(10.0, marks=pytest.mark.study), 0.0])
 def test_the_angle_is_within_the_phase_of_one_resonance(run: tuple[str, str], noise: float) -> None:
     _, file = run
     time, angle = (np.asarray(x) for x in read_channel(file, "angle[input]"))

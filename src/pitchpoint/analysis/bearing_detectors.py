@@ -10,7 +10,7 @@ docs/diagnosis.md, "Verdict of all detectors". A part is named if one detector n
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,12 +31,13 @@ from pitchpoint.analysis.spectral_coherence import LONGEST
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.analysis.whitening import limited_tones
 
-COHERENCE = "spectral coherence"
+COHERENCE, TONES = "spectral coherence", "squared envelope"
 LIMITS = {
     "cepstral whitening": 15.0,
     "median whitening": 17.0,
-    "kurtogram band": 20.0,
+    "kurtogram band": 22.0,
     COHERENCE: 27.0,
+    TONES: 30.0,
 }
 """Level of the lines of a damaged part above the surroundings, by detector [dB]."""
 ABOVE = 1.25
@@ -99,8 +100,10 @@ def detector_lines(values: Array, rate: float, parts: TurningParts) -> dict[str,
     Notes
     -----
     Squared envelopes of the whole signal after cepstrum pre-whitening [1]_ and after division of its spectrum
-    by the running median; of the band of the largest spectral kurtosis without tones [2]_; and the enhanced
-    envelope spectrum of the signal without tones [3]_. Valid for steady speed or signals over the angle.
+    by the running median; of the band of the largest spectral kurtosis without tones [2]_; the enhanced
+    envelope spectrum of the signal without tones [3]_; and the squared envelope of the signal itself, because
+    impacts without slip are tones: without gears, only bearings have families of them at orders that are not
+    those of shafts. Valid for steady speed or signals over the angle.
 
     References
     ----------
@@ -155,6 +158,11 @@ def _by_coherence(values: Array, rate: float, parts: TurningParts, level: float)
     return coherence_lines(np.concatenate(segments), rate, parts)
 
 
+def _with_tones(values: Array, rate: float, parts: TurningParts, level: float) -> FamilyLines:
+    """Squared envelope of the whole signal: impacts without slip are tones, which the others remove."""
+    return _lines(values, rate, parts, level, lambda x: band_envelope(x, rate).envelope ** 2)
+
+
 def _lines(
     values: Array, rate: float, parts: TurningParts, level: float, square: Callable[[Array], Array]
 ) -> FamilyLines:
@@ -166,7 +174,7 @@ def _lines(
 WAYS = dict(
     zip(
         LIMITS,
-        (_after_cepstral_whitening, _after_median_whitening, _in_kurtogram_band, _by_coherence),
+        (_after_cepstral_whitening, _after_median_whitening, _in_kurtogram_band, _by_coherence, _with_tones),
         strict=True,
     )
 )
@@ -217,15 +225,18 @@ def part_levels(
     share = false_alarm / len(lines)
     found: dict[str, FaultFamilies] = {}
     turns = values.size / rate
+    envelopes = [one for name, one in lines.items() if name not in (COHERENCE, TONES)]
+    searches: dict[str, FamilySearch] = {}
     for name, one in lines.items():
         limits = (
             LevelLimits.of_probability(LIMITS[name])
             if name == COHERENCE
             else LevelLimits.of_envelope(LIMITS[name], background(turns))
         )
-        search = FamilySearch(one, turns, limits)
+        search = searches[name] = FamilySearch(one, turns, limits)
+        spectra = [*envelopes, one] if name in (COHERENCE, TONES) else envelopes
         try:
-            found[name] = families_in(search, parts, tolerance, slip, share)
+            found[name] = families_in(search, parts, tolerance, slip, share, spectra)
         except SignalError:
             if not found:
                 raise
@@ -240,4 +251,30 @@ def part_levels(
             if (one.bearing, one.part) == whose
         }
         rows.append(PartLevels(*whose, mine))
-    return rows, first.notes
+    return _reconciled(rows, searches), first.notes
+
+
+def _reconciled(rows: list[PartLevels], searches: Mapping[str, FamilySearch]) -> list[PartLevels]:
+    """Parts of one channel without those whose lines another part has that is clearer in another detector."""
+
+    def above(row: PartLevels) -> float:
+        """Highest level above the limit of a detector that names the part [dB]."""
+        return max(one.strength - LIMITS[name] for name, one in row.families.items() if one.named)
+
+    kept: list[PartLevels] = []
+    for row in sorted((row for row in rows if row.named), key=above, reverse=True):
+        mine = row.families
+        causes = [
+            other
+            for other in kept
+            for name in other.by
+            if not any(other.families[by].named for by in row.by if by in other.families)
+            and searches[name].explains(other.families[name], mine[row.by[0]])
+        ]
+        if not causes:
+            kept.append(row)
+            continue
+        cause = f"{causes[0].part} of {causes[0].bearing}"
+        plain = {name: replace(one, named=False, same_lines=(cause,)) for name, one in mine.items()}
+        rows = [replace(one, families=plain) if one is row else one for one in rows]
+    return rows

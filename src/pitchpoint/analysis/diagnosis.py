@@ -177,6 +177,7 @@ def diagnose(
     channels: dict[str, Channel] = {}
     meshes, turns = {}, {}
     untested: list[Note] = []
+    others: list[Note] = []
     families: list[Evidence] = []
     modulated: set[tuple[str, str]] = set()
     for name, values in signals.items():
@@ -185,12 +186,19 @@ def diagnose(
             raise SignalError(f"{name}: is constant; nothing can be read from it")
         alone = bool(parts.bearings) and not parts.meshes
         if alone:  # before the spectrum, which would be in the memory at the same time
-            share = -float(np.expm1(np.log1p(-allowed) / len(signals)))
-            rows, notes = family_evidence(
-                name, x, rate, parts, tolerance=speed_tolerance, slip=slip, false_alarm=share
+            rows, notes, foreign = family_evidence(
+                name,
+                x,
+                rate,
+                parts,
+                tolerance=speed_tolerance,
+                slip=slip,
+                false_alarm=allowed,
+                channels=len(signals),
             )
             families += rows
             untested += notes
+            others += foreign
         spectrum, rms = fine_spectrum(x, rate), float(x.std())
         mine = {s.name: ShaftView(spectrum, parts, s, rms, sampled_per_turn or rate) for s in parts.shafts}
         turns = {shaft: view.turns for shaft, view in mine.items()}
@@ -220,7 +228,7 @@ def diagnose(
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, observations, spread = findings_of(evidence, views, signals, rate, parts)
     not_tested, not_reported = (
-        tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes])
+        tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes, *others])
     )
     return Diagnosis(
         findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed

@@ -5,9 +5,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from pitchpoint.analysis.bearing_detectors import LIMITS, PartLevels, part_levels
 from pitchpoint.analysis.bearing_tests import MIN_SAMPLES, alike
 from pitchpoint.analysis.family_search import SPREAD
+from pitchpoint.analysis.fault_families import UNKNOWN
 from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array, SignalError
@@ -26,7 +29,8 @@ def family_evidence(
     tolerance: float,
     slip: float,
     false_alarm: float,
-) -> tuple[list[Evidence], list[Note]]:
+    channels: int = 1,
+) -> tuple[list[Evidence], list[Note], list[Note]]:
     """Test all bearing parts jointly in one channel.
 
     Parameters
@@ -44,7 +48,9 @@ def family_evidence(
     slip
         Maximum relative deviation of the bearing orders due to slip [-].
     false_alarm
-        Probability that noise alone leads to a detection in this channel [-].
+        Probability that noise alone leads to a detection in any channel [-].
+    channels
+        Number of channels that share it [-].
 
     Returns
     -------
@@ -52,6 +58,8 @@ def family_evidence(
         One test per part.
     list of Note
         Remarks on parts that were not tested.
+    list of Note
+        Remarks on parts whose lines are those of impacts of no given part.
 
     Notes
     -----
@@ -65,18 +73,28 @@ def family_evidence(
        Signal Processing 25(2), 2011, 485-520.
     """
     if values.size < MIN_SAMPLES:
-        return [], [
-            Note(f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}")
-        ]
+        few = f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}"
+        return [], [Note(few)], []
+    share = -float(np.expm1(np.log1p(-false_alarm) / channels))
     merged = replace(parts, bearings=tuple(alike(parts.bearings)))
     try:
         found, notes = part_levels(
-            values, samples_per_turn, merged, tolerance=tolerance, slip=slip, false_alarm=false_alarm
+            values, samples_per_turn, merged, tolerance=tolerance, slip=slip, false_alarm=share
         )
     except SignalError as error:
-        return [], [Note(f"{channel}: {error}")]
-    tests = sum(len(part.families) for part in found)
-    return [_evidence(channel, part, tests, false_alarm) for part in found], [Note(text) for text in notes]
+        return [], [Note(f"{channel}: {error}")], []
+    tests = channels * sum(len(part.families) for part in found)
+    rows = [_evidence(channel, part, tests, false_alarm) for part in found]
+    foreign = [
+        Note(
+            f"{{}} in {channel}: the lines are those of {e.explained}; give all bearings, and a larger slip "
+            "if their load is low",
+            f"{e.shaft} of {e.gear}",
+        )
+        for e in rows
+        if UNKNOWN in e.explained
+    ]
+    return rows, [Note(text) for text in notes], foreign
 
 
 def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evidence:
@@ -94,8 +112,7 @@ def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evi
         kind="bearing",
         shaft=part.part,
         gear=part.bearing,
-        # levels of averaged lines are not exact
-        value=max(family.strength, limit) if part.named else family.strength,
+        value=family.strength,
         threshold=limit,
         probability=float(min(1.0, family.probability * tests)),
         order=family.order * family.scale,
@@ -106,4 +123,5 @@ def _evidence(channel: str, part: PartLevels, tests: int, allowed: float) -> Evi
         explained=explained,
         alike=tuple(sorted(alike)),
         detectors=part.by,
+        levels={name: (one.strength, LIMITS[name]) for name, one in part.families.items()},
     )

@@ -27,9 +27,9 @@ SIDEBANDS = 3
 SPREAD, STRONG = 4.0, 3.0
 """How far a single line may be below the limit of all lines if their mean is as far above it [dB]: impacts
 whose sharpness varies with the load have weak higher harmonics."""
-CLEARER = 1.0
-"""How much higher the level of a family is at least than that of its sidebands [dB]."""
 MIN_EVENTS = 16.0
+SUPPLY, MUCH = 0.01, 3.0
+"""Largest slip of a shaft behind the lines of its supply, and how much clearer its own lines are [dB]."""
 SEPARATE = 2.5
 """Distance of lines of the record from which they are separate with a Hann window."""
 MODULATION = {"outer ring": "shaft", "inner ring": "shaft", "rolling element": "cage"}
@@ -64,32 +64,47 @@ class BearingPart:
 
 @dataclass(frozen=True)
 class LevelLimits:
-    """Limits of the lines of a part.
+    """Limit of the lines of a part.
 
     Attributes
     ----------
-    line, weak
-        Probability in noise of a line at the limit of all lines, and at that of a single weak line [-].
-    mean
-        Minimum mean level with a weak line [dB].
+    level
+        Limit of the level of all lines [dB].
+    line
+        Probability in noise of a line at this level [-].
+    freedom
+        Half of the degrees of freedom of the median of the noise [-]; infinite if the noise is known.
     """
 
+    level: float
     line: float
-    weak: float
-    mean: float
+    freedom: float
 
     @classmethod
     def of_envelope(cls, level: float, background: int) -> LevelLimits:
-        """Limits in the spectrum of a squared envelope, for a level above a median of some lines [dB]."""
-        both = 10.0 ** (0.1 * np.array([level, level - SPREAD]))
-        line, weak = prominence_probability(both, background)
-        return cls(float(line), float(weak), level + STRONG)
+        """Limit in the spectrum of a squared envelope, for a level above a median of some lines [dB]."""
+        line = prominence_probability(10.0 ** (0.1 * level), background)
+        return cls(level, float(line), 0.5 * background * np.log(2.0) ** 2)
 
     @classmethod
     def of_probability(cls, level: float) -> LevelLimits:
-        """Limits for a level that states the probability of a line in noise of known level [dB]."""
-        line, weak = np.exp2(-(10.0 ** (0.1 * np.array([level, level - SPREAD]))))
-        return cls(float(line), float(weak), level + STRONG)
+        """Limit for a level that states the probability of a line in noise of known level [dB]."""
+        return cls(level, float(np.exp2(-(10.0 ** (0.1 * level)))), np.inf)
+
+    def levels(self, probability: Array) -> Array:
+        """Levels of single lines of given probabilities in noise [dB], shape (n,).
+
+        The inverse of `prominence_probability`.
+
+        Examples
+        --------
+        >>> limits = LevelLimits.of_envelope(15.0, 128)
+        >>> round(float(limits.levels(np.array([limits.line]))[0]), 9)
+        15.0
+        """
+        chance = -np.log(np.maximum(probability, 1e-300))
+        ratio = chance if np.isinf(self.freedom) else self.freedom * np.expm1(chance / self.freedom)
+        return np.asarray(10.0 * np.log10(np.maximum(ratio / np.log(2.0), 1e-3)))
 
 
 @dataclass(frozen=True)
@@ -108,6 +123,8 @@ class FaultFamily:
         Shape (n,). Harmonics of the part that are compared [-]: three, five of a cage.
     prominence
         Shape (n,). Levels of their lines above the local median [dB].
+    level
+        Shape (n,). The same of averaged lines: levels of single lines of equal probability in noise [dB].
     line_probability
         Shape (n,). Probability of each line in noise, by itself [-].
     average
@@ -132,6 +149,7 @@ class FaultFamily:
     scale: float
     harmonic: Places
     prominence: Array
+    level: Array
     line_probability: Array
     average: int
     probability: float
@@ -145,20 +163,9 @@ class FaultFamily:
         """Part and bearing."""
         return f"{self.part} of {self.bearing}" if self.bearing else self.part
 
-    @property
-    def level(self) -> Array:
-        """Levels of the lines [dB], shape (n,); of averaged lines those of equally probable single ones."""
-        if self.average == 1:
-            return self.prominence
-        likelihood = -np.log(np.maximum(self.line_probability, 1e-300)) / np.log(2.0)
-        return np.asarray(10.0 * np.log10(np.maximum(likelihood, 1e-3)))
-
     def is_clear(self, limits: LevelLimits, chance: float) -> bool:
-        """Whether all lines are prominent, or one is less so than the others, and not by chance."""
-        every = np.all(self.line_probability <= limits.line)
-        strong = np.all(self.line_probability <= limits.weak) and self.level.mean() >= limits.mean
-        most = strong and self.part != "cage"  # its impacts, if any, are not sharp
-        return bool(every or most) and self.probability <= chance
+        """Whether the lines reach the limit, and not by chance."""
+        return self.strength >= limits.level and self.probability <= chance
 
     @property
     def strength(self) -> float:
@@ -234,7 +241,7 @@ class FamilySearch:
         order = float(parts.shafts[0].order)
         if order * self.turns < MIN_EVENTS:
             return float("nan")
-        lines = self.family(BearingPart("", "shaft", order), (1.0 - tolerance, 1.0 + tolerance), 0.0)
+        lines = self._shaft_lines(BearingPart("", "shaft", order), tolerance)
         prominent = bool(np.all(lines.line_probability <= self.limits.line))
         if tolerance > 0.0 and not prominent:
             return float("nan")
@@ -245,6 +252,18 @@ class FamilySearch:
                 width = self._width(lines, multiples) if prominent else np.full(multiples.size, SEPARATE)
                 self._remove(multiples, width)
         return lines.scale
+
+    def _shaft_lines(self, shaft: BearingPart, tolerance: float) -> FaultFamily:
+        """Lines of the reference shaft within the tolerance; those nearby if they are much clearer.
+
+        A known speed may be that of the electric supply, behind which an induction motor slips; impacts are
+        modulated at the speed of the shaft.
+        """
+        lines = self.family(shaft, (1.0 - tolerance, 1.0 + tolerance), 0.0)
+        reach = max(tolerance, SUPPLY)
+        near = self.family(shaft, (1.0 - reach, 1.0 + reach), 0.0)
+        prominent = bool(np.all(near.line_probability <= self.limits.line))
+        return near if prominent and near.strength > lines.strength + MUCH else lines
 
     def family(self, part: BearingPart, span: tuple[float, float], slip: float) -> FaultFamily:
         """Most significant scale of a part, at the least average for which its lines are prominent."""
@@ -265,13 +284,15 @@ class FamilySearch:
         rows = np.flatnonzero(chosen[:, 0]) if chosen.sum() == needed else np.arange(needed)
         same = np.all(places == places[:, at : at + 1], axis=0)
         joint = float(each[rows, 0].max()) ** needed
+        levels = self._levels(m, places[rows, at])
         found = FaultFamily(
             bearing=part.bearing,
             part=part.name,
             order=part.order,
             scale=float(scales[same].mean()),
             harmonic=rows + 1,
-            prominence=self._levels(m, places[rows, at]),
+            prominence=levels,
+            level=levels if m == 1 else self.limits.levels(each[rows, 0]),
             line_probability=each[rows, 0],
             average=m,
             probability=float(-np.expm1(trials * np.log1p(-min(joint, 1.0 - 1e-16)))),
@@ -280,23 +301,10 @@ class FamilySearch:
         )
         return self._with_sidebands(found, slip) if part.spacing else found
 
-    def carrier(self, family: FaultFamily, shaft: float) -> FaultFamily | None:
-        """Clearer family of lines whose sidebands at the speed of a shaft are the lines of this one, if any.
-
-        Impacts of a part that is not given have lines k f and sidebands k f ± j n: those with j = k are at
-        multiples of f ± n, as those of a given part may be.
-        """
-        order = family.order * family.scale
-        near = 1.5 * self.step
-        found = []
-        for other in (order - shaft, order + shaft):
-            if other > shaft:
-                name = f"impacts at {other:.4g} per revolution, of no given part"
-                part = BearingPart("", name, other, shaft)
-                reach = near / (part.harmonics * other)
-                found.append(self.family(part, (1.0 - reach, 1.0 + reach), 0.0))
-        clearer = [one for one in found if one.strength > family.strength + CLEARER]
-        return max(clearer, key=lambda one: one.strength, default=None)
+    def at(self, order: float, spacing: float) -> FaultFamily:
+        """Lines of impacts of an order with sidebands at a spacing, of no given part."""
+        reach = 1.5 * self.step / (HARMONICS * order)
+        return self.family(BearingPart("", "impacts", order, spacing), (1.0 - reach, 1.0 + reach), 0.0)
 
     def explains(self, one: FaultFamily, other: FaultFamily) -> bool:
         """Whether one part can cause all lines of the other, but not vice versa."""

@@ -9,16 +9,23 @@ sidebands are not evidence for the others.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.family_lines import background, envelope_lines
+from pitchpoint.analysis.family_lines import FamilyLines, background, envelope_lines
 from pitchpoint.analysis.family_search import BearingPart, FamilySearch, FaultFamily, LevelLimits
+from pitchpoint.analysis.impact_orders import impact_order
 from pitchpoint.analysis.sampled import SignalError, as_signal, positive
 from pitchpoint.analysis.turning_parts import TurningParts
 from pitchpoint.core.errors import join_notes
+
+UNKNOWN = "no given part"
+"""Cause of impacts that are not those of a given bearing."""
+UNLOADED = 0.05
+"""Largest slip of a bearing whose load is too low for rolling."""
 
 
 @dataclass(frozen=True)
@@ -102,8 +109,8 @@ def fault_families(
     from its own by at most twice the slip. Parts that are harmonics of each other cannot be distinguished:
     both are named. A cage is not distinguished from a damaged rolling element, which modulates the signal at
     the speed of the cage. Lines of the shafts are removed if the speed is known or the first three of the
-    reference shaft are prominent. Valid for steady speed or signals over the angle, and at least 16 events of
-    a part.
+    reference shaft are prominent, which correct a known speed by at most 1 %. Valid for steady speed or
+    signals over the angle, and at least 16 events of a part.
 
     References
     ----------
@@ -130,12 +137,18 @@ def fault_families(
     turns = x.size / rate
     level = positive(prominence, "prominence")
     limits = LevelLimits.of_envelope(level, background(turns))
-    search = FamilySearch(envelope_lines(x, rate, parts, level), turns, limits)
-    return families_in(search, parts, tolerance, slip, false_alarm)
+    lines = envelope_lines(x, rate, parts, level)
+    search = FamilySearch(lines, turns, limits)
+    return families_in(search, parts, tolerance, slip, false_alarm, (lines,))
 
 
 def families_in(
-    search: FamilySearch, parts: TurningParts, tolerance: float, slip: float, false_alarm: float
+    search: FamilySearch,
+    parts: TurningParts,
+    tolerance: float,
+    slip: float,
+    false_alarm: float,
+    spectra: Sequence[FamilyLines],
 ) -> FaultFamilies:
     """Test all parts of all bearings jointly in given lines, as `fault_families` does.
 
@@ -147,6 +160,9 @@ def families_in(
         Shafts, the first one as reference, and bearings.
     tolerance, slip, false_alarm
         As in `fault_families` [-].
+    spectra
+        Lines of squared envelopes of the same signal, in which impacts of parts that are not given are
+        clearer than their sidebands.
 
     Raises
     ------
@@ -175,35 +191,48 @@ def families_in(
     span = (2.0 - within, within) if np.isnan(scale) else (scale * (1.0 - slip), scale * (1.0 + slip))
     first = trials = {part: search.family(part, span, slip) for part in tested}
     found: dict[BearingPart, FaultFamily] = {}
-    carriers: dict[BearingPart, str] = {}
+    others: dict[BearingPart, tuple[FaultFamily, str]] = {}
     turning = [] if np.isnan(scale) else [scale * float(shaft.order) for shaft in parts.shafts]
     while clear := {part: t for part, t in trials.items() if t.is_clear(search.limits, chance)}:
         own = [t for t in clear.values() if not any(search.explains(o, t) for o in clear.values())]
         best = min(own or clear.values(), key=lambda t: (t.line_probability.max(), -t.prominence.min()))
-        unknown = [one for shaft in turning if (one := search.carrier(best, shaft)) is not None]
-        if unknown:
-            carriers |= {part: unknown[0].part for part, t in clear.items() if t is best}
-            search.remove(unknown[0])
-            trials = {part: search.family(part, span, slip) for part in tested if part not in found}
-            if any(trials[part].is_clear(search.limits, chance) for part in carriers if part in trials):
-                break
+        impacts = impact_order(best.order * best.scale, best.part, spectra, turning) if turning else None
+        if impacts is not None:
+            (part,) = (part for part, t in clear.items() if t is best)
+            whose = _of_order(impacts[0], parts, scale, slip)
+            others[part] = best, f"impacts at {impacts[0]:.4g} per revolution, of {whose}"
+            if whose.startswith(UNKNOWN):
+                search.remove(search.at(*impacts))
+            trials = {p: search.family(p, span, slip) for p in tested if p not in found and p not in others}
             continue
         alike = {part: t for part, t in clear.items() if t is best or search.alike(best, t)}
         for part, t in alike.items():
-            others = tuple(o.name for o in alike.values() if o is not t)
-            found[part] = replace(t, named=True, same_lines=others)
+            same = tuple(o.name for o in alike.values() if o is not t)
+            found[part] = replace(t, named=True, same_lines=same)
             search.remove(t)
         span = (max(span[0], best.scale * (1.0 - 2.0 * slip)), min(span[1], best.scale * (1.0 + 2.0 * slip)))
-        trials = {part: search.family(part, span, slip) for part in tested if part not in found}
-    rest = []
+        trials = {p: search.family(p, span, slip) for p in tested if p not in found and p not in others}
+    rest = [replace(t, same_lines=(cause,)) for t, cause in others.values()]
     for part, t in trials.items():
         if part.name == "rolling element":
             # a damaged one modulates at the speed of its cage, and random slip may hide its own lines
             for cage in [p for p in found if (p.bearing, p.name) == (part.bearing, "cage")]:
                 found[cage] = replace(found[cage], same_lines=(*found[cage].same_lines, t.name))
         seemed = first[part].is_clear(search.limits, chance)
-        same = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
-        same += [carriers[part]] if part in carriers else []
-        rest.append(replace(t, same_lines=tuple(same)))
+        explained = [f.name for f in found.values() if seemed and search.explains(f, first[part])]
+        rest.append(replace(t, same_lines=tuple(explained)))
     rest.sort(key=lambda t: t.probability)
     return FaultFamilies((*found.values(), *rest), scale, search.step, tuple(notes))
+
+
+def _of_order(order: float, parts: TurningParts, scale: float, slip: float) -> str:
+    """Given parts that have impacts of an order, in words; if none has, the next one that may slip so far."""
+    apart = {
+        f"{part} of {bearing.name}": order / (nominal * scale) - 1.0
+        for bearing in parts.bearings
+        for part, nominal in bearing.orders.items()
+    }
+    if whose := [name for name, share in apart.items() if abs(share) <= slip]:
+        return " or ".join(whose)
+    name, share = min(apart.items(), key=lambda one: abs(one[1]))
+    return f"{UNKNOWN} ({name}: {100.0 * share:+.1f} %)" if abs(share) <= UNLOADED else UNKNOWN

@@ -68,6 +68,8 @@ class Evidence:
         Parts of bearings with the same lines, which this record does not distinguish.
     detectors
         Detector of the value of a bearing part, then others that name the part; empty for other tests.
+    levels
+        Values and limits of a bearing part in all detectors, by detector [dB]; empty for other tests.
     """
 
     channel: str
@@ -85,6 +87,7 @@ class Evidence:
     explained: str = ""
     alike: tuple[str, ...] = ()
     detectors: tuple[str, ...] = ()
+    levels: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -182,7 +182,7 @@ def spectral_coherence(
     for start in starts:
         power = _add_segment(square, x[start : start + size] - x.mean(), lags, frames)
         density += power / (starts.size * rate)
-    gain, variance, related = lags.noise(cyclic / rate)
+    gain, variance, related = lags.noise(cyclic.size, frames)
     square /= starts.size * gain[:, None] ** 2
     coherence = np.sqrt(square, out=square)
     sigma = np.sqrt(variance / frames)
@@ -226,17 +226,17 @@ class _Lags:
         total: Lines = self.window * np.exp(1j * np.arange(self.lines + 1)[:, None] * angle).sum(axis=0)
         return total
 
-    def noise(self, cyclic: Array) -> tuple[Array, Array, Array]:
+    def noise(self, count: int, frames: int) -> tuple[Array, Array, Array]:
         """Gain, variance for noise times number of frames, and squared correlation of carriers.
 
-        `cyclic` are frequencies over the sample rate, shape (n,); the correlation is that of carriers one
-        line apart and further.
+        Shape (count,): at the first cyclic frequencies, which are 1/(hop frames) of the sample rate apart;
+        the correlation is that of carriers one line apart and further.
         """
         w, v = self.window, self.summed
         n, power = w.size, float(np.sum(w**2))
         middle = np.arange(n) - n // 2
         shifts = np.arange(0, n, self.hop)
-        gain = _transform(w * v, -middle, cyclic) / power
+        gain = _transform(w * v, -middle, count, self.hop * frames) / power
         products = np.empty((CORRELATED, 2 * shifts.size - 1), np.complex128)
         steps = np.concatenate([-shifts[:0:-1], shifts])
         for j in range(CORRELATED):
@@ -246,19 +246,17 @@ class _Lags:
                 one = np.sum(w[late] * w[early] * turn[early])
                 two = np.sum(v[late].conj() * v[early] * turn[early].conj())
                 products[j, k] = one * two / power**2
-        sums = [_transform(row, steps, cyclic) for row in products]
+        sums = [_transform(row, steps // self.hop, count, frames) for row in products]
         variance = np.maximum(sums[0].real, 1e-30)
         related = [float(np.mean(np.abs(one / variance) ** 2)) for one in sums[1:]]
         return np.abs(gain), variance / np.abs(gain) ** 2, np.array(related)
 
 
-def _transform(values: Lines, at: NDArray[np.int64], frequency: Array) -> Lines:
-    """Sums of values times exp(2πi at·frequency), shape of `frequency`."""
-    found = np.empty(frequency.size, np.complex128)
-    for first in range(0, frequency.size, AT_ONCE):
-        part = slice(first, first + AT_ONCE)
-        found[part] = np.exp(2j * np.pi * frequency[part, None] * at) @ values
-    return found
+def _transform(values: Lines, at: NDArray[np.int64], count: int, period: int) -> Lines:
+    """Sums of values times exp(2πi at·k/period), k = 1 ... count: a Fourier transform, shape (count,)."""
+    turned = np.zeros(period, np.complex128)
+    np.add.at(turned, at % period, values)
+    return np.fft.ifft(turned, norm="forward")[1 : count + 1]
 
 
 def _fast_length(count: int) -> int:

@@ -164,7 +164,7 @@ def _without_mains(x: Array, rate: float) -> Array:
     """Signal without the lines of the mains, which do not follow the speed of a shaft."""
     lines = np.fft.rfft(x)
     resolution = rate / x.size
-    lines[at_mains(np.arange(lines.size) * resolution, resolution)] = 0.0
+    lines[at_mains(resolution * np.arange(lines.size, dtype=np.float64), resolution)] = 0.0
     return np.asarray(np.fft.irfft(lines, x.size))
 
 

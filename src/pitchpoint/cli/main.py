@@ -48,6 +48,7 @@ COMMANDS = {
     "diagnose": "Detect damaged gears, shafts and bearings in a record.",
     "view": "3-D scene of a model or result in one HTML file.",
     "report": "Report of a model and its results in one HTML file.",
+    "export": "A model as an FMU (FMI 2.0, 3.0) for other programs.",
     "examples": "List or copy the examples.",
     "schema": "JSON schema of model files, for editors.",
     "warmup": "Compile all kernels in advance.",

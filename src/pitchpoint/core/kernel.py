@@ -154,6 +154,12 @@ def address(entry: Any) -> int:
         return _addresses[entry]
 
 
+def known_addresses() -> dict[int, Any]:
+    """Entry points with an address in this process, by address."""
+    with _lock:
+        return {where: entry for entry, where in _addresses.items()}
+
+
 def label(entry: Any) -> str:
     """Name of an entry point for another process, as module:function."""
     return f"{entry.__module__}:{entry.__name__}"

@@ -13,6 +13,7 @@ import os
 import re
 import shutil
 import threading
+import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -141,6 +142,17 @@ INDEX_HEAD = "case,file,status,status_code,sentence"
 """First columns of the table of the cases of a data set."""
 
 
+def _is_fmu(path: Path, head: bytes) -> bool:
+    """Whether a file is an archive whose model description names this program."""
+    if not head.startswith(b"PK"):
+        return False
+    try:
+        with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
+            return b'generationTool="pitchpoint"' in file.read(HEAD)
+    except (OSError, KeyError, zipfile.BadZipFile, RuntimeError):
+        return False
+
+
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
     "contact": ("a readable contact table of pitchpoint (HDF5)", _is_contact_table),
@@ -161,6 +173,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
+    "fmu": ("an FMU of pitchpoint", _is_fmu),
     "turbsim": ("a wind file of pitchpoint (TurbSim)", lambda _, head: head[70:].startswith(TURBSIM_MARK)),
 }
 """Description and identification function of each kind of file, by name."""

@@ -21,6 +21,7 @@ from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
 from pitchpoint.solvers.divergence import FAILURES, fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
+from pitchpoint.solvers.fixed_steps import start_fixed_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sample_notes import sample_notes
@@ -166,28 +167,23 @@ class _Loop:
 
             self.run_ = KinematicRun(self.system, start.state, self.h)
             return
-        if scenario.method != "generalized_alpha":
-            from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
-        if self.adaptive:
-            # absolute tolerances scale with rtol; otherwise they would limit the accuracy
-            rtol = scenario.tolerance
-            self.run_ = runge_kutta.start_adaptive(
-                self.system,
-                start.state,
-                rtol=rtol,
-                atol=1e-4 * rtol,
-                atol_rate=rtol,
-                largest_step=largest_step(start, scenario),
-            )
-            self.run_.watch(self.watch.ends)
-        elif scenario.method in EXPLICIT_METHODS:
-            several = scenario.method == "adams"
-            begin = runge_kutta.start_adams if several else runge_kutta.start_classical
-            self.run_ = begin(self.system, start.state, self.h)
-            self.more = {"picked": self.channels}
-        else:
-            form = scenario.chosen_form
-            self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
+        if not self.adaptive:
+            self.run_ = start_fixed_steps(self.system, start.state, scenario, self.h)
+            self.more = {"picked": self.channels} if scenario.method in EXPLICIT_METHODS else {}
+            return
+        from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
+
+        # absolute tolerances scale with rtol; otherwise they would limit the accuracy
+        rtol = scenario.tolerance
+        self.run_ = runge_kutta.start_adaptive(
+            self.system,
+            start.state,
+            rtol=rtol,
+            atol=1e-4 * rtol,
+            atol_rate=rtol,
+            largest_step=largest_step(start, scenario),
+        )
+        self.run_.watch(self.watch.ends)
 
     def _stiff(self) -> Any:
         """Start a run of a BDF method."""

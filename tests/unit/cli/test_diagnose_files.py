@@ -280,7 +280,8 @@ def test_one_file_for_each_channel_with_the_speed_in_it(
     found = json_of(["diagnose", paths[0], *TRAIN, "--speed", "2=3.3684Hz"], capsys)
     assert "--speed 2=3.3684Hz" in str(found["origin"]) and not any("no shaft" in t for t in found["remarks"])
     said = told([paths[0], *TRAIN, "--speed", "620rpm"], capsys)
-    assert "speed: 600 rpm in the file (Shaft_RPM) is the speed of no shaft; it is not used" in said
+    assert "speed: the file states 600 rpm (Shaft_RPM), the speed of no shaft; by --speed " in said
+    assert "rotates at 620 rpm, 3.2 % faster; --speed is used, omit it if the file is right" in said
     listed = json_of(["analyse", *paths], capsys)
     assert list(listed["channels"]) == ["ch0", "ch1"] and listed["samples"] == acc.size - 5
 

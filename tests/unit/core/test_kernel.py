@@ -209,6 +209,8 @@ def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_
     words = [sys.executable, "-c", textwrap.dedent(START), command[0], "model.yaml", *command[1:]]
     for _ in range(2):  # the first fills the cache, if it has to
         done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+        if done.stdout.split() == ["0"]:
+            break
     assert done.stdout.split() == ["0"], done.stdout + done.stderr
 
 

@@ -15,12 +15,15 @@ import xarray as xr
 
 from pitchpoint.analysis.dataset import analyse
 from pitchpoint.contact.potential_fit import PotentialTable
+from pitchpoint.core.compiler.memory_image import MemoryImage
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.io.analysis_table import table_text
 from pitchpoint.io.contact_table import write_contact_table
 from pitchpoint.io.container import Container, Header
 from pitchpoint.io.dataset_store import DatasetFolder
+from pitchpoint.io.fmu.model import FmuModel
+from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.rexs.exporting.exporting import export_rexs
@@ -84,6 +87,11 @@ def own_file(kind: str, path: Path) -> Path:
         path.write_text(table.csv_text(), encoding="utf-8")
     elif kind == "schema":
         path.write_text(json.dumps(json_schema(), indent=2), encoding="utf-8")
+    elif kind == "fmu":
+        start = {"t0": 0.0, "h": 1e-3, "rate": 0.0}
+        image = MemoryImage(bytes(8), {}, (), (), ())
+        model = FmuModel("a", "a", image, (), (), {"exchange": 0}, start, (), (), 1.0, 0.1)
+        path.write_bytes(fmu_bytes(model, 3, [])[0])
     elif kind == "turbsim":
         calm = np.ones((2, 1, 1, 3), np.float32)
         numbers = {"time_step": 1.0, "spacing": (1.0, 1.0), "bottom": 9.0, "hub_height": 9.0}

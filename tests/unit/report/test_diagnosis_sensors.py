@@ -8,9 +8,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Bearing, Mesh, Shaft, TurningParts, train_parts
 from pitchpoint.report.diagnosis.channels import MOST, Places, every_quantity, given_places, preferred
+from pitchpoint.report.diagnosis.levels import levels_of, nearest_sensor
 from pitchpoint.report.diagnosis.over_angle import OverAngle
 from pitchpoint.report.diagnosis.study import Study, study
 
@@ -47,6 +50,57 @@ def test_the_nearest_sensor_is_that_with_the_highest_level() -> None:
     assert words.endswith("below the limit in far")
     (row,) = found.as_data()["findings"]
     assert row["nearest_sensor"] == words and row["levels"][0]["channel"] == "acc_left"
+
+
+def test_channels_are_compared_in_the_same_detector() -> None:
+    """Levels of different detectors are not comparable: 9 dB above 15 dB in one, 3 dB above 27 dB in another.
+
+    By the one that names the part in both, "b" is 4 dB clearer.
+    """
+    levels = {
+        "a": {"one": (24.0, 15.0), "two": (20.0, 27.0)},
+        "b": {"one": (28.0, 15.0), "two": (30.0, 27.0)},
+    }
+    by = {"a": "one", "b": "two"}
+    rows = tuple(
+        Evidence(
+            channel=name,
+            kind="bearing",
+            shaft="outer ring",
+            gear="left",
+            value=mine[by[name]][0],
+            threshold=mine[by[name]][1],
+            probability=1e-9,
+            order=3.58,
+            amplitude=0.0,
+            sideband=0,
+            found=True,
+            detectors=(by[name],),
+            levels=mine,
+        )
+        for name, mine in levels.items()
+    )
+    finding = Finding("bearing", "outer ring", ("left",), "a", 1e-9)
+    parts = TurningParts(ONE_SHAFT, (), (Bearing("left", ORDERS, "rotor"),))
+    known = Diagnosis((finding,), (), rows, {}, (), (), {"rotor": 300.0}, 2, 0.01)
+    found = levels_of(finding, known, parts, 300.0)
+    assert [(row.channel, row.value, row.limit) for row in found] == [("b", 28.0, 15.0), ("a", 24.0, 15.0)]
+    words = nearest_sensor(finding, found, Places(parts))
+    assert words == "nearest of the given sensors: b (by 4 dB); 9 dB above the limit in a"
+
+
+def test_the_probability_in_noise_is_that_of_all_channels() -> None:
+    """Each part is tested as often as there are channels (Bonferroni)."""
+    bearings = (Bearing("left", ORDERS, "rotor"),)
+    channels = {"a": _channel(30.0, 2), "b": _channel(0.0, 3), "c": _channel(0.0, 4)}
+    alone, all_three = (
+        {(e.channel, e.shaft): e.probability for e in _study(some, bearings).diagnosis.evidence}
+        for some in ({"a": channels["a"]}, channels)
+    )
+    compared = {key: p for key, p in alone.items() if 0.0 < p < 0.3}
+    assert compared
+    for key, chance in compared.items():
+        assert all_three[key] == pytest.approx(3.0 * chance)
 
 
 def test_bearings_with_similar_lines_are_named_by_the_nearest_sensor() -> None:

@@ -223,8 +223,22 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
     file = code_file(function)
     if file is None:
         return
-    body = " ".join(needs).encode() + b"\n" + code
-    data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
+    store(function, file, _HEAD, " ".join(needs).encode() + b"\n" + code)
+
+
+def store(function: Any, file: Path, head: bytes, body: bytes) -> None:
+    """Store a file of the cache; files of older sources of the function are removed.
+
+    Parameters
+    ----------
+    function
+        Python function of the entry point.
+    file
+        `code_file`, or the same name with another ending.
+    head, body
+        First line and contents, see `contents`.
+    """
+    data = b"\n".join([head, hashlib.sha256(body).hexdigest().encode(), body])
     with contextlib.suppress(OSError):  # a cache that is not writable only costs time
         make_folder(file.parent)
         with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
@@ -232,11 +246,28 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
             whole.write_bytes(data)
             whole.chmod(0o600)
             whole.replace(file)  # atomic, for concurrent readers
-        stamp = file.name.rpartition("-")[2]
-        for other in file.parent.glob(f"{_family(function)}-*.code"):
-            if other.name.rpartition("-")[2] != stamp:  # one source may have two functions of the same name
+        stamp = file.stem.rpartition("-")[2]
+        for other in file.parent.glob(f"{_family(function)}-*{file.suffix}"):
+            if other.stem.rpartition("-")[2] != stamp:  # one source may have two functions of the same name
                 other.unlink(missing_ok=True)
         clear_drafts()
+
+
+def contents(file: Path, head: bytes) -> bytes | None:
+    """Contents of a file of the cache; None without a valid file.
+
+    Parameters
+    ----------
+    file
+        The file.
+    head
+        Its first line.
+    """
+    try:
+        found, digest, body = own_bytes(file).split(b"\n", 2)
+    except (OSError, ValueError):
+        return None
+    return body if found == head and hashlib.sha256(body).hexdigest().encode() == digest else None
 
 
 def clear_drafts(process: int | None = None) -> None:
@@ -256,11 +287,8 @@ def clear_drafts(process: int | None = None) -> None:
 def _read(function: Any) -> tuple[list[str], bytes] | None:
     """External symbols and code of an entry point; None without a valid file."""
     file = code_file(function)
-    try:
-        head, digest, body = own_bytes(file).split(b"\n", 2) if file else (b"", b"", b"")
-    except (OSError, ValueError):
-        return None
-    if head != _HEAD or hashlib.sha256(body).hexdigest().encode() != digest:
+    body = contents(file, _HEAD) if file else None
+    if body is None:
         return None
     needs, _, code = body.partition(b"\n")
     return needs.decode().split(), code

@@ -88,8 +88,31 @@ def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     name
         Symbol of the C function.
     """
+    library = open_library(source, name, KernelCompiler)
+    library._optimize_final_module = _thorough(library)
+    library.enable_object_caching()
+    library.get_pointer_to_function(name)
+    _, _, (code, bitcode) = library.serialize_using_object_code()
+    final = binding.parse_bitcode(bitcode)
+    needs = machine_code.declared(final)
+    unfit = raises(final) or machine_code.is_foreign(needs) or library.has_dynamic_globals
+    return (b"", []) if unfit else (code, needs)
+
+
+def open_library(source: Any, name: str, compiler_class: Any) -> Any:
+    """Library of a compiled entry point with its C function, neither optimised nor translated.
+
+    Parameters
+    ----------
+    source
+        Python function of the entry point.
+    name
+        Symbol of the C function.
+    compiler_class
+        Pipeline of the compiler.
+    """
     options = {**_BARE, **FLAGS}
-    compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=KernelCompiler)._compiler
+    compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=compiler_class)._compiler
     customize = compiler._customize_flags
 
     def unfinished(flags: Any) -> Any:
@@ -100,19 +123,11 @@ def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
 
     compiler._customize_flags = unfinished
     compiled = compiler.compile(ENTRY.args, ENTRY.return_type)
-    library, described = compiled.library, compiled.fndesc
-    library.add_ir_module(_c_function(name, described))
-    library._optimize_final_module = _thorough(library)
-    library.enable_object_caching()
-    library.get_pointer_to_function(name)
-    _, _, (code, bitcode) = library.serialize_using_object_code()
-    final = binding.parse_bitcode(bitcode)
-    needs = machine_code.declared(final)
-    unfit = _raises(final) or machine_code.is_foreign(needs) or library.has_dynamic_globals
-    return (b"", []) if unfit else (code, needs)
+    compiled.library.add_ir_module(_c_function(name, compiled.fndesc))
+    return compiled.library
 
 
-def _raises(module: Any) -> bool:
+def raises(module: Any) -> bool:
     """Whether a module contains exceptions."""
     return any(".picklebuf" in g.name for g in module.global_variables)
 
@@ -124,7 +139,7 @@ def _thorough(library: Any) -> Callable[[], None]:
     def optimise_twice() -> None:
         """Optimise, and again if exceptions remain."""
         optimise()
-        if _raises(library._final_module):
+        if raises(library._final_module):
             optimise()
 
     return optimise_twice

@@ -20,7 +20,7 @@ EXAMPLES = (
     "left:8,7.94 mm,33.5 mm,0 deg@2 (elements, diameter, pitch diameter, contact angle), left:6205@2, or "
     "left:BPFO=3.58,BPFI=5.42,BSF=2.36,FTF=0.398@2"
 )
-_OPTION = re.compile(r"([^:@]+):([^@]+)(?:@(.+))?")
+_OPTION = re.compile(r"(?:([^:@]+):)?([^:@][^@]*)(?:@(.+))?")
 _FAULTS = {
     "BPFO": ("outer ring", 1.0),
     "BPFI": ("inner ring", 1.0),
@@ -63,15 +63,18 @@ def given_bearing(text: str, parts: TurningParts, names: Mapping[str, str]) -> G
 def read_bearing(text: str) -> tuple[str, dict[str, float], str, str]:
     """Name, events per revolution of its shaft by part, source of these, and shaft of a bearing option.
 
+    A designation without a name is the name as well.
+
     Raises
     ------
     SignalError
         If the option cannot be read, or the bearing is unknown or impossible.
     """
     match = _OPTION.fullmatch(text.strip())
-    if match is None:
+    if match is None or (match[1] is None and {",", "="} & set(match[2])):
         raise SignalError(f"--bearing: {text!r} is not NAME:BEARING@SHAFT; write it as in {EXAMPLES}")
-    name, what, at = match[1].strip(), match[2].strip(), (match[3] or "").strip()
+    what, at = match[2].strip(), (match[3] or "").strip()
+    name = (match[1] or what).strip()
     if "=" in what:
         return name, _of_orders(text, what), "fault orders of --bearing", at
     if "," in what:

@@ -95,9 +95,10 @@ def _candidates(finding: Finding) -> set[str]:
 def levels_of(
     finding: Finding, diagnosis: Diagnosis, parts: TurningParts, turns: float
 ) -> tuple[ChannelLevel, ...]:
-    """Levels of a finding in all channels, the highest first; that of the finding is the first one.
+    """Levels of a finding in all channels, the highest first.
 
-    A channel in which the test of the part has other lines than the finding does not show the fault.
+    The levels of a part of a bearing are those of one detector, that of the finding. A channel in which the
+    test of the part has other lines than the finding does not show the fault.
 
     Parameters
     ----------
@@ -116,15 +117,14 @@ def levels_of(
         return ()
     best = min(first, key=lambda e: (_KINDS.get(e.kind, 2), e.probability, e.threshold - e.value))
     mine = [e for e in mine if (e.kind, e.gear) == (best.kind, best.gear)]
-    order = fundamental(best, parts)
+    order, detector = fundamental(best, parts), next(iter(best.detectors), "")
     same = [e for e in mine if e.kind != "bearing" or same_lines(fundamental(e, parts), order, turns)]
-    rows = [
-        ChannelLevel(e.channel, e.value, e.threshold, unit_of(e.kind), e.found and e in same)
-        for e in mine
-        if e.channel != best.channel
-    ]
+    rows = []
+    for e in (best, *(e for e in mine if e.channel != best.channel)):
+        value, limit = e.levels.get(detector, (e.value, e.threshold))
+        rows.append(ChannelLevel(e.channel, value, limit, unit_of(e.kind), e.found and e in same))
     rows.sort(key=lambda row: (not row.visible, row.limit - row.value))
-    return (ChannelLevel(best.channel, best.value, best.threshold, unit_of(best.kind), True), *rows)
+    return tuple(rows)
 
 
 def _is_of(e: Evidence, finding: Finding) -> bool:
@@ -156,7 +156,10 @@ def nearest_sensor(finding: Finding, rows: Sequence[ChannelLevel], places: Place
     if apart >= 0.5:
         at += f" (by {'' if seen else 'more than '}{apart:.0f} {best.unit})"
     listed = [
-        f"{row.value - row.limit:.0f} {row.unit} above the limit in {row.channel}" for row in seen[:LISTED]
+        f"{row.value - row.limit:.0f} {row.unit} above the limit in {row.channel}"
+        if row.value >= row.limit
+        else f"visible to another detector in {row.channel}"
+        for row in seen[:LISTED]
     ]
     listed += [f"less in {len(seen) - LISTED} more"] * (len(seen) > LISTED)
     hidden = [row.channel for row in others if not row.visible]

@@ -296,7 +296,8 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
             f"one event per turn ({_rate(e.order, frequency)}) with lines up to {top}, {e.value:.1f} "
             f"standard deviations above the noise next to them (limit {e.threshold:.1f})"
         )
-    line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
+    twice = " (2 BSF)" * (e.kind == "bearing" and e.shaft == "rolling element")
+    line = f"a line at {_rate(e.order, frequency)}{twice}, {e.value:.0f} dB above its surroundings"
     limit = f"(limit {e.threshold:.0f} dB)"
     if e.kind == "sidebands":
         return f"{line} {limit}, sideband {_signed(e.sideband)} of the mesh of {e.gear}"

@@ -93,13 +93,17 @@ class ExplicitRun:
             events=events,
             picked=picked,
         )
-        order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n, self.method)], ORDER)
+        order = self.order(n)
         asked = picked if statistics is None else None
         with heard(self.system.workspace, self.system.records, asked):
             done = advance_into(entry, self.system.workspace.at, order, recorder)
         self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
         return self._checked(done)
+
+    def order(self, n: int) -> NDArray[np.void]:
+        """Arguments of the compiled loop for n fixed steps, shape (1,)."""
+        return np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n, self.method)], ORDER)
 
     def change_step(self, h: float) -> None:
         """Change the step from the present time on."""

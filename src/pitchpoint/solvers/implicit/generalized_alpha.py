@@ -161,14 +161,18 @@ class Run:
         recorder = new_recorder(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
+        done = advance_into(entry, self.system.workspace.at, self.order(n), recorder)
+        self.steps += done.steps
+        return done
+
+    def order(self, n: int) -> NDArray[np.void]:
+        """Arguments of the compiled loop for n steps, shape (1,)."""
         order = np.array([(self.t0, self.h, self.rho_inf, self.left(), self.steps, n, 0, 0)], ORDER)
         if self.iteration is not None:
             per_q = self.iteration[1][0]
             per_q[:] = 1.0 / np.maximum(self.left() / self.system.workspace.arrays["weight"], ROUND_OFF)
             order[0]["iteration"], order[0]["code"] = self.iteration[0].ctypes.data, address(iterate)
-        done = advance_into(entry, self.system.workspace.at, order, recorder)
-        self.steps += done.steps
-        return done
+        return order
 
     def left(self) -> float:
         """Newton tolerance at the present step, weighted as a length [m]."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""FMI functions: C sources, their translation to LLVM text, and the program that makes it."""

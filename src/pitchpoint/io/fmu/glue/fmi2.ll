@@ -1,0 +1,2757 @@
+; 7a2d660b3951ee29059c9ecac201ed9f533b0d45894f21308d3cd81eb3a7de98
+
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Variable = type { i64, i64, i64, double }
+%struct.Place = type { i64, double, double }
+%struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
+%struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
+%struct.Clock = type { double, double, i64, i64, i64, i64 }
+%struct.Recorder = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64 }
+
+@.str = private unnamed_addr constant [8 x i8] c"default\00", align 1
+@.str.1 = private unnamed_addr constant [4 x i8] c"2.0\00", align 1
+@.str.2 = private unnamed_addr constant [43 x i8] c"the model has no variables of type Integer\00", align 1
+@.str.3 = private unnamed_addr constant [43 x i8] c"the model has no variables of type Boolean\00", align 1
+@.str.4 = private unnamed_addr constant [42 x i8] c"the model has no variables of type String\00", align 1
+@.str.5 = private unnamed_addr constant [49 x i8] c"inputs are constant between communication points\00", align 1
+@.str.6 = private unnamed_addr constant [41 x i8] c"derivatives of outputs are not available\00", align 1
+@.str.7 = private unnamed_addr constant [23 x i8] c"no step is in progress\00", align 1
+@pp_token = external local_unnamed_addr constant [0 x i8], align 1
+@.str.8 = private unnamed_addr constant [68 x i8] c"the identifier in the model description is not that of this library\00", align 1
+@.str.9 = private unnamed_addr constant [61 x i8] c"this library needs a processor with AVX2 and FMA (x86-64-v3)\00", align 1
+@pp_numbers = external local_unnamed_addr constant %struct.Numbers, align 8
+@.str.10 = private unnamed_addr constant [46 x i8] c"this model is exported for co-simulation only\00", align 1
+@.str.11 = private unnamed_addr constant [26 x i8] c"no memory for an instance\00", align 1
+@.str.13 = private unnamed_addr constant [15 x i8] c"logStatusError\00", align 1
+@.str.14 = private unnamed_addr constant [3 x i8] c"%s\00", align 1
+@.str.15 = private unnamed_addr constant [29 x i8] c"the start time is not finite\00", align 1
+@.str.16 = private unnamed_addr constant [95 x i8] c"the start time must be that of the model description: drives prescribe positions over the time\00", align 1
+@.str.17 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
+@.str.18 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
+@pp_entries = external local_unnamed_addr constant [0 x ptr], align 8
+@pp_n_sentences = external local_unnamed_addr constant i64, align 8
+@.str.19 = private unnamed_addr constant [3 x i8] c": \00", align 1
+@pp_sentences = external local_unnamed_addr constant [0 x ptr], align 8
+@.str.20 = private unnamed_addr constant [3 x i8] c"; \00", align 1
+@pp_image = external constant [0 x i64], align 8
+@pp_variables = external local_unnamed_addr constant [0 x %struct.Variable], align 8
+@pp_code = external local_unnamed_addr constant [0 x i32], align 4
+@pp_moved = external local_unnamed_addr constant [0 x i32], align 4
+@.str.21 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
+@pp_indicators = external local_unnamed_addr constant [0 x i32], align 4
+@.str.22 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
+@.str.23 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
+@pp_places = external constant [0 x %struct.Place], align 8
+@.str.24 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.25 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.26 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.27 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.28 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.29 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.30 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.31 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.32 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.33 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.34 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.35 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.36 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.37 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.38 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.39 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.40 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.41 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.42 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.43 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.44 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.45 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.46 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+
+define ptr @fmi2GetTypesPlatform() local_unnamed_addr #0 {
+  ret ptr @.str
+}
+
+define ptr @fmi2GetVersion() local_unnamed_addr #0 {
+  ret ptr @.str.1
+}
+
+define i32 @fmi2SetDebugLogging(ptr readnone %0, i32 %1, i64 %2, ptr readnone %3) local_unnamed_addr #0 {
+  ret i32 0
+}
+
+define ptr @fmi2Instantiate(ptr %0, i32 %1, ptr %2, ptr readnone %3, ptr %4, i32 %5, i32 %6) local_unnamed_addr #1 {
+  %8 = icmp eq ptr %4, null
+  br i1 %8, label %13, label %9
+
+9:
+  %10 = icmp eq i32 %1, 0
+  %11 = zext i1 %10 to i32
+  %12 = tail call fastcc ptr @create(ptr %0, ptr %2, ptr %4, i32 %11) #15
+  br label %13
+
+13:
+  %14 = phi ptr [ %12, %9 ], [ null, %7 ]
+  ret ptr %14
+}
+
+define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr #1 {
+  %5 = alloca %struct.Instance, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %5, ptr align 8 dereferenceable(40) %2, i64 40, i1 false)
+  %6 = getelementptr inbounds i8, ptr %5, i64 40
+  store ptr %0, ptr %6, align 8
+  %7 = icmp eq ptr %1, null
+  br i1 %7, label %21, label %8
+
+8:
+  %9 = tail call fastcc i32 @same(ptr %1) #15
+  %10 = icmp eq i32 %9, 0
+  br i1 %10, label %21, label %11
+
+11:
+  %12 = tail call i32 @pp_processor() #17
+  %13 = icmp eq i32 %12, 0
+  br i1 %13, label %21, label %14
+
+14:
+  %15 = icmp ne i32 %3, 0
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %17 = icmp eq i64 %16, 0
+  %18 = select i1 %15, i1 %17, i1 false
+  br i1 %18, label %21, label %19
+
+19:
+  %20 = icmp eq ptr %0, null
+  br i1 %20, label %29, label %23
+
+21:
+  %22 = phi ptr [ @.str.8, %4 ], [ @.str.9, %11 ], [ @.str.8, %8 ], [ @.str.10, %14 ]
+  call fastcc void @say(ptr %5, ptr %22) #15
+  br label %100
+
+23:
+  %24 = phi i64 [ %28, %23 ], [ 0, %19 ]
+  %25 = getelementptr inbounds i8, ptr %0, i64 %24
+  %26 = load i8, ptr %25, align 1
+  %27 = icmp eq i8 %26, 0
+  %28 = add i64 %24, 1
+  br i1 %27, label %29, label %23
+
+29:
+  %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
+  %31 = tail call fastcc i64 @numbers_of_state() #15
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %33 = add nsw i64 %32, %31
+  %34 = shl i64 %33, 3
+  %35 = load i64, ptr @pp_numbers, align 8
+  %36 = add i64 %30, 649
+  %37 = add i64 %36, %35
+  %38 = add i64 %37, %34
+  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #15
+  %40 = icmp eq ptr %39, null
+  br i1 %40, label %41, label %42
+
+41:
+  call fastcc void @say(ptr %5, ptr @.str.11) #15
+  br label %100
+
+42:
+  tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %39, ptr align 8 dereferenceable(40) %2, i64 40, i1 false)
+  %43 = getelementptr inbounds i8, ptr %39, i64 640
+  %44 = getelementptr inbounds i8, ptr %39, i64 120
+  store ptr %43, ptr %44, align 8
+  %45 = getelementptr inbounds i8, ptr %43, i64 %35
+  %46 = getelementptr inbounds i8, ptr %39, i64 96
+  store ptr %45, ptr %46, align 8
+  %47 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %48 = getelementptr inbounds double, ptr %45, i64 %47
+  %49 = getelementptr inbounds i8, ptr %39, i64 104
+  store ptr %48, ptr %49, align 8
+  %50 = getelementptr inbounds double, ptr %48, i64 %32
+  %51 = getelementptr inbounds i8, ptr %39, i64 112
+  store ptr %50, ptr %51, align 8
+  %52 = getelementptr inbounds double, ptr %50, i64 %32
+  %53 = getelementptr inbounds i8, ptr %52, i64 8
+  %54 = icmp eq i64 %30, 0
+  br i1 %54, label %74, label %55
+
+55:
+  %56 = and i64 %30, 3
+  %57 = icmp ult i64 %30, 4
+  br i1 %57, label %62, label %58
+
+58:
+  %59 = and i64 %30, -4
+  br label %79
+
+60:
+  %61 = icmp eq i64 %56, 0
+  br i1 %61, label %74, label %62
+
+62:
+  %63 = phi i64 [ 0, %55 ], [ %97, %60 ]
+  %64 = icmp ne i64 %56, 0
+  tail call void @llvm.assume(i1 %64)
+  br label %65
+
+65:
+  %66 = phi i64 [ %71, %65 ], [ %63, %62 ]
+  %67 = phi i64 [ %72, %65 ], [ 0, %62 ]
+  %68 = getelementptr inbounds i8, ptr %0, i64 %66
+  %69 = load i8, ptr %68, align 1
+  %70 = getelementptr inbounds i8, ptr %53, i64 %66
+  store i8 %69, ptr %70, align 1
+  %71 = add nuw i64 %66, 1
+  %72 = add i64 %67, 1
+  %73 = icmp eq i64 %72, %56
+  br i1 %73, label %74, label %65
+
+74:
+  %75 = getelementptr inbounds i8, ptr %53, i64 %30
+  store i8 0, ptr %75, align 1
+  %76 = getelementptr inbounds i8, ptr %39, i64 40
+  store ptr %53, ptr %76, align 8
+  %77 = zext i32 %3 to i64
+  %78 = getelementptr inbounds i8, ptr %39, i64 88
+  store i64 %77, ptr %78, align 8
+  tail call fastcc void @begin(ptr %39) #15
+  br label %100
+
+79:
+  %80 = phi i64 [ 0, %58 ], [ %97, %79 ]
+  %81 = phi i64 [ 0, %58 ], [ %98, %79 ]
+  %82 = getelementptr inbounds i8, ptr %0, i64 %80
+  %83 = load i8, ptr %82, align 1
+  %84 = getelementptr inbounds i8, ptr %53, i64 %80
+  store i8 %83, ptr %84, align 1
+  %85 = or i64 %80, 1
+  %86 = getelementptr inbounds i8, ptr %0, i64 %85
+  %87 = load i8, ptr %86, align 1
+  %88 = getelementptr inbounds i8, ptr %53, i64 %85
+  store i8 %87, ptr %88, align 1
+  %89 = or i64 %80, 2
+  %90 = getelementptr inbounds i8, ptr %0, i64 %89
+  %91 = load i8, ptr %90, align 1
+  %92 = getelementptr inbounds i8, ptr %53, i64 %89
+  store i8 %91, ptr %92, align 1
+  %93 = or i64 %80, 3
+  %94 = getelementptr inbounds i8, ptr %0, i64 %93
+  %95 = load i8, ptr %94, align 1
+  %96 = getelementptr inbounds i8, ptr %53, i64 %93
+  store i8 %95, ptr %96, align 1
+  %97 = add nuw i64 %80, 4
+  %98 = add i64 %81, 4
+  %99 = icmp eq i64 %98, %59
+  br i1 %99, label %60, label %79
+
+100:
+  %101 = phi ptr [ null, %21 ], [ %39, %74 ], [ null, %41 ]
+  ret ptr %101
+}
+
+define void @fmi2FreeInstance(ptr %0) local_unnamed_addr #1 {
+  tail call fastcc void @free_instance(ptr %0) #15
+  ret void
+}
+
+define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
+  %2 = alloca %struct.Callbacks, align 8
+  %3 = icmp eq ptr %0, null
+  br i1 %3, label %5, label %4
+
+4:
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %2, ptr align 8 dereferenceable(40) %0, i64 40, i1 false)
+  call fastcc void @release(ptr %2, ptr %0) #15
+  br label %5
+
+5:
+  ret void
+}
+
+define i32 @fmi2SetupExperiment(ptr %0, i32 %1, double %2, double %3, i32 %4, double %5) local_unnamed_addr #1 {
+  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #15
+  ret i32 %7
+}
+
+define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
+  %3 = tail call fastcc i32 @finite_number(double %1) #15
+  %4 = icmp eq i32 %3, 0
+  br i1 %4, label %5, label %6
+
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #15
+  br label %18
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %8 = icmp ne i64 %7, 0
+  %9 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %10 = fcmp une double %1, %9
+  %11 = select i1 %8, i1 %10, i1 false
+  br i1 %11, label %12, label %13
+
+12:
+  tail call fastcc void @fail(ptr %0, ptr @.str.16) #15
+  br label %18
+
+13:
+  %14 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %1, ptr %14, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %15, align 8
+  br i1 %10, label %16, label %18
+
+16:
+  %17 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %17, align 8
+  br label %18
+
+18:
+  %19 = phi i32 [ 3, %12 ], [ 3, %5 ], [ 0, %16 ], [ 0, %13 ]
+  ret i32 %19
+}
+
+define i32 @fmi2EnterInitializationMode(ptr readnone %0) local_unnamed_addr #0 {
+  ret i32 0
+}
+
+define i32 @fmi2ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
+  %2 = tail call fastcc i32 @refresh(ptr %0) #15
+  ret i32 %2
+}
+
+define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 72
+  %3 = load i64, ptr %2, align 8
+  switch i64 %3, label %15 [
+    i64 0, label %29
+    i64 2, label %4
+  ]
+
+4:
+  %5 = getelementptr inbounds i8, ptr %0, i64 88
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 0
+  br i1 %7, label %10, label %8
+
+8:
+  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  br label %12
+
+10:
+  %11 = tail call fastcc i64 @restart(ptr %0) #15
+  br label %12
+
+12:
+  %13 = phi i64 [ %11, %10 ], [ %9, %8 ]
+  %14 = icmp eq i64 %13, 1
+  br i1 %14, label %15, label %26
+
+15:
+  %16 = getelementptr inbounds i8, ptr %0, i64 104
+  %17 = load ptr, ptr %16, align 8
+  %18 = tail call fastcc i64 @address(ptr %17) #15
+  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #15
+  %20 = icmp eq i64 %19, 1
+  br i1 %20, label %21, label %26
+
+21:
+  %22 = load ptr, ptr %16, align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #15
+  %25 = icmp eq i32 %24, 0
+  br i1 %25, label %26, label %28
+
+26:
+  %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.17, i64 %27, ptr @.str.18) #15
+  br label %29
+
+28:
+  store i64 0, ptr %2, align 8
+  br label %29
+
+29:
+  %30 = phi i32 [ 0, %28 ], [ 3, %26 ], [ 0, %1 ]
+  ret i32 %30
+}
+
+define i32 @fmi2Terminate(ptr readnone %0) local_unnamed_addr #0 {
+  ret i32 0
+}
+
+define i32 @fmi2Reset(ptr %0) local_unnamed_addr #1 {
+  tail call fastcc void @begin(ptr %0) #15
+  ret i32 0
+}
+
+define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
+  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #15
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %3 = icmp sgt i64 %2, 0
+  br i1 %3, label %4, label %26
+
+4:
+  %5 = getelementptr inbounds i8, ptr %0, i64 96
+  %6 = and i64 %2, 3
+  %7 = icmp ult i64 %2, 4
+  br i1 %7, label %12, label %8
+
+8:
+  %9 = and i64 %2, 9223372036854775804
+  br label %32
+
+10:
+  %11 = icmp eq i64 %6, 0
+  br i1 %11, label %26, label %12
+
+12:
+  %13 = phi i64 [ 0, %4 ], [ %58, %10 ]
+  %14 = icmp ne i64 %6, 0
+  tail call void @llvm.assume(i1 %14)
+  br label %15
+
+15:
+  %16 = phi i64 [ %13, %12 ], [ %23, %15 ]
+  %17 = phi i64 [ 0, %12 ], [ %24, %15 ]
+  %18 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %16
+  %19 = getelementptr inbounds i8, ptr %18, i64 24
+  %20 = load double, ptr %19, align 8
+  %21 = load ptr, ptr %5, align 8
+  %22 = getelementptr inbounds double, ptr %21, i64 %16
+  store double %20, ptr %22, align 8
+  %23 = add nuw nsw i64 %16, 1
+  %24 = add i64 %17, 1
+  %25 = icmp eq i64 %24, %6
+  br i1 %25, label %26, label %15
+
+26:
+  %27 = getelementptr inbounds i8, ptr %0, i64 48
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  store <2 x double> %28, ptr %27, align 8
+  %29 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %29, align 8
+  %30 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 1, ptr %30, align 8
+  %31 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 0, ptr %31, align 8
+  ret void
+
+32:
+  %33 = phi i64 [ 0, %8 ], [ %58, %32 ]
+  %34 = phi i64 [ 0, %8 ], [ %59, %32 ]
+  %35 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %33
+  %36 = getelementptr inbounds i8, ptr %35, i64 24
+  %37 = load double, ptr %36, align 8
+  %38 = load ptr, ptr %5, align 8
+  %39 = getelementptr inbounds double, ptr %38, i64 %33
+  store double %37, ptr %39, align 8
+  %40 = or i64 %33, 1
+  %41 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %40
+  %42 = getelementptr inbounds i8, ptr %41, i64 24
+  %43 = load double, ptr %42, align 8
+  %44 = load ptr, ptr %5, align 8
+  %45 = getelementptr inbounds double, ptr %44, i64 %40
+  store double %43, ptr %45, align 8
+  %46 = or i64 %33, 2
+  %47 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %46
+  %48 = getelementptr inbounds i8, ptr %47, i64 24
+  %49 = load double, ptr %48, align 8
+  %50 = load ptr, ptr %5, align 8
+  %51 = getelementptr inbounds double, ptr %50, i64 %46
+  store double %49, ptr %51, align 8
+  %52 = or i64 %33, 3
+  %53 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %52
+  %54 = getelementptr inbounds i8, ptr %53, i64 24
+  %55 = load double, ptr %54, align 8
+  %56 = load ptr, ptr %5, align 8
+  %57 = getelementptr inbounds double, ptr %56, i64 %52
+  store double %55, ptr %57, align 8
+  %58 = add nuw nsw i64 %33, 4
+  %59 = add i64 %34, 4
+  %60 = icmp eq i64 %59, %9
+  br i1 %60, label %10, label %32
+}
+
+define i32 @fmi2GetReal(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
+  %5 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  ret i32 %5
+}
+
+define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %78, label %6
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 120
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 96
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 104
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  br label %16
+
+16:
+  %17 = phi i64 [ 0, %6 ], [ %76, %73 ]
+  %18 = getelementptr inbounds i32, ptr %1, i64 %17
+  %19 = load i32, ptr %18, align 4
+  %20 = zext i32 %19 to i64
+  %21 = icmp sgt i64 %7, %20
+  br i1 %21, label %23, label %22
+
+22:
+  tail call fastcc void @fail(ptr %0, ptr @.str.21) #15
+  br label %78
+
+23:
+  %24 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %20
+  %25 = load i64, ptr %24, align 8
+  switch i64 %25, label %47 [
+    i64 5, label %26
+    i64 1, label %28
+    i64 2, label %28
+    i64 6, label %32
+  ]
+
+26:
+  %27 = tail call fastcc double @now(ptr %0) #15
+  br label %73
+
+28:
+  %29 = load ptr, ptr %10, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %20
+  %31 = load double, ptr %30, align 8
+  br label %73
+
+32:
+  %33 = load ptr, ptr %8, align 8
+  %34 = getelementptr inbounds i8, ptr %33, i64 %9
+  %35 = tail call fastcc i64 @address(ptr %34) #15
+  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #15
+  %37 = icmp eq i64 %36, 1
+  br i1 %37, label %38, label %78
+
+38:
+  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %40 = getelementptr inbounds i8, ptr %24, i64 8
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr inbounds i32, ptr @pp_indicators, i64 %41
+  %43 = load i32, ptr %42, align 4
+  %44 = zext i32 %43 to i64
+  %45 = getelementptr inbounds double, ptr %39, i64 %44
+  %46 = load double, ptr %45, align 8
+  br label %73
+
+47:
+  %48 = tail call fastcc i32 @refresh(ptr %0) #15
+  %49 = icmp eq i32 %48, 0
+  br i1 %49, label %50, label %78
+
+50:
+  %51 = getelementptr inbounds i8, ptr %24, i64 8
+  %52 = load i64, ptr %51, align 8
+  switch i64 %25, label %65 [
+    i64 0, label %53
+    i64 3, label %57
+  ]
+
+53:
+  %54 = load ptr, ptr %14, align 8
+  %55 = getelementptr inbounds double, ptr %54, i64 %52
+  %56 = load double, ptr %55, align 8
+  br label %73
+
+57:
+  %58 = icmp slt i64 %52, %11
+  %59 = select i1 %58, i64 %12, i64 %13
+  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #15
+  %61 = select i1 %58, i64 0, i64 %11
+  %62 = sub nsw i64 %52, %61
+  %63 = getelementptr inbounds double, ptr %60, i64 %62
+  %64 = load double, ptr %63, align 8
+  br label %73
+
+65:
+  %66 = icmp slt i64 %52, %11
+  %67 = select i1 %66, i64 %13, i64 %15
+  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #15
+  %69 = select i1 %66, i64 0, i64 %11
+  %70 = sub nsw i64 %52, %69
+  %71 = getelementptr inbounds double, ptr %68, i64 %70
+  %72 = load double, ptr %71, align 8
+  br label %73
+
+73:
+  %74 = phi double [ %27, %26 ], [ %31, %28 ], [ %46, %38 ], [ %64, %57 ], [ %72, %65 ], [ %56, %53 ]
+  %75 = getelementptr inbounds double, ptr %3, i64 %17
+  store double %74, ptr %75, align 8
+  %76 = add nuw i64 %17, 1
+  %77 = icmp eq i64 %76, %2
+  br i1 %77, label %78, label %16
+
+78:
+  %79 = phi i32 [ 3, %22 ], [ 0, %4 ], [ %48, %47 ], [ 0, %73 ], [ 2, %32 ]
+  ret i32 %79
+}
+
+define i32 @fmi2SetReal(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
+  %5 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  ret i32 %5
+}
+
+define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %74, label %6
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  br label %14
+
+8:
+  %9 = add nuw i64 %15, 1
+  %10 = icmp eq i64 %9, %2
+  br i1 %10, label %11, label %14
+
+11:
+  %12 = getelementptr inbounds i8, ptr %0, i64 96
+  %13 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %30
+
+14:
+  %15 = phi i64 [ 0, %6 ], [ %9, %8 ]
+  %16 = getelementptr inbounds i32, ptr %1, i64 %15
+  %17 = load i32, ptr %16, align 4
+  %18 = zext i32 %17 to i64
+  %19 = icmp sgt i64 %7, %18
+  br i1 %19, label %20, label %72
+
+20:
+  %21 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
+  %22 = load i64, ptr %21, align 8
+  %23 = add i64 %22, -3
+  %24 = icmp ult i64 %23, -2
+  br i1 %24, label %72, label %25
+
+25:
+  %26 = getelementptr inbounds double, ptr %3, i64 %15
+  %27 = load double, ptr %26, align 8
+  %28 = tail call fastcc i32 @finite_number(double %27) #15
+  %29 = icmp eq i32 %28, 0
+  br i1 %29, label %72, label %8
+
+30:
+  %31 = phi i64 [ 0, %11 ], [ %70, %69 ]
+  %32 = getelementptr inbounds i32, ptr %1, i64 %31
+  %33 = load i32, ptr %32, align 4
+  %34 = zext i32 %33 to i64
+  %35 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %34
+  %36 = load ptr, ptr %12, align 8
+  %37 = getelementptr inbounds double, ptr %36, i64 %34
+  %38 = load double, ptr %37, align 8
+  %39 = getelementptr inbounds double, ptr %3, i64 %31
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp oeq double %38, %40
+  br i1 %41, label %69, label %42
+
+42:
+  store double %40, ptr %37, align 8
+  %43 = getelementptr inbounds i8, ptr %35, i64 8
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %44
+  %46 = getelementptr inbounds i8, ptr %35, i64 16
+  %47 = load i64, ptr %46, align 8
+  %48 = mul nsw i64 %47, 24
+  %49 = getelementptr inbounds i8, ptr %45, i64 %48
+  %50 = icmp sgt i64 %47, 0
+  br i1 %50, label %51, label %54
+
+51:
+  %52 = getelementptr inbounds i8, ptr %35, i64 24
+  %53 = load double, ptr %52, align 8
+  br label %55
+
+54:
+  store i64 2, ptr %13, align 8
+  br label %69
+
+55:
+  %56 = phi ptr [ %45, %51 ], [ %67, %55 ]
+  %57 = getelementptr inbounds i8, ptr %56, i64 8
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds i8, ptr %56, i64 16
+  %60 = load double, ptr %59, align 8
+  %61 = load double, ptr %39, align 8
+  %62 = fsub double %61, %53
+  %63 = fmul double %60, %62
+  %64 = fadd double %58, %63
+  %65 = load i64, ptr %56, align 8
+  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #15
+  store double %64, ptr %66, align 8
+  %67 = getelementptr inbounds i8, ptr %56, i64 24
+  %68 = icmp ult ptr %67, %49
+  br i1 %68, label %55, label %54
+
+69:
+  %70 = add nuw i64 %31, 1
+  %71 = icmp eq i64 %70, %2
+  br i1 %71, label %74, label %30
+
+72:
+  %73 = phi ptr [ @.str.22, %20 ], [ @.str.22, %14 ], [ @.str.23, %25 ]
+  tail call fastcc void @fail(ptr %0, ptr %73) #15
+  br label %74
+
+74:
+  %75 = phi i32 [ 0, %4 ], [ 3, %72 ], [ 0, %69 ]
+  ret i32 %75
+}
+
+define i32 @fmi2GetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.2) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define internal fastcc void @fail(ptr %0, ptr %1) unnamed_addr #1 {
+  tail call fastcc void @say(ptr %0, ptr %1) #15
+  ret void
+}
+
+define i32 @fmi2SetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.2) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define i32 @fmi2GetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define i32 @fmi2SetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define i32 @fmi2GetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define i32 @fmi2SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
+  %5 = icmp eq i64 %2, 0
+  br i1 %5, label %7, label %6
+
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %6 ], [ 0, %4 ]
+  ret i32 %8
+}
+
+define i32 @fmi2GetFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
+  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #15
+  ret i32 %3
+}
+
+define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = icmp eq ptr %1, null
+  br i1 %3, label %96, label %4
+
+4:
+  %5 = load ptr, ptr %1, align 8
+  %6 = icmp eq ptr %5, null
+  br i1 %6, label %7, label %11
+
+7:
+  %8 = tail call fastcc i64 @state_size() #15
+  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #15
+  store ptr %9, ptr %1, align 8
+  %10 = icmp eq ptr %9, null
+  br i1 %10, label %96, label %11
+
+11:
+  %12 = phi ptr [ %9, %7 ], [ %5, %4 ]
+  store <16 x i8> zeroinitializer, ptr %12, align 1
+  %13 = getelementptr inbounds i8, ptr %12, i64 16
+  store <16 x i8> zeroinitializer, ptr %13, align 1
+  %14 = getelementptr inbounds i8, ptr %12, i64 32
+  store <8 x i8> zeroinitializer, ptr %14, align 1
+  br label %15
+
+15:
+  %16 = phi i64 [ 0, %11 ], [ %65, %63 ]
+  %17 = getelementptr inbounds i8, ptr @pp_token, i64 %16
+  %18 = load i8, ptr %17, align 1
+  %19 = icmp eq i8 %18, 0
+  br i1 %19, label %20, label %45
+
+20:
+  %21 = tail call fastcc i64 @numbers_of_state() #15
+  %22 = shl i64 %21, 3
+  %23 = getelementptr inbounds i8, ptr %12, i64 40
+  %24 = getelementptr inbounds i8, ptr %0, i64 48
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #17
+  %26 = getelementptr inbounds i8, ptr %12, i64 88
+  %27 = getelementptr inbounds i8, ptr %0, i64 96
+  %28 = load ptr, ptr %27, align 8
+  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #17
+  %30 = getelementptr inbounds i8, ptr %26, i64 %22
+  %31 = getelementptr inbounds i8, ptr %0, i64 120
+  %32 = load ptr, ptr %31, align 8
+  %33 = load i64, ptr @pp_numbers, align 8
+  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #17
+  %35 = load ptr, ptr %31, align 8
+  %36 = tail call fastcc i64 @address(ptr %35) #15
+  %37 = sub nsw i64 0, %36
+  tail call fastcc void @move(ptr %30, i64 %37) #15
+  %38 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
+  %39 = icmp sgt i64 %38, 0
+  br i1 %39, label %40, label %114
+
+40:
+  %41 = and i64 %38, 3
+  %42 = icmp ult i64 %38, 4
+  br i1 %42, label %100, label %43
+
+43:
+  %44 = and i64 %38, 9223372036854775804
+  br label %67
+
+45:
+  %46 = getelementptr inbounds i8, ptr %12, i64 %16
+  store i8 %18, ptr %46, align 1
+  %47 = or i64 %16, 1
+  %48 = getelementptr inbounds i8, ptr @pp_token, i64 %47
+  %49 = load i8, ptr %48, align 1
+  %50 = icmp eq i8 %49, 0
+  br i1 %50, label %20, label %51
+
+51:
+  %52 = getelementptr inbounds i8, ptr %12, i64 %47
+  store i8 %49, ptr %52, align 1
+  %53 = or i64 %16, 2
+  %54 = getelementptr inbounds i8, ptr @pp_token, i64 %53
+  %55 = load i8, ptr %54, align 1
+  %56 = icmp eq i8 %55, 0
+  br i1 %56, label %20, label %57
+
+57:
+  %58 = getelementptr inbounds i8, ptr %12, i64 %53
+  store i8 %55, ptr %58, align 1
+  %59 = or i64 %16, 3
+  %60 = getelementptr inbounds i8, ptr @pp_token, i64 %59
+  %61 = load i8, ptr %60, align 1
+  %62 = icmp eq i8 %61, 0
+  br i1 %62, label %20, label %63
+
+63:
+  %64 = getelementptr inbounds i8, ptr %12, i64 %59
+  store i8 %61, ptr %64, align 1
+  %65 = add nuw nsw i64 %16, 4
+  %66 = icmp eq i64 %65, 40
+  br i1 %66, label %20, label %15
+
+67:
+  %68 = phi i64 [ 0, %43 ], [ %93, %67 ]
+  %69 = phi i64 [ 0, %43 ], [ %94, %67 ]
+  %70 = shl nsw i64 %68, 3
+  %71 = getelementptr inbounds i8, ptr @pp_code, i64 %70
+  %72 = load i32, ptr %71, align 4
+  %73 = zext i32 %72 to i64
+  %74 = getelementptr inbounds i8, ptr %30, i64 %73
+  store i64 0, ptr %74, align 8
+  %75 = shl i64 %68, 3
+  %76 = getelementptr inbounds i8, ptr @pp_code, i64 %75
+  %77 = getelementptr inbounds i8, ptr %76, i64 8
+  %78 = load i32, ptr %77, align 4
+  %79 = zext i32 %78 to i64
+  %80 = getelementptr inbounds i8, ptr %30, i64 %79
+  store i64 0, ptr %80, align 8
+  %81 = shl i64 %68, 3
+  %82 = getelementptr inbounds i8, ptr @pp_code, i64 %81
+  %83 = getelementptr inbounds i8, ptr %82, i64 16
+  %84 = load i32, ptr %83, align 4
+  %85 = zext i32 %84 to i64
+  %86 = getelementptr inbounds i8, ptr %30, i64 %85
+  store i64 0, ptr %86, align 8
+  %87 = shl i64 %68, 3
+  %88 = getelementptr inbounds i8, ptr @pp_code, i64 %87
+  %89 = getelementptr inbounds i8, ptr %88, i64 24
+  %90 = load i32, ptr %89, align 4
+  %91 = zext i32 %90 to i64
+  %92 = getelementptr inbounds i8, ptr %30, i64 %91
+  store i64 0, ptr %92, align 8
+  %93 = add nuw nsw i64 %68, 4
+  %94 = add i64 %69, 4
+  %95 = icmp eq i64 %94, %44
+  br i1 %95, label %98, label %67
+
+96:
+  %97 = phi ptr [ @.str.24, %2 ], [ @.str.25, %7 ]
+  tail call fastcc void @fail(ptr %0, ptr %97) #15
+  br label %114
+
+98:
+  %99 = icmp eq i64 %41, 0
+  br i1 %99, label %114, label %100
+
+100:
+  %101 = phi i64 [ 0, %40 ], [ %93, %98 ]
+  %102 = icmp ne i64 %41, 0
+  tail call void @llvm.assume(i1 %102)
+  br label %103
+
+103:
+  %104 = phi i64 [ %111, %103 ], [ %101, %100 ]
+  %105 = phi i64 [ %112, %103 ], [ 0, %100 ]
+  %106 = shl nsw i64 %104, 3
+  %107 = getelementptr inbounds i8, ptr @pp_code, i64 %106
+  %108 = load i32, ptr %107, align 4
+  %109 = zext i32 %108 to i64
+  %110 = getelementptr inbounds i8, ptr %30, i64 %109
+  store i64 0, ptr %110, align 8
+  %111 = add nuw nsw i64 %104, 1
+  %112 = add i64 %105, 1
+  %113 = icmp eq i64 %112, %41
+  br i1 %113, label %114, label %103
+
+114:
+  %115 = phi i32 [ 0, %20 ], [ 3, %96 ], [ 0, %103 ], [ 0, %98 ]
+  ret i32 %115
+}
+
+define i32 @fmi2SetFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
+  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #15
+  ret i32 %3
+}
+
+define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = icmp eq ptr %1, null
+  br i1 %3, label %4, label %5
+
+4:
+  tail call fastcc void @fail(ptr %0, ptr @.str.26) #15
+  br label %18
+
+5:
+  %6 = tail call fastcc i64 @numbers_of_state() #15
+  %7 = shl i64 %6, 3
+  %8 = getelementptr inbounds i8, ptr %0, i64 48
+  %9 = getelementptr inbounds i8, ptr %0, i64 88
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %1, i64 40
+  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #17
+  %13 = getelementptr inbounds i8, ptr %0, i64 96
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %1, i64 88
+  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #17
+  %17 = getelementptr inbounds i8, ptr %15, i64 %7
+  tail call fastcc void @relocate(ptr %0, ptr %17) #15
+  store i64 %10, ptr %9, align 8
+  br label %18
+
+18:
+  %19 = phi i32 [ 0, %5 ], [ 3, %4 ]
+  ret i32 %19
+}
+
+define i32 @fmi2FreeFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
+  tail call fastcc void @drop_state(ptr %0, ptr %1) #15
+  ret i32 0
+}
+
+define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = icmp eq ptr %1, null
+  br i1 %3, label %8, label %4
+
+4:
+  %5 = load ptr, ptr %1, align 8
+  %6 = icmp eq ptr %5, null
+  br i1 %6, label %8, label %7
+
+7:
+  tail call fastcc void @release(ptr %0, ptr %5) #15
+  store ptr null, ptr %1, align 8
+  br label %8
+
+8:
+  ret void
+}
+
+define i32 @fmi2SerializedFMUstateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
+  %4 = tail call fastcc i64 @state_size() #15
+  store i64 %4, ptr %2, align 8
+  ret i32 0
+}
+
+define internal fastcc i64 @state_size() unnamed_addr #0 {
+  %1 = tail call fastcc i64 @numbers_of_state() #15
+  %2 = shl i64 %1, 3
+  %3 = add i64 %2, 88
+  %4 = load i64, ptr @pp_numbers, align 8
+  %5 = add i64 %3, %4
+  ret i64 %5
+}
+
+define i32 @fmi2SerializeFMUstate(ptr %0, ptr %1, ptr %2, i64 %3) local_unnamed_addr #1 {
+  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #15
+  ret i32 %5
+}
+
+define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_addr #1 {
+  %5 = icmp eq ptr %1, null
+  br i1 %5, label %9, label %6
+
+6:
+  %7 = tail call fastcc i64 @state_size() #15
+  %8 = icmp ult i64 %3, %7
+  br i1 %8, label %9, label %10
+
+9:
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #15
+  br label %12
+
+10:
+  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #17
+  br label %12
+
+12:
+  %13 = phi i32 [ 3, %9 ], [ 0, %10 ]
+  ret i32 %13
+}
+
+define i32 @fmi2DeSerializeFMUstate(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
+  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  ret i32 %5
+}
+
+define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = tail call fastcc i64 @state_size() #15
+  %6 = icmp eq i64 %2, %5
+  br i1 %6, label %20, label %7
+
+7:
+  tail call fastcc void @fail(ptr %0, ptr @.str.28) #15
+  br label %40
+
+8:
+  %9 = or i64 %21, 1
+  %10 = getelementptr inbounds i8, ptr @pp_token, i64 %9
+  %11 = load i8, ptr %10, align 1
+  %12 = icmp eq i8 %11, 0
+  br i1 %12, label %30, label %13
+
+13:
+  %14 = getelementptr inbounds i8, ptr %1, i64 %9
+  %15 = load i8, ptr %14, align 1
+  %16 = icmp eq i8 %15, %11
+  br i1 %16, label %17, label %29
+
+17:
+  %18 = add nuw nsw i64 %21, 2
+  %19 = icmp eq i64 %18, 40
+  br i1 %19, label %30, label %20
+
+20:
+  %21 = phi i64 [ %18, %17 ], [ 0, %4 ]
+  %22 = getelementptr inbounds i8, ptr @pp_token, i64 %21
+  %23 = load i8, ptr %22, align 1
+  %24 = icmp eq i8 %23, 0
+  br i1 %24, label %30, label %25
+
+25:
+  %26 = getelementptr inbounds i8, ptr %1, i64 %21
+  %27 = load i8, ptr %26, align 1
+  %28 = icmp eq i8 %27, %23
+  br i1 %28, label %8, label %29
+
+29:
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #15
+  br label %40
+
+30:
+  %31 = load ptr, ptr %3, align 8
+  %32 = icmp eq ptr %31, null
+  br i1 %32, label %33, label %37
+
+33:
+  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #15
+  store ptr %34, ptr %3, align 8
+  %35 = icmp eq ptr %34, null
+  br i1 %35, label %36, label %37
+
+36:
+  tail call fastcc void @fail(ptr %0, ptr @.str.25) #15
+  br label %40
+
+37:
+  %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
+  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #17
+  br label %40
+
+40:
+  %41 = phi i32 [ 3, %7 ], [ 0, %37 ], [ 3, %36 ], [ 3, %29 ]
+  ret i32 %41
+}
+
+define i32 @fmi2GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) local_unnamed_addr #1 {
+  %8 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) #15
+  ret i32 %8
+}
+
+define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) unnamed_addr #1 {
+  %8 = alloca ptr, align 8
+  %9 = getelementptr inbounds i8, ptr %0, i64 88
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp eq i64 %10, 0
+  br i1 %11, label %16, label %12
+
+12:
+  %13 = icmp eq i64 %4, 0
+  br i1 %13, label %17, label %14
+
+14:
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  br label %25
+
+16:
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #15
+  br label %162
+
+17:
+  %18 = phi double [ 1.000000e+300, %12 ], [ %51, %50 ]
+  %19 = icmp eq i64 %2, 0
+  br i1 %19, label %162, label %20
+
+20:
+  %21 = and i64 %2, 7
+  %22 = icmp ult i64 %2, 8
+  br i1 %22, label %56, label %23
+
+23:
+  %24 = and i64 %2, -8
+  br label %68
+
+25:
+  %26 = phi double [ 1.000000e+300, %14 ], [ %51, %50 ]
+  %27 = phi i64 [ 0, %14 ], [ %52, %50 ]
+  %28 = getelementptr inbounds i32, ptr %3, i64 %27
+  %29 = load i32, ptr %28, align 4
+  %30 = zext i32 %29 to i64
+  %31 = icmp sgt i64 %15, %30
+  br i1 %31, label %32, label %37
+
+32:
+  %33 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %30
+  %34 = load i64, ptr %33, align 8
+  %35 = add i64 %34, -1
+  %36 = icmp ult i64 %35, 3
+  br i1 %36, label %38, label %37
+
+37:
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #15
+  br label %162
+
+38:
+  %39 = getelementptr inbounds double, ptr %5, i64 %27
+  %40 = load double, ptr %39, align 8
+  %41 = tail call fastcc i32 @finite_number(double %40) #15
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %44
+
+43:
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #15
+  br label %162
+
+44:
+  %45 = fcmp une double %40, 0.000000e+00
+  br i1 %45, label %46, label %50
+
+46:
+  %47 = tail call fastcc double @change_of(ptr %0, i32 %29, double %40) #15
+  %48 = fcmp olt double %47, %26
+  br i1 %48, label %49, label %50
+
+49:
+  br label %50
+
+50:
+  %51 = phi double [ %26, %44 ], [ %26, %46 ], [ %47, %49 ]
+  %52 = add nuw i64 %27, 1
+  %53 = icmp eq i64 %52, %4
+  br i1 %53, label %17, label %25
+
+54:
+  %55 = icmp eq i64 %21, 0
+  br i1 %55, label %66, label %56
+
+56:
+  %57 = phi i64 [ 0, %20 ], [ %86, %54 ]
+  %58 = icmp ne i64 %21, 0
+  tail call void @llvm.assume(i1 %58)
+  br label %59
+
+59:
+  %60 = phi i64 [ %63, %59 ], [ %57, %56 ]
+  %61 = phi i64 [ %64, %59 ], [ 0, %56 ]
+  %62 = getelementptr inbounds double, ptr %6, i64 %60
+  store double 0.000000e+00, ptr %62, align 8
+  %63 = add nuw i64 %60, 1
+  %64 = add i64 %61, 1
+  %65 = icmp eq i64 %64, %21
+  br i1 %65, label %66, label %59
+
+66:
+  %67 = fcmp une double %18, 1.000000e+300
+  br i1 %67, label %89, label %162
+
+68:
+  %69 = phi i64 [ 0, %23 ], [ %86, %68 ]
+  %70 = phi i64 [ 0, %23 ], [ %87, %68 ]
+  %71 = getelementptr inbounds double, ptr %6, i64 %69
+  store double 0.000000e+00, ptr %71, align 8
+  %72 = getelementptr inbounds double, ptr %6, i64 %69
+  %73 = getelementptr inbounds i8, ptr %72, i64 8
+  store double 0.000000e+00, ptr %73, align 8
+  %74 = getelementptr inbounds double, ptr %6, i64 %69
+  %75 = getelementptr inbounds i8, ptr %74, i64 16
+  store double 0.000000e+00, ptr %75, align 8
+  %76 = getelementptr inbounds double, ptr %6, i64 %69
+  %77 = getelementptr inbounds i8, ptr %76, i64 24
+  store double 0.000000e+00, ptr %77, align 8
+  %78 = getelementptr inbounds double, ptr %6, i64 %69
+  %79 = getelementptr inbounds i8, ptr %78, i64 32
+  store double 0.000000e+00, ptr %79, align 8
+  %80 = getelementptr inbounds double, ptr %6, i64 %69
+  %81 = getelementptr inbounds i8, ptr %80, i64 40
+  store double 0.000000e+00, ptr %81, align 8
+  %82 = getelementptr inbounds double, ptr %6, i64 %69
+  %83 = getelementptr inbounds i8, ptr %82, i64 48
+  store double 0.000000e+00, ptr %83, align 8
+  %84 = getelementptr inbounds double, ptr %6, i64 %69
+  %85 = getelementptr inbounds i8, ptr %84, i64 56
+  store double 0.000000e+00, ptr %85, align 8
+  %86 = add nuw i64 %69, 8
+  %87 = add i64 %70, 8
+  %88 = icmp eq i64 %87, %24
+  br i1 %88, label %54, label %68
+
+89:
+  store ptr null, ptr %8, align 8
+  %90 = shl i64 %2, 3
+  %91 = tail call fastcc ptr @allocate(ptr %0, i64 %90) #15
+  %92 = icmp eq ptr %91, null
+  br i1 %92, label %93, label %94
+
+93:
+  tail call fastcc void @fail(ptr %0, ptr @.str.33) #15
+  br label %131
+
+94:
+  %95 = call fastcc i32 @keep_state(ptr %0, ptr %8) #15
+  %96 = icmp eq i32 %95, 0
+  br i1 %96, label %97, label %131
+
+97:
+  %98 = fneg double %18
+  %99 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %98) #15
+  %100 = icmp eq i32 %99, 0
+  br i1 %100, label %101, label %131
+
+101:
+  %102 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %91) #15
+  %103 = icmp eq i32 %102, 0
+  br i1 %103, label %104, label %131
+
+104:
+  %105 = load ptr, ptr %8, align 8
+  %106 = call fastcc i32 @restore(ptr %0, ptr %105) #15
+  %107 = icmp eq i32 %106, 0
+  br i1 %107, label %108, label %134
+
+108:
+  %109 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #15
+  %110 = icmp eq i32 %109, 0
+  br i1 %110, label %111, label %131
+
+111:
+  %112 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #15
+  %113 = icmp eq i32 %112, 0
+  br i1 %113, label %114, label %131
+
+114:
+  %115 = fmul double %18, 2.000000e+00
+  %116 = and i64 %2, 1
+  %117 = icmp eq i64 %2, 1
+  br i1 %117, label %122, label %118
+
+118:
+  %119 = and i64 %2, -2
+  br label %138
+
+120:
+  %121 = icmp eq i64 %116, 0
+  br i1 %121, label %131, label %122
+
+122:
+  %123 = phi i64 [ 0, %114 ], [ %154, %120 ]
+  %124 = icmp ne i64 %116, 0
+  call void @llvm.assume(i1 %124)
+  %125 = getelementptr inbounds double, ptr %6, i64 %123
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %91, i64 %123
+  %128 = load double, ptr %127, align 8
+  %129 = fsub double %126, %128
+  %130 = fdiv double %129, %115
+  store double %130, ptr %125, align 8
+  br label %131
+
+131:
+  %132 = phi i32 [ %109, %108 ], [ %102, %101 ], [ %99, %97 ], [ 3, %93 ], [ %95, %94 ], [ %112, %111 ], [ 0, %120 ], [ 0, %122 ]
+  %133 = load ptr, ptr %8, align 8
+  br label %134
+
+134:
+  %135 = phi ptr [ %133, %131 ], [ %105, %104 ]
+  %136 = phi i32 [ %132, %131 ], [ %106, %104 ]
+  %137 = icmp eq ptr %135, null
+  br i1 %137, label %159, label %157
+
+138:
+  %139 = phi i64 [ 0, %118 ], [ %154, %138 ]
+  %140 = phi i64 [ 0, %118 ], [ %155, %138 ]
+  %141 = getelementptr inbounds double, ptr %6, i64 %139
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr inbounds double, ptr %91, i64 %139
+  %144 = load double, ptr %143, align 8
+  %145 = fsub double %142, %144
+  %146 = fdiv double %145, %115
+  store double %146, ptr %141, align 8
+  %147 = or i64 %139, 1
+  %148 = getelementptr inbounds double, ptr %6, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %91, i64 %147
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = fdiv double %152, %115
+  store double %153, ptr %148, align 8
+  %154 = add nuw i64 %139, 2
+  %155 = add i64 %140, 2
+  %156 = icmp eq i64 %155, %119
+  br i1 %156, label %120, label %138
+
+157:
+  %158 = call fastcc i32 @restore(ptr %0, ptr %135) #15
+  br label %159
+
+159:
+  call fastcc void @drop_state(ptr %0, ptr %8) #15
+  br i1 %92, label %161, label %160
+
+160:
+  call fastcc void @release(ptr %0, ptr %91) #15
+  br label %161
+
+161:
+  br label %162
+
+162:
+  %163 = phi i32 [ %136, %161 ], [ 3, %16 ], [ 0, %66 ], [ 3, %37 ], [ 3, %43 ], [ 0, %17 ]
+  ret i32 %163
+}
+
+define i32 @fmi2SetRealInputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
+  %6 = icmp eq i64 %2, 0
+  br i1 %6, label %8, label %7
+
+7:
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
+  br label %8
+
+8:
+  %9 = phi i32 [ 3, %7 ], [ 0, %5 ]
+  ret i32 %9
+}
+
+define i32 @fmi2GetRealOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
+  %6 = icmp eq i64 %2, 0
+  br i1 %6, label %8, label %7
+
+7:
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
+  br label %8
+
+8:
+  %9 = phi i32 [ 3, %7 ], [ 0, %5 ]
+  ret i32 %9
+}
+
+define i32 @fmi2DoStep(ptr %0, double %1, double %2, i32 %3) local_unnamed_addr #1 {
+  %5 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #15
+  ret i32 %5
+}
+
+define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
+  %4 = tail call fastcc double @now(ptr %0) #15
+  %5 = fsub double %1, %4
+  %6 = getelementptr inbounds i8, ptr %0, i64 56
+  %7 = load double, ptr %6, align 8
+  %8 = fmul double %7, 0x3EB0C6F7A0B5ED8D
+  %9 = fcmp olt double %4, 0.000000e+00
+  %10 = fneg double %4
+  %11 = select i1 %9, double %10, double %4
+  %12 = fmul double %11, 0x3D719799812DEA11
+  %13 = fadd double %8, %12
+  %14 = getelementptr inbounds i8, ptr %0, i64 88
+  %15 = load i64, ptr %14, align 8
+  %16 = icmp eq i64 %15, 0
+  br i1 %16, label %18, label %17
+
+17:
+  tail call fastcc void @fail(ptr %0, ptr @.str.34) #15
+  br label %81
+
+18:
+  %19 = getelementptr inbounds i8, ptr %0, i64 80
+  %20 = load i64, ptr %19, align 8
+  %21 = icmp eq i64 %20, 0
+  br i1 %21, label %23, label %22
+
+22:
+  tail call fastcc void @fail(ptr %0, ptr @.str.35) #15
+  br label %81
+
+23:
+  %24 = fcmp ogt double %2, 0.000000e+00
+  %25 = fcmp olt double %2, 1.000000e+300
+  %26 = and i1 %24, %25
+  br i1 %26, label %28, label %27
+
+27:
+  tail call fastcc void @fail(ptr %0, ptr @.str.36) #15
+  br label %81
+
+28:
+  %29 = fcmp ugt double %5, %13
+  %30 = fneg double %5
+  %31 = fcmp ult double %13, %30
+  %32 = or i1 %29, %31
+  br i1 %32, label %33, label %34
+
+33:
+  tail call fastcc void @fail(ptr %0, ptr @.str.37) #15
+  br label %81
+
+34:
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %36 = fdiv double %2, %35
+  %37 = fmul double %36, 0x3FEFFFFFFF768FA1
+  %38 = fcmp ogt double %37, 1.000000e+15
+  br i1 %38, label %39, label %40
+
+39:
+  tail call fastcc void @fail(ptr %0, ptr @.str.38) #15
+  br label %81
+
+40:
+  %41 = fptosi double %37 to i64
+  %42 = add nsw i64 %41, 1
+  %43 = sitofp i64 %42 to double
+  %44 = fdiv double %2, %43
+  %45 = fsub double %44, %7
+  %46 = fmul double %44, 1.000000e-09
+  %47 = fcmp ogt double %45, %46
+  %48 = fneg double %45
+  %49 = fcmp olt double %46, %48
+  %50 = or i1 %47, %49
+  br i1 %50, label %51, label %59
+
+51:
+  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %53 = icmp ne i64 %52, 0
+  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %55 = icmp ne i64 %54, 0
+  %56 = select i1 %53, i1 %55, i1 false
+  br i1 %56, label %57, label %58
+
+57:
+  tail call fastcc void @fail(ptr %0, ptr @.str.39) #15
+  br label %81
+
+58:
+  tail call fastcc void @change_step(ptr %0, double %44) #15
+  br label %59
+
+59:
+  %60 = getelementptr inbounds i8, ptr %0, i64 72
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp eq i64 %61, 2
+  br i1 %62, label %63, label %65
+
+63:
+  %64 = tail call fastcc i64 @restart(ptr %0) #15
+  br label %65
+
+65:
+  %66 = phi i64 [ %64, %63 ], [ 1, %59 ]
+  %67 = icmp eq i64 %66, 1
+  %68 = icmp sgt i64 %41, 0
+  %69 = and i1 %68, %67
+  br i1 %69, label %70, label %72
+
+70:
+  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #15
+  br label %72
+
+72:
+  %73 = phi i64 [ %71, %70 ], [ %66, %65 ]
+  %74 = icmp eq i64 %73, 1
+  br i1 %74, label %76, label %75
+
+75:
+  store i64 0, ptr %60, align 8
+  br label %79
+
+76:
+  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #15
+  store i64 0, ptr %60, align 8
+  %78 = icmp eq i64 %77, 1
+  br i1 %78, label %81, label %79
+
+79:
+  %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %80, ptr @.str.41) #15
+  br label %81
+
+81:
+  %82 = phi i32 [ 3, %17 ], [ 3, %22 ], [ 3, %27 ], [ 3, %33 ], [ 3, %39 ], [ 3, %57 ], [ 3, %79 ], [ 0, %76 ]
+  ret i32 %82
+}
+
+define i32 @fmi2CancelStep(ptr %0) local_unnamed_addr #1 {
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
+  ret i32 3
+}
+
+define i32 @fmi2GetStatus(ptr readnone %0, i32 %1, ptr readnone %2) local_unnamed_addr #0 {
+  ret i32 2
+}
+
+define i32 @fmi2GetRealStatus(ptr %0, i32 %1, ptr %2) local_unnamed_addr #3 {
+  %4 = icmp eq i32 %1, 2
+  br i1 %4, label %5, label %7
+
+5:
+  %6 = tail call fastcc double @now(ptr %0) #15
+  store double %6, ptr %2, align 8
+  br label %7
+
+7:
+  %8 = phi i32 [ 0, %5 ], [ 2, %3 ]
+  ret i32 %8
+}
+
+define internal fastcc double @now(ptr %0) unnamed_addr #4 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 48
+  %3 = load double, ptr %2, align 8
+  %4 = getelementptr inbounds i8, ptr %0, i64 64
+  %5 = load i64, ptr %4, align 8
+  %6 = sitofp i64 %5 to double
+  %7 = getelementptr inbounds i8, ptr %0, i64 56
+  %8 = load double, ptr %7, align 8
+  %9 = fmul double %8, %6
+  %10 = fadd double %3, %9
+  ret double %10
+}
+
+define i32 @fmi2GetIntegerStatus(ptr readnone %0, i32 %1, ptr readnone %2) local_unnamed_addr #0 {
+  ret i32 2
+}
+
+define i32 @fmi2GetBooleanStatus(ptr %0, i32 %1, ptr %2) local_unnamed_addr #3 {
+  %4 = icmp eq i32 %1, 3
+  br i1 %4, label %5, label %10
+
+5:
+  %6 = getelementptr inbounds i8, ptr %0, i64 80
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp ne i64 %7, 0
+  %9 = zext i1 %8 to i32
+  store i32 %9, ptr %2, align 4
+  br label %10
+
+10:
+  %11 = phi i32 [ 0, %5 ], [ 2, %3 ]
+  ret i32 %11
+}
+
+define i32 @fmi2GetStringStatus(ptr readnone %0, i32 %1, ptr readnone %2) local_unnamed_addr #0 {
+  ret i32 2
+}
+
+define i32 @fmi2EnterEventMode(ptr readnone %0) local_unnamed_addr #0 {
+  ret i32 0
+}
+
+define i32 @fmi2NewDiscreteStates(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
+  tail call void @llvm.memset.p0.i64(ptr align 8 dereferenceable(32) %1, i8 0, i64 32, i1 false)
+  ret i32 0
+}
+
+
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #6
+
+declare void @llvm.memcpy.p0.p0.i64(ptr noalias, ptr noalias, i64, i1 immarg) #7
+
+
+define i32 @fmi2EnterContinuousTimeMode(ptr readnone %0) local_unnamed_addr #0 {
+  ret i32 0
+}
+
+define i32 @fmi2CompletedIntegratorStep(ptr readnone %0, i32 %1, ptr %2, ptr %3) local_unnamed_addr #2 {
+  store i32 0, ptr %2, align 4
+  store i32 0, ptr %3, align 4
+  ret i32 0
+}
+
+define i32 @fmi2SetTime(ptr %0, double %1) local_unnamed_addr #1 {
+  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #15
+  ret i32 %3
+}
+
+define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
+  %3 = tail call fastcc i32 @finite_number(double %1) #15
+  %4 = icmp eq i32 %3, 0
+  br i1 %4, label %5, label %6
+
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #15
+  br label %14
+
+6:
+  %7 = tail call fastcc double @now(ptr %0) #15
+  %8 = fcmp une double %1, %7
+  br i1 %8, label %9, label %11
+
+9:
+  %10 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %10, align 8
+  br label %11
+
+11:
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %1, ptr %12, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %13, align 8
+  br label %14
+
+14:
+  %15 = phi i32 [ 0, %11 ], [ 3, %5 ]
+  ret i32 %15
+}
+
+define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
+  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #15
+  ret i32 %4
+}
+
+define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %5 = shl nsw i64 %4, 1
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %22, label %8
+
+8:
+  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #15
+  %10 = icmp eq i32 %9, 0
+  br i1 %10, label %11, label %12
+
+11:
+  tail call fastcc void @fail(ptr %0, ptr @.str.43) #15
+  br label %22
+
+12:
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
+  %15 = shl i64 %4, 3
+  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #17
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #15
+  %19 = getelementptr inbounds double, ptr %1, i64 %4
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #17
+  %21 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %21, align 8
+  br label %22
+
+22:
+  %23 = phi i32 [ 0, %12 ], [ 3, %11 ], [ 3, %3 ]
+  ret i32 %23
+}
+
+define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
+  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #15
+  ret i32 %4
+}
+
+define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %5 = shl nsw i64 %4, 1
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %17, label %8
+
+8:
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %11 = shl i64 %4, 3
+  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #17
+  %13 = getelementptr inbounds double, ptr %1, i64 %4
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #15
+  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #17
+  br label %17
+
+17:
+  %18 = phi i32 [ 0, %8 ], [ 3, %3 ]
+  ret i32 %18
+}
+
+define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
+  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #15
+  ret i32 %4
+}
+
+define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %5 = shl nsw i64 %4, 1
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %21, label %8
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 0, ptr %9, align 8
+  %10 = tail call fastcc i32 @accelerate(ptr %0) #15
+  %11 = icmp eq i32 %10, 0
+  br i1 %11, label %12, label %21
+
+12:
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
+  %15 = shl i64 %4, 3
+  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #17
+  %17 = getelementptr inbounds double, ptr %1, i64 %4
+  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #15
+  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #17
+  br label %21
+
+21:
+  %22 = phi i32 [ 3, %3 ], [ 0, %12 ], [ 2, %8 ]
+  ret i32 %22
+}
+
+define i32 @fmi2GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
+  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #15
+  ret i32 %4
+}
+
+define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
+  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #15
+  %6 = icmp eq i32 %5, 0
+  br i1 %6, label %28, label %7
+
+7:
+  %8 = icmp eq i64 %2, 0
+  br i1 %8, label %28, label %9
+
+9:
+  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %11 = load ptr, ptr %10, align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %13 = getelementptr inbounds i8, ptr %11, i64 %12
+  %14 = tail call fastcc i64 @address(ptr %13) #15
+  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #15
+  %16 = icmp eq i64 %15, 1
+  br i1 %16, label %17, label %28
+
+17:
+  %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #15
+  %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
+  %21 = load i32, ptr %20, align 4
+  %22 = zext i32 %21 to i64
+  %23 = getelementptr inbounds double, ptr %19, i64 %22
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %1, i64 %18
+  store double %24, ptr %25, align 8
+  %26 = add nuw i64 %18, 1
+  %27 = icmp eq i64 %26, %2
+  br i1 %27, label %28, label %17
+
+28:
+  %29 = phi i32 [ 0, %7 ], [ 3, %3 ], [ 2, %9 ], [ 0, %17 ]
+  ret i32 %29
+}
+
+define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
+  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #15
+  ret i32 %4
+}
+
+define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %5 = shl nsw i64 %4, 1
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %48, label %8
+
+8:
+  %9 = icmp eq i64 %2, 0
+  br i1 %9, label %48, label %10
+
+10:
+  %11 = and i64 %2, 7
+  %12 = icmp ult i64 %2, 8
+  br i1 %12, label %38, label %13
+
+13:
+  %14 = and i64 %2, -8
+  br label %15
+
+15:
+  %16 = phi i64 [ 0, %13 ], [ %33, %15 ]
+  %17 = phi i64 [ 0, %13 ], [ %34, %15 ]
+  %18 = getelementptr inbounds double, ptr %1, i64 %16
+  store double 1.000000e+00, ptr %18, align 8
+  %19 = getelementptr inbounds double, ptr %1, i64 %16
+  %20 = getelementptr inbounds i8, ptr %19, i64 8
+  store double 1.000000e+00, ptr %20, align 8
+  %21 = getelementptr inbounds double, ptr %1, i64 %16
+  %22 = getelementptr inbounds i8, ptr %21, i64 16
+  store double 1.000000e+00, ptr %22, align 8
+  %23 = getelementptr inbounds double, ptr %1, i64 %16
+  %24 = getelementptr inbounds i8, ptr %23, i64 24
+  store double 1.000000e+00, ptr %24, align 8
+  %25 = getelementptr inbounds double, ptr %1, i64 %16
+  %26 = getelementptr inbounds i8, ptr %25, i64 32
+  store double 1.000000e+00, ptr %26, align 8
+  %27 = getelementptr inbounds double, ptr %1, i64 %16
+  %28 = getelementptr inbounds i8, ptr %27, i64 40
+  store double 1.000000e+00, ptr %28, align 8
+  %29 = getelementptr inbounds double, ptr %1, i64 %16
+  %30 = getelementptr inbounds i8, ptr %29, i64 48
+  store double 1.000000e+00, ptr %30, align 8
+  %31 = getelementptr inbounds double, ptr %1, i64 %16
+  %32 = getelementptr inbounds i8, ptr %31, i64 56
+  store double 1.000000e+00, ptr %32, align 8
+  %33 = add nuw i64 %16, 8
+  %34 = add i64 %17, 8
+  %35 = icmp eq i64 %34, %14
+  br i1 %35, label %36, label %15
+
+36:
+  %37 = icmp eq i64 %11, 0
+  br i1 %37, label %48, label %38
+
+38:
+  %39 = phi i64 [ 0, %10 ], [ %33, %36 ]
+  %40 = icmp ne i64 %11, 0
+  tail call void @llvm.assume(i1 %40)
+  br label %41
+
+41:
+  %42 = phi i64 [ %45, %41 ], [ %39, %38 ]
+  %43 = phi i64 [ %46, %41 ], [ 0, %38 ]
+  %44 = getelementptr inbounds double, ptr %1, i64 %42
+  store double 1.000000e+00, ptr %44, align 8
+  %45 = add nuw i64 %42, 1
+  %46 = add i64 %43, 1
+  %47 = icmp eq i64 %46, %11
+  br i1 %47, label %48, label %41
+
+48:
+  %49 = phi i32 [ 3, %3 ], [ 0, %8 ], [ 0, %41 ], [ 0, %36 ]
+  ret i32 %49
+}
+
+define internal fastcc i32 @same(ptr %0) unnamed_addr #8 {
+  %2 = load i8, ptr %0, align 1
+  %3 = icmp eq i8 %2, 0
+  br i1 %3, label %15, label %4
+
+4:
+  %5 = phi i8 [ %13, %10 ], [ %2, %1 ]
+  %6 = phi ptr [ %12, %10 ], [ @pp_token, %1 ]
+  %7 = phi ptr [ %11, %10 ], [ %0, %1 ]
+  %8 = load i8, ptr %6, align 1
+  %9 = icmp eq i8 %5, %8
+  br i1 %9, label %10, label %15
+
+10:
+  %11 = getelementptr inbounds i8, ptr %7, i64 1
+  %12 = getelementptr inbounds i8, ptr %6, i64 1
+  %13 = load i8, ptr %11, align 1
+  %14 = icmp eq i8 %13, 0
+  br i1 %14, label %15, label %4
+
+15:
+  %16 = phi ptr [ @pp_token, %1 ], [ %12, %10 ], [ %6, %4 ]
+  %17 = phi i8 [ 0, %1 ], [ 0, %10 ], [ %5, %4 ]
+  %18 = load i8, ptr %16, align 1
+  %19 = icmp eq i8 %17, %18
+  %20 = zext i1 %19 to i32
+  ret i32 %20
+}
+
+declare i32 @pp_processor() local_unnamed_addr #9
+
+define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = load ptr, ptr %0, align 8
+  %4 = icmp eq ptr %3, null
+  br i1 %4, label %10, label %5
+
+5:
+  %6 = getelementptr inbounds i8, ptr %0, i64 32
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 40
+  %9 = load ptr, ptr %8, align 8
+  tail call void (ptr, ptr, i32, ptr, ptr, ...) %3(ptr %7, ptr %9, i32 3, ptr @.str.13, ptr @.str.14, ptr %1) #17
+  br label %10
+
+10:
+  ret void
+}
+
+define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
+  %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %3 = add nsw i64 %2, %1
+  ret i64 %3
+}
+
+define internal fastcc ptr @allocate(ptr %0, i64 %1) unnamed_addr #1 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 8
+  %4 = load ptr, ptr %3, align 8
+  %5 = icmp eq ptr %4, null
+  br i1 %5, label %8, label %6
+
+6:
+  %7 = tail call ptr %4(i64 %1, i64 1) #17
+  br label %10
+
+8:
+  %9 = tail call ptr @calloc(i64 %1, i64 1) #17
+  br label %10
+
+10:
+  %11 = phi ptr [ %7, %6 ], [ %9, %8 ]
+  ret ptr %11
+}
+
+declare ptr @calloc(i64, i64) local_unnamed_addr #9
+
+define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 16
+  %4 = load ptr, ptr %3, align 8
+  %5 = icmp eq ptr %4, null
+  br i1 %5, label %7, label %6
+
+6:
+  tail call void %4(ptr %1) #17
+  br label %8
+
+7:
+  tail call void @free(ptr %1) #17
+  br label %8
+
+8:
+  ret void
+}
+
+declare void @free(ptr) local_unnamed_addr #9
+
+define internal fastcc i32 @finite_number(double %0) unnamed_addr #0 {
+  %2 = tail call double @llvm.fabs.f64(double %0)
+  %3 = fcmp olt double %2, 1.000000e+100
+  %4 = zext i1 %3 to i32
+  ret i32 %4
+}
+
+define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 120
+  %5 = load ptr, ptr %4, align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %7 = getelementptr inbounds i8, ptr %5, i64 %6
+  %8 = tail call fastcc double @now(ptr %0) #15
+  store double %8, ptr %7, align 8
+  %9 = getelementptr inbounds i8, ptr %7, i64 32
+  store i64 0, ptr %9, align 8
+  %10 = getelementptr inbounds i8, ptr %7, i64 16
+  store <2 x double> zeroinitializer, ptr %10, align 8
+  %11 = icmp eq i64 %1, 4
+  %12 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %13 = select i1 %11, double %12, double 0.000000e+00
+  %14 = getelementptr inbounds i8, ptr %7, i64 8
+  store double %13, ptr %14, align 8
+  %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
+  %16 = tail call fastcc i64 @address(ptr %7) #15
+  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #17
+  ret i64 %17
+}
+
+define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %4 = icmp eq i64 %3, 0
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #15
+  br label %11
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %10 = getelementptr inbounds double, ptr %8, i64 %9
+  store double 0x7FF8000000000000, ptr %10, align 8
+  br label %11
+
+11:
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #15
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %15 = getelementptr inbounds i64, ptr %13, i64 %14
+  store i64 0, ptr %15, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 1, ptr %16, align 8
+  ret i64 %2
+}
+
+define internal fastcc i64 @address(ptr %0) unnamed_addr #0 {
+  %2 = ptrtoint ptr %0 to i64
+  ret i64 %2
+}
+
+define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #8 {
+  %3 = icmp sgt i64 %1, 0
+  br i1 %3, label %7, label %13
+
+4:
+  %5 = add nuw nsw i64 %8, 1
+  %6 = icmp eq i64 %5, %1
+  br i1 %6, label %13, label %7
+
+7:
+  %8 = phi i64 [ %5, %4 ], [ 0, %2 ]
+  %9 = getelementptr inbounds double, ptr %0, i64 %8
+  %10 = load double, ptr %9, align 8
+  %11 = tail call fastcc i32 @finite_number(double %10) #15
+  %12 = icmp eq i32 %11, 0
+  br i1 %12, label %13, label %4
+
+13:
+  %14 = phi i32 [ 1, %2 ], [ 1, %4 ], [ 0, %7 ]
+  ret i32 %14
+}
+
+define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 1, ptr %5, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 128
+  store i8 0, ptr %6, align 8
+  tail call fastcc void @append(ptr %0, ptr %1) #15
+  %7 = icmp sgt i64 %2, -1
+  %8 = load i64, ptr @pp_n_sentences, align 8
+  %9 = icmp slt i64 %2, %8
+  %10 = select i1 %7, i1 %9, i1 false
+  br i1 %10, label %11, label %14
+
+11:
+  tail call fastcc void @append(ptr %0, ptr @.str.19) #15
+  %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
+  %13 = load ptr, ptr %12, align 8
+  tail call fastcc void @append(ptr %0, ptr %13) #15
+  br label %14
+
+14:
+  tail call fastcc void @append(ptr %0, ptr @.str.20) #15
+  tail call fastcc void @append(ptr %0, ptr %3) #15
+  tail call fastcc void @fail(ptr %0, ptr %6) #15
+  ret void
+}
+
+define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #15
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #15
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %14 = icmp sgt i64 %13, 0
+  br i1 %14, label %23, label %15
+
+15:
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %17 = icmp sgt i64 %16, 0
+  br i1 %17, label %18, label %52
+
+18:
+  %19 = and i64 %16, 1
+  %20 = icmp eq i64 %16, 1
+  br i1 %20, label %42, label %21
+
+21:
+  %22 = and i64 %16, 9223372036854775806
+  br label %57
+
+23:
+  %24 = phi i64 [ %38, %23 ], [ 0, %2 ]
+  %25 = getelementptr inbounds double, ptr %4, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %6, i64 %24
+  %28 = load double, ptr %27, align 8
+  %29 = fsub double %28, %26
+  %30 = fmul double %1, %29
+  %31 = fadd double %26, %30
+  store double %31, ptr %27, align 8
+  %32 = load double, ptr %25, align 8
+  %33 = getelementptr inbounds double, ptr %8, i64 %24
+  %34 = load double, ptr %33, align 8
+  %35 = fsub double %34, %32
+  %36 = fmul double %1, %35
+  %37 = fadd double %32, %36
+  store double %37, ptr %33, align 8
+  %38 = add nuw nsw i64 %24, 1
+  %39 = icmp eq i64 %38, %13
+  br i1 %39, label %15, label %23
+
+40:
+  %41 = icmp eq i64 %19, 0
+  br i1 %41, label %52, label %42
+
+42:
+  %43 = phi i64 [ 0, %18 ], [ %75, %40 ]
+  %44 = icmp ne i64 %19, 0
+  tail call void @llvm.assume(i1 %44)
+  %45 = getelementptr inbounds double, ptr %10, i64 %43
+  %46 = load double, ptr %45, align 8
+  %47 = getelementptr inbounds double, ptr %12, i64 %43
+  %48 = load double, ptr %47, align 8
+  %49 = fsub double %48, %46
+  %50 = fmul double %1, %49
+  %51 = fadd double %46, %50
+  store double %51, ptr %47, align 8
+  br label %52
+
+52:
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #15
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %56 = getelementptr inbounds i64, ptr %54, i64 %55
+  store i64 0, ptr %56, align 8
+  ret void
+
+57:
+  %58 = phi i64 [ 0, %21 ], [ %75, %57 ]
+  %59 = phi i64 [ 0, %21 ], [ %76, %57 ]
+  %60 = getelementptr inbounds double, ptr %10, i64 %58
+  %61 = load double, ptr %60, align 8
+  %62 = getelementptr inbounds double, ptr %12, i64 %58
+  %63 = load double, ptr %62, align 8
+  %64 = fsub double %63, %61
+  %65 = fmul double %1, %64
+  %66 = fadd double %61, %65
+  store double %66, ptr %62, align 8
+  %67 = or i64 %58, 1
+  %68 = getelementptr inbounds double, ptr %10, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds double, ptr %12, i64 %67
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %71, %69
+  %73 = fmul double %1, %72
+  %74 = fadd double %69, %73
+  store double %74, ptr %70, align 8
+  %75 = add nuw nsw i64 %58, 2
+  %76 = add i64 %59, 2
+  %77 = icmp eq i64 %76, %22
+  br i1 %77, label %40, label %57
+}
+
+define internal fastcc ptr @reals(ptr %0, i64 %1) unnamed_addr #4 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %4, i64 %1
+  ret ptr %5
+}
+
+define internal fastcc ptr @integers(ptr %0, i64 %1) unnamed_addr #4 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds i8, ptr %4, i64 %1
+  ret ptr %5
+}
+
+define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #11 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  br label %4
+
+4:
+  %5 = phi i64 [ 0, %2 ], [ %9, %4 ]
+  %6 = getelementptr inbounds i8, ptr %3, i64 %5
+  %7 = load i8, ptr %6, align 1
+  %8 = icmp eq i8 %7, 0
+  %9 = add i64 %5, 1
+  br i1 %8, label %10, label %4
+
+10:
+  %11 = load i8, ptr %1, align 1
+  %12 = icmp ne i8 %11, 0
+  %13 = icmp ult i64 %9, 480
+  %14 = and i1 %12, %13
+  br i1 %14, label %15, label %27
+
+15:
+  %16 = phi i64 [ %24, %15 ], [ %9, %10 ]
+  %17 = phi i8 [ %22, %15 ], [ %11, %10 ]
+  %18 = phi i64 [ %16, %15 ], [ %5, %10 ]
+  %19 = phi ptr [ %21, %15 ], [ %1, %10 ]
+  %20 = getelementptr inbounds i8, ptr %3, i64 %18
+  store i8 %17, ptr %20, align 1
+  %21 = getelementptr inbounds i8, ptr %19, i64 1
+  %22 = load i8, ptr %21, align 1
+  %23 = icmp ne i8 %22, 0
+  %24 = add nuw nsw i64 %16, 1
+  %25 = icmp ult i64 %16, 479
+  %26 = select i1 %23, i1 %25, i1 false
+  br i1 %26, label %15, label %27
+
+27:
+  %28 = phi i64 [ %5, %10 ], [ %16, %15 ]
+  %29 = getelementptr inbounds i8, ptr %3, i64 %28
+  store i8 0, ptr %29, align 1
+  ret void
+}
+
+define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %4 = load ptr, ptr %3, align 8
+  %5 = load i64, ptr @pp_numbers, align 8
+  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #17
+  %7 = load ptr, ptr %3, align 8
+  %8 = tail call fastcc i64 @address(ptr %7) #15
+  tail call fastcc void @move(ptr %7, i64 %8) #15
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
+  %10 = icmp sgt i64 %9, 0
+  br i1 %10, label %12, label %11
+
+11:
+  ret void
+
+12:
+  %13 = phi i64 [ %25, %12 ], [ 0, %2 ]
+  %14 = shl nuw nsw i64 %13, 3
+  %15 = getelementptr inbounds i8, ptr @pp_code, i64 %14
+  %16 = getelementptr inbounds i8, ptr %15, i64 4
+  %17 = load i32, ptr %16, align 4
+  %18 = zext i32 %17 to i64
+  %19 = getelementptr inbounds ptr, ptr @pp_entries, i64 %18
+  %20 = load ptr, ptr %19, align 8
+  %21 = tail call fastcc i64 @address(ptr %20) #15
+  %22 = load i32, ptr %15, align 4
+  %23 = zext i32 %22 to i64
+  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #15
+  store i64 %21, ptr %24, align 8
+  %25 = add nuw nsw i64 %13, 1
+  %26 = icmp eq i64 %25, %9
+  br i1 %26, label %11, label %12
+}
+
+declare ptr @memcpy(ptr, ptr, i64) local_unnamed_addr #9
+
+define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #11 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 8), align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %27
+
+5:
+  %6 = and i64 %3, 3
+  %7 = icmp ult i64 %3, 4
+  br i1 %7, label %12, label %8
+
+8:
+  %9 = and i64 %3, 9223372036854775804
+  br label %28
+
+10:
+  %11 = icmp eq i64 %6, 0
+  br i1 %11, label %27, label %12
+
+12:
+  %13 = phi i64 [ 0, %5 ], [ %58, %10 ]
+  %14 = icmp ne i64 %6, 0
+  tail call void @llvm.assume(i1 %14)
+  br label %15
+
+15:
+  %16 = phi i64 [ %24, %15 ], [ %13, %12 ]
+  %17 = phi i64 [ %25, %15 ], [ 0, %12 ]
+  %18 = getelementptr inbounds i32, ptr @pp_moved, i64 %16
+  %19 = load i32, ptr %18, align 4
+  %20 = zext i32 %19 to i64
+  %21 = getelementptr inbounds i8, ptr %0, i64 %20
+  %22 = load i64, ptr %21, align 8
+  %23 = add nsw i64 %22, %1
+  store i64 %23, ptr %21, align 8
+  %24 = add nuw nsw i64 %16, 1
+  %25 = add i64 %17, 1
+  %26 = icmp eq i64 %25, %6
+  br i1 %26, label %27, label %15
+
+27:
+  ret void
+
+28:
+  %29 = phi i64 [ 0, %8 ], [ %58, %28 ]
+  %30 = phi i64 [ 0, %8 ], [ %59, %28 ]
+  %31 = getelementptr inbounds i32, ptr @pp_moved, i64 %29
+  %32 = load i32, ptr %31, align 4
+  %33 = zext i32 %32 to i64
+  %34 = getelementptr inbounds i8, ptr %0, i64 %33
+  %35 = load i64, ptr %34, align 8
+  %36 = add nsw i64 %35, %1
+  store i64 %36, ptr %34, align 8
+  %37 = getelementptr inbounds i32, ptr @pp_moved, i64 %29
+  %38 = getelementptr inbounds i8, ptr %37, i64 4
+  %39 = load i32, ptr %38, align 4
+  %40 = zext i32 %39 to i64
+  %41 = getelementptr inbounds i8, ptr %0, i64 %40
+  %42 = load i64, ptr %41, align 8
+  %43 = add nsw i64 %42, %1
+  store i64 %43, ptr %41, align 8
+  %44 = getelementptr inbounds i32, ptr @pp_moved, i64 %29
+  %45 = getelementptr inbounds i8, ptr %44, i64 8
+  %46 = load i32, ptr %45, align 4
+  %47 = zext i32 %46 to i64
+  %48 = getelementptr inbounds i8, ptr %0, i64 %47
+  %49 = load i64, ptr %48, align 8
+  %50 = add nsw i64 %49, %1
+  store i64 %50, ptr %48, align 8
+  %51 = getelementptr inbounds i32, ptr @pp_moved, i64 %29
+  %52 = getelementptr inbounds i8, ptr %51, i64 12
+  %53 = load i32, ptr %52, align 4
+  %54 = zext i32 %53 to i64
+  %55 = getelementptr inbounds i8, ptr %0, i64 %54
+  %56 = load i64, ptr %55, align 8
+  %57 = add nsw i64 %56, %1
+  store i64 %57, ptr %55, align 8
+  %58 = add nuw nsw i64 %29, 4
+  %59 = add i64 %30, 4
+  %60 = icmp eq i64 %59, %9
+  br i1 %60, label %10, label %28
+}
+
+define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #12 {
+  %4 = zext i32 %1 to i64
+  %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 3
+  br i1 %7, label %8, label %14
+
+8:
+  %9 = getelementptr inbounds i8, ptr %5, i64 8
+  %10 = load i64, ptr %9, align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %12 = icmp slt i64 %10, %11
+  %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
+  br label %24
+
+14:
+  %15 = getelementptr inbounds i8, ptr %0, i64 96
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %16, i64 %4
+  %18 = load double, ptr %17, align 8
+  %19 = fcmp olt double %18, 0.000000e+00
+  %20 = fneg double %18
+  %21 = select i1 %19, double %20, double %18
+  %22 = fadd double %21, 1.000000e+00
+  %23 = fmul double %22, 0x3EB0C6F7A0B5ED8D
+  br label %24
+
+24:
+  %25 = phi double [ %13, %8 ], [ %23, %14 ]
+  %26 = fcmp olt double %2, 0.000000e+00
+  %27 = fneg double %2
+  %28 = select i1 %26, double %27, double %2
+  %29 = fdiv double %25, %28
+  ret double %29
+}
+
+define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnamed_addr #1 {
+  %6 = alloca double, align 8
+  %7 = icmp eq i64 %2, 0
+  br i1 %7, label %46, label %8
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 96
+  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %14
+
+14:
+  %15 = phi i64 [ 0, %8 ], [ %44, %43 ]
+  %16 = getelementptr inbounds i32, ptr %1, i64 %15
+  %17 = load i32, ptr %16, align 4
+  %18 = zext i32 %17 to i64
+  %19 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
+  %20 = getelementptr inbounds double, ptr %3, i64 %15
+  %21 = load double, ptr %20, align 8
+  %22 = fmul double %4, %21
+  %23 = load i64, ptr %19, align 8
+  %24 = icmp eq i64 %23, 3
+  br i1 %24, label %25, label %36
+
+25:
+  %26 = getelementptr inbounds i8, ptr %19, i64 8
+  %27 = load i64, ptr %26, align 8
+  %28 = icmp slt i64 %27, %10
+  %29 = select i1 %28, i64 %11, i64 %12
+  %30 = tail call fastcc ptr @reals(ptr %0, i64 %29) #15
+  %31 = select i1 %28, i64 0, i64 %10
+  %32 = sub nsw i64 %27, %31
+  %33 = getelementptr inbounds double, ptr %30, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = fadd double %22, %34
+  store double %35, ptr %33, align 8
+  store i64 2, ptr %13, align 8
+  br label %43
+
+36:
+  %37 = load ptr, ptr %9, align 8
+  %38 = getelementptr inbounds double, ptr %37, i64 %18
+  %39 = load double, ptr %38, align 8
+  %40 = fadd double %22, %39
+  store double %40, ptr %6, align 8
+  %41 = call fastcc i32 @set_numbers(ptr %0, ptr %16, i64 1, ptr %6) #15
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %43, label %46
+
+43:
+  %44 = add nuw i64 %15, 1
+  %45 = icmp eq i64 %44, %2
+  br i1 %45, label %46, label %14
+
+46:
+  %47 = phi i32 [ 0, %5 ], [ 0, %43 ], [ 3, %36 ]
+  ret i32 %47
+}
+
+define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
+  %3 = tail call fastcc double @now(ptr %0) #15
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %5 = icmp eq i64 %4, 0
+  br i1 %5, label %10, label %6
+
+6:
+  %7 = getelementptr inbounds i8, ptr %0, i64 56
+  %8 = load double, ptr %7, align 8
+  %9 = fdiv double %1, %8
+  tail call fastcc void @rescale(ptr %0, double %9) #15
+  br label %15
+
+10:
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %14 = getelementptr inbounds double, ptr %12, i64 %13
+  store double 0.000000e+00, ptr %14, align 8
+  br label %15
+
+15:
+  %16 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %3, ptr %16, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %17, align 8
+  %18 = getelementptr inbounds i8, ptr %0, i64 56
+  store double %1, ptr %18, align 8
+  ret void
+}
+
+define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
+  %4 = alloca [3 x i64], align 16
+  %5 = alloca %struct.Recorder, align 8
+  call void @llvm.memset.p0.i64(ptr align 16 dereferenceable(24) %4, i8 0, i64 24, i1 false)
+  store i64 %2, ptr %5, align 8
+  %6 = getelementptr inbounds i8, ptr %5, i64 8
+  store i64 1, ptr %6, align 8
+  %7 = getelementptr inbounds i8, ptr %5, i64 16
+  %8 = getelementptr inbounds i8, ptr %0, i64 112
+  %9 = load ptr, ptr %8, align 8
+  %10 = tail call fastcc i64 @address(ptr %9) #15
+  store i64 %10, ptr %7, align 8
+  %11 = getelementptr inbounds i8, ptr %5, i64 24
+  store i64 %2, ptr %11, align 8
+  %12 = getelementptr inbounds i8, ptr %5, i64 32
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %14 = add nsw i64 %13, 1
+  store i64 %14, ptr %12, align 8
+  %15 = getelementptr inbounds i8, ptr %5, i64 40
+  store <6 x i64> zeroinitializer, ptr %15, align 8
+  %16 = getelementptr inbounds i8, ptr %5, i64 88
+  %17 = call fastcc i64 @address(ptr %4) #15
+  store i64 %17, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %5, i64 96
+  store i64 0, ptr %18, align 8
+  %19 = getelementptr inbounds i8, ptr %5, i64 104
+  store i64 0, ptr %19, align 8
+  %20 = getelementptr inbounds i8, ptr %0, i64 48
+  %21 = load double, ptr %20, align 8
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
+  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #15
+  store double %21, ptr %23, align 8
+  %24 = getelementptr inbounds i8, ptr %0, i64 56
+  %25 = load double, ptr %24, align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #15
+  store double %25, ptr %27, align 8
+  %28 = getelementptr inbounds i8, ptr %0, i64 64
+  %29 = load i64, ptr %28, align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
+  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #15
+  store i64 %29, ptr %31, align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #15
+  store i64 %1, ptr %33, align 8
+  %34 = load ptr, ptr @pp_entries, align 8
+  %35 = getelementptr inbounds i8, ptr %0, i64 120
+  %36 = load ptr, ptr %35, align 8
+  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %38 = getelementptr inbounds i8, ptr %36, i64 %37
+  %39 = call fastcc i64 @address(ptr %38) #15
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %41 = getelementptr inbounds i8, ptr %36, i64 %40
+  %42 = call fastcc i64 @address(ptr %41) #15
+  %43 = call fastcc i64 @address(ptr %5) #15
+  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #17
+  %45 = load i64, ptr %4, align 16
+  %46 = load i64, ptr %28, align 8
+  %47 = add nsw i64 %46, %45
+  store i64 %47, ptr %28, align 8
+  %48 = icmp eq i64 %44, 1
+  %49 = icmp ne i64 %2, 0
+  %50 = and i1 %49, %48
+  br i1 %50, label %51, label %110
+
+51:
+  %52 = icmp sgt i64 %13, 0
+  br i1 %52, label %53, label %75
+
+53:
+  %54 = getelementptr inbounds i8, ptr %0, i64 104
+  %55 = and i64 %13, 3
+  %56 = icmp ult i64 %13, 4
+  br i1 %56, label %61, label %57
+
+57:
+  %58 = and i64 %13, 9223372036854775804
+  br label %81
+
+59:
+  %60 = icmp eq i64 %55, 0
+  br i1 %60, label %75, label %61
+
+61:
+  %62 = phi i64 [ 0, %53 ], [ %103, %59 ]
+  %63 = icmp ne i64 %55, 0
+  call void @llvm.assume(i1 %63)
+  br label %64
+
+64:
+  %65 = phi i64 [ %62, %61 ], [ %68, %64 ]
+  %66 = phi i64 [ 0, %61 ], [ %73, %64 ]
+  %67 = load ptr, ptr %8, align 8
+  %68 = add nuw nsw i64 %65, 1
+  %69 = getelementptr inbounds double, ptr %67, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = load ptr, ptr %54, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %65
+  store double %70, ptr %72, align 8
+  %73 = add i64 %66, 1
+  %74 = icmp eq i64 %73, %55
+  br i1 %74, label %75, label %64
+
+75:
+  %76 = getelementptr inbounds i8, ptr %0, i64 104
+  %77 = load ptr, ptr %76, align 8
+  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #15
+  %79 = icmp eq i32 %78, 0
+  %80 = select i1 %79, i64 4, i64 1
+  br label %110
+
+81:
+  %82 = phi i64 [ 0, %57 ], [ %103, %81 ]
+  %83 = phi i64 [ 0, %57 ], [ %108, %81 ]
+  %84 = load ptr, ptr %8, align 8
+  %85 = or i64 %82, 1
+  %86 = getelementptr inbounds double, ptr %84, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = load ptr, ptr %54, align 8
+  %89 = getelementptr inbounds double, ptr %88, i64 %82
+  store double %87, ptr %89, align 8
+  %90 = load ptr, ptr %8, align 8
+  %91 = or i64 %82, 2
+  %92 = getelementptr inbounds double, ptr %90, i64 %91
+  %93 = load double, ptr %92, align 8
+  %94 = load ptr, ptr %54, align 8
+  %95 = getelementptr inbounds double, ptr %94, i64 %85
+  store double %93, ptr %95, align 8
+  %96 = load ptr, ptr %8, align 8
+  %97 = or i64 %82, 3
+  %98 = getelementptr inbounds double, ptr %96, i64 %97
+  %99 = load double, ptr %98, align 8
+  %100 = load ptr, ptr %54, align 8
+  %101 = getelementptr inbounds double, ptr %100, i64 %91
+  store double %99, ptr %101, align 8
+  %102 = load ptr, ptr %8, align 8
+  %103 = add nuw nsw i64 %82, 4
+  %104 = getelementptr inbounds double, ptr %102, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = load ptr, ptr %54, align 8
+  %107 = getelementptr inbounds double, ptr %106, i64 %97
+  store double %105, ptr %107, align 8
+  %108 = add i64 %83, 4
+  %109 = icmp eq i64 %108, %58
+  br i1 %109, label %59, label %81
+
+110:
+  %111 = phi i64 [ %80, %75 ], [ %44, %3 ]
+  ret i64 %111
+}
+
+define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
+  %4 = icmp eq i64 %1, %2
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #15
+  br label %6
+
+6:
+  %7 = zext i1 %4 to i32
+  ret i32 %7
+}
+
+define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 72
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp eq i64 %3, 2
+  br i1 %4, label %5, label %8
+
+5:
+  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %7 = icmp eq i64 %6, 1
+  br i1 %7, label %8, label %14
+
+8:
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #15
+  %13 = icmp eq i32 %12, 0
+  br i1 %13, label %14, label %16
+
+14:
+  %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.45, i64 %15, ptr @.str.46) #15
+  br label %20
+
+16:
+  %17 = load i64, ptr %2, align 8
+  %18 = icmp eq i64 %17, 2
+  br i1 %18, label %19, label %20
+
+19:
+  store i64 1, ptr %2, align 8
+  br label %20
+
+20:
+  %21 = phi i32 [ 3, %14 ], [ 0, %19 ], [ 0, %16 ]
+  ret i32 %21
+}
+
+declare double @llvm.fabs.f64(double) #13
+
+declare void @llvm.assume(i1) #14
+
+attributes #0 = { nounwind "no-builtins" }
+attributes #1 = { nounwind "no-builtins" }
+attributes #2 = { nounwind "no-builtins" }
+attributes #3 = { nounwind "no-builtins" }
+attributes #4 = { nounwind "no-builtins" }
+attributes #5 = { nounwind "no-builtins" }
+attributes #6 = { nounwind "no-builtins" }
+attributes #7 = { nounwind "no-builtins" }
+attributes #8 = { nounwind "no-builtins" }
+attributes #9 = { nounwind "no-builtins" }
+attributes #10 = { nounwind "no-builtins" }
+attributes #11 = { nounwind "no-builtins" }
+attributes #12 = { nounwind "no-builtins" }
+attributes #13 = { nounwind "no-builtins" }
+attributes #14 = { nounwind "no-builtins" }
+attributes #15 = { nounwind "no-builtins" }
+attributes #16 = { nounwind "no-builtins" }
+attributes #17 = { nounwind "no-builtins" }
+
+

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Model as it goes into a functional mock-up unit: memory, entry points, variables, numbers."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import uuid
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from pitchpoint.core.compiler.memory_image import MemoryImage
+
+OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR = range(7)
+"""Kinds of variables, as in `glue/instance.h`."""
+CAUSALITIES = ("output", "input", "parameter", "local", "local", "independent", "local")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """Variable of the unit; its value reference is its position in the list.
+
+    Parameters
+    ----------
+    kind
+        One of the constants above.
+    name, unit, text
+        Name, unit and description.
+    first
+        OUTPUT: index of the channel; STATE, SLOPE, INDICATOR: index of the state or indicator.
+    start
+        Start value of an INPUT, PARAMETER or STATE.
+    words
+        INPUT and PARAMETER: offset of each word of the memory, and its change per unit.
+    """
+
+    kind: int
+    name: str
+    unit: str
+    text: str
+    first: int = 0
+    start: float = 0.0
+    words: tuple[tuple[int, float], ...] = ()
+
+    @property
+    def is_set(self) -> bool:
+        """Whether the importing program sets it."""
+        return self.kind in (INPUT, PARAMETER)
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether it is a parameter."""
+        return self.kind == PARAMETER
+
+
+@dataclass(frozen=True)
+class FmuModel:
+    """Model of a functional mock-up unit.
+
+    Parameters
+    ----------
+    name, title
+        Name of the libraries (letters, digits, underscores), and title of the model.
+    image
+        Memory of the started run.
+    entries
+        Symbol and intermediate code of every entry point.
+    code
+        Offset and number of the entry point of each word of the memory that holds the address of one.
+    numbers, reals
+        Sizes, offsets, flags; t0 [s], h [s], rate [1/s], by the names of `Numbers` in `glue/instance.h`.
+    variables
+        All variables.
+    indicators
+        Event functions that are event indicators of the model exchange.
+    stop, sample
+        End and communication step of the default experiment [s].
+    shafts
+        Input of every torque about a spin axis, and its body.
+    """
+
+    name: str
+    title: str
+    image: MemoryImage
+    entries: tuple[tuple[str, bytes], ...]
+    code: tuple[tuple[int, int], ...]
+    numbers: Mapping[str, int]
+    reals: Mapping[str, float]
+    variables: tuple[Variable, ...]
+    indicators: tuple[int, ...]
+    stop: float
+    sample: float
+    shafts: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def token(self) -> str:
+        """Identifier of the model: the same for the same memory, code and variables."""
+        digest = hashlib.sha256(self.image.data)
+        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables)).encode())
+        for symbol, bitcode in self.entries:
+            digest.update(symbol.encode() + bitcode)
+        return "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"
+
+    @property
+    def exchanges(self) -> bool:
+        """Whether the unit is for model exchange, too."""
+        return bool(self.numbers["exchange"])
+
+    def of_kind(self, kind: int) -> list[int]:
+        """Value references of all variables of a kind."""
+        return [k for k, variable in enumerate(self.variables) if variable.kind == kind]
+
+
+def identifier(text: str) -> str:
+    """Name of a library from the name of a file.
+
+    Examples
+    --------
+    >>> identifier("5 MW gearbox-v2")
+    'm5_MW_gearbox_v2'
+    """
+    name = re.sub(r"\W", "_", text, flags=re.ASCII)
+    return name if name[:1].isalpha() else f"m{name}"

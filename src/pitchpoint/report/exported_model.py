@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models for other programs: FMUs and live pages from a started run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.io.fmu.linking import own_platform
+from pitchpoint.io.fmu.model import (
+    INDICATOR,
+    INPUT,
+    OUTPUT,
+    PARAMETER,
+    SLOPE,
+    STATE,
+    TIME,
+    FmuModel,
+    Variable,
+    identifier,
+)
+from pitchpoint.io.fmu.web import web_assembly
+from pitchpoint.io.fmu.writing import fmu_bytes
+from pitchpoint.io.target import check_target, write_file
+from pitchpoint.solvers.exported_run import ExportedRun, Place, export_run
+from pitchpoint.solvers.tunable import tunable_places
+from pitchpoint.system.compile import compile_model
+from pitchpoint.viz.live_page import live_page
+
+if TYPE_CHECKING:
+    import os
+
+    from pitchpoint.model.model import Model
+
+STEPS = 10
+"""Time steps per sample of a live page."""
+
+
+def export_fmu(
+    model: Model,
+    path: str | os.PathLike[str],
+    scenario: str,
+    *,
+    version: int = 3,
+    platforms: Sequence[str] = (),
+    parameters: Sequence[str] = (),
+    inputs: Sequence[str] = (),
+) -> Path:
+    """Write a scenario of a model as an FMU; returns its path.
+
+    Parameters
+    ----------
+    model
+        The model.
+    path
+        File to write; a new file or an older FMU of this package.
+    scenario
+        Name of a scenario with a duration.
+    version
+        Version of FMI, 2 or 3.
+    platforms
+        Platforms by their names in FMI 3.0, such as "x86_64-linux"; default: that of this computer.
+    parameters, inputs
+        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads.
+
+    Raises
+    ------
+    ModelError
+        If the model or a parameter cannot be exported, with all reasons.
+    MissingDependencyError
+        If there is no linker for a platform.
+    """
+    target = check_target(path, "fmu")
+    run, tunable = begin_export(model, scenario, parameters, inputs)
+    unit = fmu_model(run, tunable, target.stem, model.title or scenario)
+    return write_file(target, fmu_bytes(unit, version, list(platforms) or [own_platform()])[0])
+
+
+def begin_export(
+    model: Model, scenario: str, parameters: Sequence[str] = (), inputs: Sequence[str] = ()
+) -> tuple[ExportedRun, tuple[Place, ...]]:
+    """Started run of a scenario for other programs, and its tunable parameters.
+
+    Parameters
+    ----------
+    model, scenario
+        Model and name of its scenario.
+    parameters, inputs
+        As for `export_fmu`.
+    """
+    run = export_run(compile_model(model, scenario))
+    more, tunable = (tunable_places(model, scenario, run, paths) for paths in (inputs, parameters))
+    return replace(run, inputs=(*run.inputs, *more)), tunable
+
+
+def fmu_model(
+    run: ExportedRun,
+    tunable: Sequence[Place],
+    name: str,
+    title: str,
+    optimised_for: tuple[str, str] | None = None,
+) -> FmuModel:
+    """Model of a unit from a started run.
+
+    Parameters
+    ----------
+    run
+        The run.
+    tunable
+        Tunable parameters.
+    name, title
+        Name of the libraries, and title of the model.
+    optimised_for
+        See `core.compiler.portable.intermediate_code`.
+    """
+    from pitchpoint.core.compiler import portable  # imports the compiler
+
+    codes = []
+    for entry in run.entries:
+        code = portable.intermediate_code(entry, optimised_for or portable.WIDE)
+        if code is None:
+            raise PitchpointError(
+                f"{entry.__module__}: this part needs Python at run time; the model cannot be exported"
+            )
+        codes.append((machine_code.symbol(entry.py_func), code))
+    channels = run.system.layout.channels
+    variables = [
+        *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
+        *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
+        *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
+        Variable(TIME, "time", "s", "time"),
+        *_state_variables(run),
+    ]
+    return FmuModel(
+        identifier(name),
+        title,
+        run.image,
+        tuple(codes),
+        run.code,
+        run.numbers,
+        {"t0": run.t0, "h": run.h, "rate": run.rate},
+        tuple(variables),
+        run.indicators,
+        run.t0 + run.duration,
+        run.sample,
+        run.shafts,
+    )
+
+
+def _state_variables(run: ExportedRun) -> list[Variable]:
+    """States of the model exchange, their derivatives, and the event indicators."""
+    n = len(run.states)
+    places = [(f"coordinate[{name}]", unit) for name, unit in run.states]
+    rates = [(f"rate[{name}]", f"{unit}/s") for name, unit in run.states]
+    slopes = [unit for _, unit in rates] + [f"{unit}/s^2" for _, unit in run.states]
+    both = [*places, *rates]
+    texts = ["joint coordinate"] * n + ["rate of a joint coordinate"] * n
+    events = run.system.layout.events
+    return [
+        *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
+        *(
+            Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k)
+            for k, (name, _) in enumerate(both)
+        ),
+        *(
+            Variable(INDICATOR, f"indicator[{events[e].name}]", "1", events[e].long_name, k)
+            for k, e in enumerate(run.indicators)
+        ),
+    ]
+
+
+def live_text(run: ExportedRun, tunable: Sequence[Place], title: str) -> tuple[str, int]:
+    """Live page of a started run, and the size of its code [bytes].
+
+    Parameters
+    ----------
+    run, tunable
+        From `begin_export`.
+    title
+        Title of the page.
+    """
+    from pitchpoint.core.compiler.portable import NARROW
+
+    unit = fmu_model(run, tunable, "live", title, NARROW)
+    code = web_assembly(unit)
+    rows = [
+        {"name": v.name, "unit": v.unit, "reference": k, "start": v.start}
+        for k, v in enumerate(unit.variables)
+    ]
+    settable = [row for row, v in zip(rows, unit.variables, strict=True) if v.is_set]
+    outputs = [row for row, v in zip(rows, unit.variables, strict=True) if v.kind == OUTPUT]
+    times = {"start": run.t0, "sample": STEPS * run.h}
+    return live_page(title, code, token=unit.token, settable=settable, outputs=outputs, **times), len(code)

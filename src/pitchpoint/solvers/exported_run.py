@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Start of a run for another program: memory image, compiled loop, inputs, and what must be refused.
+
+The other program relocates the image, sets time and number of steps in the arguments of the loop, and calls
+it: the same code with the same data as `time.run_time`, so that all results have the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.compiler.memory_image import MemoryImage
+from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.kernel import COMPILING, address
+from pitchpoint.elements.kind import DRIVE, FORCE, TORQUE
+from pitchpoint.elements.signal import CONSTANT
+from pitchpoint.solvers.event_watch import FUNCTIONS
+from pitchpoint.solvers.explicit import equal_steps
+from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
+from pitchpoint.solvers.inputs_outputs import coordinate_units
+from pitchpoint.solvers.step_choice import choose_step
+from pitchpoint.solvers.time import loop_of, run_time, scenario_of
+from pitchpoint.solvers.vibration_losses import with_vibration_losses
+from pitchpoint.system.image import memory_image
+from pitchpoint.system.meshes import forget_contacts
+from pitchpoint.system.requests import handle_request
+from pitchpoint.system.source import source
+from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import VALID
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+
+RATE = 200.0
+"""Rate of the constraint stabilisation of single evaluations [1/s], as in `explicit.runge_kutta`."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Number in the memory of a model that may be changed: a load, at a word of the image.
+
+    Parameters
+    ----------
+    name, unit, text
+        Name, unit and description.
+    start
+        Value in the image.
+    words
+        Offset of a word, and its change per unit of the value.
+    """
+
+    name: str
+    unit: str
+    text: str
+    start: float
+    words: tuple[tuple[int, float], ...]
+
+
+@dataclass(frozen=True)
+class ExportedRun:
+    """Started run of a scenario that another program can continue.
+
+    Parameters
+    ----------
+    system
+        The started system, for names and units.
+    state
+        Its initial state.
+    image
+        Memory of the run; the array "order" has the arguments of the loop.
+    entries
+        Entry points: the loop, the single evaluations, then those of the image.
+    code
+        Offset and number in `entries` of each word that holds the address of an entry point.
+    numbers
+        Sizes, offsets and flags that the other program needs, by name.
+    t0, h, rate
+        Start [s], step [s], stabilisation rate of single evaluations [1/s].
+    duration, sample
+        Duration and sample period of the scenario [s]; 100 steps without a sample rate.
+    inputs
+        Constant loads of the model file.
+    states
+        Names and units of the coordinates.
+    indicators
+        Event functions of contacts and of sticking: zero where forces have a jump or kink. Functions of the
+        mesh phase are not among them, because they jump where a pair of teeth follows the next.
+    shafts
+        Input of every constant torque, and its body.
+    """
+
+    system: System
+    state: State
+    image: MemoryImage
+    entries: tuple[Any, ...]
+    code: tuple[tuple[int, int], ...]
+    numbers: Mapping[str, int]
+    t0: float
+    h: float
+    rate: float
+    duration: float
+    sample: float
+    inputs: tuple[Place, ...]
+    states: tuple[tuple[str, str], ...]
+    indicators: tuple[int, ...]
+    shafts: tuple[tuple[str, str], ...]
+
+
+def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
+    """Start the run of a scenario for another program.
+
+    Parameters
+    ----------
+    system
+        Compiled with the scenario.
+    scenario
+        Scenario; default the one of the system.
+
+    Raises
+    ------
+    ModelError
+        If the model has Python functions or controllers, or the method has variable steps.
+    CompileError
+        If the memory of the model refers to something outside of it.
+    """
+    chosen = scenario_of(system, scenario)
+    check_exportable(system, chosen)
+    start = started(system, chosen)
+    h, every = choose_step(start, chosen)
+    loop = loop_of(chosen.method)
+    for entry in (loop, handle_request):
+        address(entry)
+    image = memory_image(lambda: _begun(start, chosen, h))
+    entries = (loop, handle_request, *(e for e in image.entries if e not in (loop, handle_request)))
+    code = tuple((offset, entries.index(image.entries[k])) for offset, k in image.code)
+    return ExportedRun(
+        start.system,
+        start.state,
+        image,
+        entries,
+        code,
+        _numbers(start.system, image, chosen, h),
+        start.state.t,
+        h,
+        RATE,
+        float(chosen.duration or 0.0),
+        (every if chosen.sample_rate else 100) * h,
+        tuple(_loads(start.system, image)),
+        tuple(coordinate_units(start.system).items()),
+        _indicators(start.system),
+        tuple(_shafts(start.system)),
+    )
+
+
+def check_exportable(system: System, scenario: Scenario) -> None:
+    """Refuse a model that needs Python at run time, and methods without fixed steps, by name.
+
+    Raises
+    ------
+    ModelError
+        With all problems.
+    """
+    problems = [
+        Message(
+            f"controllers.{controller.name}",
+            "is a Python function, which an exported model cannot call",
+            remedy="remove it, and use blocks, or a constant load, which becomes an input",
+        )
+        for controller in system.controllers
+    ]
+    for kind, laws in system.laws.items():
+        problems += [
+            Message(
+                source(system, kind, system.names[kind][k]),
+                "has a law in Python, which an exported model cannot call",
+                remedy="give it as a formula or table",
+            )
+            for k, law in enumerate(laws)
+            if law is not None
+        ]
+    if scenario.method not in FIXED_METHODS:
+        problems.append(
+            Message(
+                "method of the scenario",
+                "cannot be exported",
+                scenario.method,
+                " | ".join(FIXED_METHODS),
+                "select one of these methods with fixed steps",
+            )
+        )
+    if not COMPILING:
+        problems.append(Message("NUMBA_DISABLE_JIT", "disables the compiler", remedy="unset it"))
+    if problems:
+        raise ModelError(problems)
+
+
+def started(system: System, scenario: Scenario) -> Start:
+    """System and state at the start of a run, as for `time.run_time`."""
+    start = with_vibration_losses(prepare_start(system, scenario), scenario, run_time)
+    forget_contacts(start.system)
+    return start
+
+
+def _begun(start: Start, scenario: Scenario, h: float) -> tuple[System, dict[str, NDArray[Any]]]:
+    """New copy of the system with its run begun, and the arrays of the run."""
+    copy = start.system.copy()
+    run = start_fixed_steps(copy, start.state, scenario, h)
+    more = {"order": run.order(0)}
+    if getattr(run, "iteration", None) is not None:
+        record, arrays = run.iteration
+        more |= {"iteration": record} | {f"iteration.{k}": array for k, array in enumerate(arrays)}
+    return copy, more
+
+
+def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -> dict[str, int]:
+    """Sizes, offsets and flags of a run, by name."""
+    at = image.at
+    fields = _order_fields(scenario)
+    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam")}
+    found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
+    found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
+    found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}
+    found |= {"order": at["order"], "size": len(image.data)}
+    found |= {"slope_at": SLOPE_AT, "past": equal_steps.PAST, "valid": VALID}
+    found["implicit"] = int(scenario.method == "generalized_alpha")
+    found["driven"] = int(bool(system.kinds(DRIVE)))
+    # the rotation vector of a tumbling body needs a new reference attitude after half a turn
+    found["exchange"] = int(not np.any(system.program["body"]["chart"] >= 0))
+    return found
+
+
+def _order_fields(scenario: Scenario) -> Any:
+    """Fields of the arguments of the compiled loop of a method: name to type and offset."""
+    loop: Any = generalized_alpha if scenario.method == "generalized_alpha" else equal_steps
+    return loop.ORDER.fields
+
+
+def _indicators(system: System) -> tuple[int, ...]:
+    """Event functions of contacts and of sticking."""
+    wanted = {*FUNCTIONS["contact"], *FUNCTIONS["stick_slip"]}
+    events = enumerate(system.layout.events)
+    return tuple(k for k, event in events if event.name.partition("[")[0] in wanted)
+
+
+def _loads(system: System, image: MemoryImage) -> list[Place]:
+    """Constant loads of a system as inputs."""
+    found = []
+    for role in (TORQUE, FORCE):
+        for kind in system.kinds(role):
+            bank = system.records[kind]
+            base, width = image.at[f"records.{kind}"], bank.dtype.itemsize
+            value = bank.dtype.fields["value"][1]  # type: ignore[index]
+            for k, label in enumerate(system.names[kind]):
+                if bank[k]["form"] == CONSTANT and bank[k]["ramp"] == 0.0:
+                    name, unit, text = _load_words(role, label)
+                    words = ((base + k * width + value, 1.0),)
+                    found.append(Place(name, unit, text, float(bank[k]["value"]), words))
+    return found
+
+
+def _shafts(system: System) -> Iterator[tuple[str, str]]:
+    """Input of every torque, and its body."""
+    for kind in system.kinds(TORQUE):
+        for record, label in zip(system.records[kind], system.names[kind], strict=True):
+            yield _load_words(TORQUE, label)[0], system.layout.bodies[int(record["i"])]
+
+
+def _load_words(role: str, label: str) -> tuple[str, str, str]:
+    """Name, unit and description of a load.
+
+    Examples
+    --------
+    >>> _load_words("torque", "drive")
+    ('loads.drive.torque', 'N m', 'torque about the spin axis')
+    >>> _load_words("force", "rotor.mx")
+    ('loads.rotor.moment_x', 'N m', 'moment x')
+    """
+    if role == TORQUE:
+        return f"loads.{label}.torque", "N m", "torque about the spin axis"
+    load, _, part = label.rpartition(".")
+    word, unit = ("moment", "N m") if part.startswith("m") else ("force", "N")
+    return f"loads.{load}.{word}_{part[-1]}", unit, f"{word} {part[-1]}"

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Start of a run with fixed steps: Runge-Kutta, Adams, generalised-alpha."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.scenario import EXPLICIT_METHODS
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    from pitchpoint.model.scenario import Scenario
+
+FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
+
+
+def start_fixed_steps(system: System, state: State, scenario: Scenario, h: float) -> Any:
+    """Start the run of a scenario with a method of `FIXED_METHODS`.
+
+    Parameters
+    ----------
+    system, state
+        The system and its initial state.
+    scenario
+        Gives the method and the index formulation.
+    h
+        Step [s], > 0.
+    """
+    if scenario.method not in EXPLICIT_METHODS:
+        return generalized_alpha.start(system, state, h, form=scenario.chosen_form)
+    from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
+
+    begin = runge_kutta.start_adams if scenario.method == "adams" else runge_kutta.start_classical
+    return begin(system, state, h)

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Live page: the compiled model runs here; sliders set its inputs and parameters, curves follow.
+"use strict";
+
+const model = JSON.parse(document.getElementById("pp-model").textContent);
+const bytes = Uint8Array.from(atob(document.getElementById("pp-code").textContent.trim()), (c) => c.charCodeAt(0));
+// the module imports nothing that it calls: names of the system are bound to functions that end the run
+const absent = new Proxy({}, { get: (_, name) => () => { throw new Error(`call of ${String(name)}`); } });
+const module = new WebAssembly.Module(bytes);
+const imports = Object.fromEntries(WebAssembly.Module.imports(module).map((each) => [each.module, absent]));
+const code = new WebAssembly.Instance(module, imports).exports;
+if (code._initialize) code._initialize();
+
+const text = (s) => {
+  const data = new TextEncoder().encode(s + "\0"), at = code.malloc(data.length);
+  new Uint8Array(code.memory.buffer).set(data, at);
+  return at;
+};
+const doubles = (at, n) => new Float64Array(code.memory.buffer, at, n);
+const words = (at, n) => new Uint32Array(code.memory.buffer, at, n);
+
+const run = {
+  one: code.fmi3InstantiateCoSimulation(text("live"), text(model.token), text(""), 0, 0, 0, 0, 0, 0, 0, 0, 0),
+  reference: code.malloc(4), value: code.malloc(8), flags: code.malloc(32),
+  references: code.malloc(4 * model.outputs.length), values: code.malloc(8 * model.outputs.length),
+  steps: 0, failed: false,
+  begin() {
+    code.fmi3EnterInitializationMode(this.one, 0, 0, model.start, 0, 0);
+    for (const each of model.settable) this.set(each.reference, each.value);
+    this.failed = code.fmi3ExitInitializationMode(this.one) !== 0;
+    this.steps = 0;
+  },
+  reset() { code.fmi3Reset(this.one); this.begin(); },
+  set(reference, value) {
+    words(this.reference, 1)[0] = reference;
+    doubles(this.value, 1)[0] = value;
+    return code.fmi3SetFloat64(this.one, this.reference, 1, this.value, 1);
+  },
+  get time() { return model.start + this.steps * model.sample; },
+  step() {
+    const at = this.flags;
+    if (code.fmi3DoStep(this.one, this.time, model.sample, 1, at, at + 4, at + 8, at + 16)) this.failed = true;
+    else this.steps += 1;
+    return !this.failed;
+  },
+  get() {
+    words(this.references, model.outputs.length).set(model.outputs.map((each) => each.reference));
+    const n = model.outputs.length;
+    code.fmi3GetFloat64(this.one, this.references, n, this.values, n);
+    return doubles(this.values, n);
+  },
+};
+run.begin();
+
+// ------------------------------------------------------------------------------------------------- controls
+
+const make = (tag, attributes = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), attributes);
+  element.append(...children);
+  return element;
+};
+const controls = document.getElementById("controls"), plots = document.getElementById("plots");
+const status = document.getElementById("status"), button = document.getElementById("run");
+const pace = document.getElementById("pace");
+pace.value = Math.min(0, Math.max(-5, Math.log10(200 * model.sample)));  // 200 samples per second
+
+for (const each of model.settable) {
+  const span = Math.abs(each.start) || 1;
+  each.value = each.start;
+  const slider = make("input", { type: "range", min: each.start - span, max: each.start + span, step: span / 200, value: each.start });
+  const number = make("input", { type: "number", step: "any", value: Number(each.start.toPrecision(6)) });
+  const change = (value) => {
+    if (!Number.isFinite(value)) return;
+    each.value = value;
+    run.set(each.reference, value);
+    slider.value = number.value = value;
+  };
+  slider.setAttribute("aria-label", `${each.name}, slider`);
+  number.setAttribute("aria-label", each.name);
+  slider.addEventListener("input", () => change(slider.valueAsNumber));
+  number.addEventListener("change", () => change(number.valueAsNumber));
+  const unit = each.unit === "1" ? "" : ` ${each.unit}`;
+  controls.append(make("div", { className: "control" }, make("span", { textContent: each.name }), make("div", {}, number, make("span", { textContent: unit })), slider));
+}
+
+let running = true;
+button.addEventListener("click", () => { running = !running; show(); });
+document.getElementById("reset").addEventListener("click", () => { run.reset(); clear(); running = true; show(); });
+const show = () => {
+  button.textContent = running && !run.failed ? "Pause" : "Run";
+  button.disabled = run.failed;
+};
+
+// --------------------------------------------------------------------------------------------------- curves
+
+const ROOM = 1000, GUTTER = 72;
+const samples = { t: new Float64Array(ROOM), y: model.shown.map(() => new Float64Array(ROOM)), n: 0, next: 0 };
+const clear = () => { samples.n = samples.next = 0; };
+const colours = getComputedStyle(document.documentElement);
+const ink = (name) => colours.getPropertyValue(`--pp-${name}`).trim();
+const curves = model.shown.map((chosen, k) => {
+  const select = make("select");
+  select.setAttribute("aria-label", `channel of curve ${k + 1}`);
+  model.outputs.forEach((each, i) => select.append(make("option", { value: i, textContent: `${each.name}${each.unit === "1" ? "" : `, ${each.unit}`}`, selected: i === chosen })));
+  select.addEventListener("change", clear);
+  const range = make("output"), canvas = make("canvas");
+  plots.append(make("figure", {}, make("figcaption", {}, select, range), canvas));
+  return { select, range, canvas };
+});
+
+const keep = () => {
+  const all = run.get();
+  samples.t[samples.next] = run.time;
+  curves.forEach((curve, k) => { samples.y[k][samples.next] = all[Number(curve.select.value)]; });
+  samples.next = (samples.next + 1) % ROOM;
+  samples.n = Math.min(samples.n + 1, ROOM);
+};
+const digits = (x) => (x === 0 ? "0" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? Number(x.toPrecision(5)).toString() : x.toExponential(3));
+
+const draw = (curve, values) => {
+  const canvas = curve.canvas, scale = window.devicePixelRatio || 1;
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  canvas.width = width * scale;
+  canvas.height = height * scale;
+  const c = canvas.getContext("2d");
+  c.scale(scale, scale);
+  const first = (samples.next - samples.n + ROOM) % ROOM;
+  let low = Infinity, high = -Infinity;
+  for (let k = 0; k < samples.n; k++) {
+    const y = values[(first + k) % ROOM];
+    if (y < low) low = y;
+    if (y > high) high = y;
+  }
+  if (!samples.n) return;
+  const middle = (low + high) / 2, half = Math.max((high - low) / 2, 1e-9 * Math.abs(middle), 1e-300) * 1.08;
+  c.strokeStyle = ink("grid");
+  c.fillStyle = ink("soft");
+  c.font = "11px system-ui, sans-serif";
+  c.textAlign = "right";
+  for (let k = 0; k <= 4; k++) {
+    const y = 4 + ((height - 8) * k) / 4;
+    c.beginPath();
+    c.moveTo(GUTTER, y);
+    c.lineTo(width, y);
+    c.stroke();
+    if (k % 2 === 0) c.fillText(digits(middle + half * (1 - k / 2)), GUTTER - 6, Math.min(Math.max(y + 4, 12), height - 2));
+  }
+  c.strokeStyle = ink("curve");
+  c.lineWidth = 1.4;
+  c.beginPath();
+  for (let k = 0; k < samples.n; k++) {
+    const x = GUTTER + ((width - GUTTER) * k) / (ROOM - 1), y = 4 + (height - 8) * (0.5 - (values[(first + k) % ROOM] - middle) / (2 * half));
+    if (k) c.lineTo(x, y);
+    else c.moveTo(x, y);
+  }
+  c.stroke();
+  const last = (samples.next - 1 + ROOM) % ROOM, span = samples.t[last] - samples.t[first];
+  curve.range.textContent = `${digits(low)} ... ${digits(high)} in the last ${digits(Number((span * 1e3).toPrecision(3)))} ms`;
+};
+
+// ----------------------------------------------------------------------------------------------------- loop
+
+let before = performance.now(), owed = 0, rate = 0;
+const frame = () => {
+  const now = performance.now(), passed = Math.min(now - before, 100) * 1e-3;
+  before = now;
+  if (running && !run.failed) {
+    owed += (passed * 10 ** Number(pace.value)) / model.sample;
+    let done = 0;
+    while (owed >= 1 && performance.now() - now < 12 && run.step()) { keep(); owed -= 1; done += 1; }
+    owed = Math.min(owed, 1);
+    rate = 0.9 * rate + (0.1 * done * model.sample) / Math.max(passed, 1e-3);
+  }
+  curves.forEach((curve, k) => draw(curve, samples.y[k]));
+  const slower = rate > 0 ? `, ${rate >= 0.5 ? "real time" : `${digits(Number((1 / rate).toPrecision(2)))} times slower than real time`}` : "";
+  status.textContent = run.failed
+    ? `The run has failed at ${digits(run.time)} s: reset it, with smaller changes.`
+    : `${run.time.toFixed(5)} s${running ? slower : ", paused"}`;
+  show();
+  requestAnimationFrame(frame);
+};
+window.live = { run, model };
+requestAnimationFrame(frame);

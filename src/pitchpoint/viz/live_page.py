@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Live page of a model: one HTML file in which the compiled model runs, with sliders and curves."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any
+
+from pitchpoint.viz import theme
+from pitchpoint.viz.report.page import asset
+
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval'"
+CURVES = 3
+"""Number of curves."""
+FIRST = ("mesh_force", "deflection", "speed", "torque", "angle", "displacement", "signal")
+"""Quantities that are shown first, in this order."""
+
+
+def live_page(
+    title: str,
+    code: bytes,
+    *,
+    token: str,
+    settable: Sequence[Mapping[str, Any]],
+    outputs: Sequence[Mapping[str, Any]],
+    start: float,
+    sample: float,
+) -> str:
+    """Complete HTML document; it needs no network and no server.
+
+    Parameters
+    ----------
+    title
+        Title of the page.
+    code
+        Module of the model (`io.fmu.web.web_assembly`).
+    token
+        Identifier of the model.
+    settable, outputs
+        Variables with `name`, `unit`, `reference`; those that can be set also with `start`.
+    start, sample
+        Start time and time between two samples [s].
+    """
+    data = {
+        "token": token,
+        "settable": list(settable),
+        "outputs": list(outputs),
+        "start": start,
+        "sample": sample,
+        "shown": first_channels([str(each["name"]) for each in outputs]),
+    }
+    variables = {
+        mode: "".join(f"--pp-{key}:{value};" for key, value in colours.items())
+        for mode, colours in (("light", theme.LIGHT), ("dark", theme.DARK))
+    }
+    style = (
+        f":root{{color-scheme:light dark;--pp-font:{theme.FONT};--pp-curve:{theme.TEAL};"
+        f"{variables['light']}}}@media(prefers-color-scheme:dark){{:root{{{variables['dark']}}}}}"
+        f"{asset('live.css')}"
+    )
+    packed = base64.b64encode(code).decode("ascii")
+    described = json.dumps(data).replace("<", "\\u003c")
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        '<meta name="generator" content="pitchpoint">'
+        f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
+        f'<header><h1>{escape(title)}</h1><div class="bar"><button id="run">Pause</button>'
+        '<button id="reset">Reset</button><label>Speed '
+        '<input id="pace" type="range" min="-5" max="0" step="0.1" ></label>'
+        '<span id="status" role="status"></span></div></header>\n'
+        '<main><div id="controls"></div><div id="plots"></div></main>\n'
+        f'<script type="application/json" id="pp-model">{described}</script>\n'
+        f'<script type="text/plain" id="pp-code">{packed}</script>\n'
+        f"<script>{asset('live.js')}</script></body></html>\n"
+    )
+
+
+def first_channels(names: Sequence[str]) -> list[int]:
+    """Indices of the channels of the curves at the start, by the order of `FIRST`.
+
+    Examples
+    --------
+    >>> first_channels(["angle[a]", "speed[a]", "mesh_force[m]", "speed[b]"])
+    [2, 1, 0]
+    """
+    found = [next((k for k, n in enumerate(names) if n.partition("[")[0] == word), None) for word in FIRST]
+    chosen = [k for k in found if k is not None]
+    return (chosen + [k for k in range(len(names)) if k not in chosen])[:CURVES]

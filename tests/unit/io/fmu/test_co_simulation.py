@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Units for co-simulation, loaded without Python on their side: the bits of our own run, states, refusals."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.sampled_control import begin_anew
+from tests.support.fmi_host import Unit
+from tests.support.fmu_models import DRIVEN, need_linker, own_run, pair, unit_of
+
+H = 1e-5
+BACKLASH = "meshes.stage.backlash.normal"
+
+
+@pytest.fixture(scope="module")
+def units(tmp_path_factory):
+    """Unpacked units by method and version of FMI."""
+    need_linker()
+    folder = tmp_path_factory.mktemp("units")
+    cases = (("adams", 3, BACKLASH), ("generalized_alpha", 2))
+    return {
+        case[:2]: Unit(unit_of(case[0], folder, case[1], *case[2:]), folder / f"{case[0]}{case[1]}")
+        for case in cases
+    }
+
+
+@pytest.fixture
+def unit(units):
+    """The unit with the Adams method and FMI 3.0."""
+    return units["adams", 3]
+
+
+def same_bits(a, b):
+    """Whether two arrays have the same bits."""
+    return np.array_equal(np.asarray(a).view(np.int64), np.asarray(b).view(np.int64))
+
+
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_channels_have_the_bits_of_our_own_run(units, case):
+    """2000 steps with loss of contact and impacts, in communication steps of four time steps."""
+    unit = units[case]
+    own = own_run(case[0])
+    want = own.advance(2000, every=4)
+    assert want.rows[:, 1 + unit.names("output").index("contact_state[stage]")].min() < 1.0
+    one = unit.instance().initialise()
+    got = one.steps(0, 500, 4 * H, unit.references("output"))
+    assert unit.names("output") == [c.name for c in own.system.layout.channels]
+    assert same_bits(got, want.rows[:, 1:])
+    one.free()
+
+
+def test_jumps_of_a_load(unit):
+    """As a controller of our own run changes a load: the method restarts at every jump."""
+    own = own_run("adams")
+    bank = own.system.records["torque"]
+    one = unit.instance().initialise()
+    for k in range(30):
+        load = 150.0 * (1.0 + 0.5 * np.sin(0.7 * k))
+        bank["value"][0] = load
+        if k:
+            begin_anew(own)
+        want = own.advance(7, every=1).rows[-1, 1:]
+        assert one.set({"loads.input.torque": load}) == 0
+        assert one.step(k * 7 * H, 7 * H) == 0
+        assert same_bits(one.get(unit.references("output")), want)
+    one.free()
+
+
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_a_communication_step_that_is_no_multiple_shortens_the_time_step(units, case):
+    unit, own, t = units[case], own_run(case[0]), 0.0
+    one = unit.instance().initialise()
+    for size, n in ((5e-5, 5), (3.3e-5, 4), (3.3e-5, 4), (5e-5, 5)):
+        if abs(size / n - own.h) > 1e-9 * own.h:
+            own.change_step(size / n)
+        own.advance(n - 1)
+        want = own.advance(1, every=1).rows[-1, 1:]
+        assert one.step(t, size) == 0
+        t += size
+        assert same_bits(one.get(unit.references("output")), want)
+    one.free()
+
+
+def test_a_parameter_acts_as_in_the_model_file(unit):
+    """Twice the backlash, from the start of the unit; only the two words that are computed from it differ."""
+    model = pair("adams").replace(BACKLASH, 2e-4)
+    own, nominal = own_run("adams", model), own_run("adams")
+    for name in ("q", "v", "a"):
+        getattr(own.system.workspace, name)[:] = getattr(nominal.system.workspace, name)
+    own.system.workspace.fr["turns"] = nominal.system.workspace.fr["turns"]
+    begin_anew(own)
+    want = own.advance(1000, every=10).rows[:, 1:]
+    one = unit.instance().initialise(**{BACKLASH: 2e-4})
+    got = one.steps(0, 100, 10 * H, unit.references("output"))
+    np.testing.assert_allclose(got, want, rtol=1e-6, atol=1e-9 * np.abs(want).max(axis=0).max())
+    other = unit.instance().initialise()
+    plain = other.steps(0, 100, 10 * H, unit.references("output"))
+    assert np.abs(plain - want).max() > 1e3 * np.abs(got - want).max()
+    one.free()
+    other.free()
+
+
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_a_state_can_be_restored_here_and_elsewhere(units, case):
+    unit = units[case]
+    references = unit.references("output")
+    one = unit.instance().initialise()
+    one.steps(0, 50, 4 * H, references)
+    state = one.keep()
+    data = one.serialise(state)
+    want = one.steps(50, 50, 4 * H, references)
+    one.set({"loads.input.torque": 200.0})
+    assert not same_bits(one.steps(100, 5, 4 * H, references), want[:5])
+    assert one.restore(state) == 0
+    assert same_bits(one.steps(50, 50, 4 * H, references), want)
+    one.drop(state)
+    one.free()
+    other = unit.instance().initialise()
+    status, copy = other.deserialise(data)
+    assert status == 0 and other.restore(copy) == 0
+    assert same_bits(other.steps(50, 50, 4 * H, references), want)
+    other.drop(copy)
+    assert other.deserialise(b"x" * 30 + data[30:])[0] == 3 and "another FMU" in unit.messages[-1]
+    assert other.deserialise(data[:-1])[0] == 3 and "number is wrong" in unit.messages[-1]
+    other.free()
+
+
+def test_a_hundred_instances_do_not_disturb_each_other(unit):
+    references = unit.references("output")
+    many = [unit.instance().initialise(**{"loads.input.torque": 150.0 + k}) for k in range(100)]
+    for k in range(20):
+        assert all(one.step(k * 4 * H, 4 * H) == 0 for one in many)
+    for k in (0, 57, 99):
+        alone = unit.instance().initialise(**{"loads.input.torque": 150.0 + k})
+        assert same_bits(alone.steps(0, 20, 4 * H, references)[-1], many[k].get(references))
+        alone.free()
+    for one in many:
+        one.free()
+
+
+def test_instances_run_in_threads(unit):
+    """ctypes calls the library without the lock of the interpreter, so that four instances run at once."""
+    references = unit.references("output")
+
+    def values(load):
+        """Outputs of an instance of its own after 4000 steps."""
+        one = unit.instance().initialise(**{"loads.input.torque": load})
+        for k in range(40):
+            assert one.step(k * 100 * H, 100 * H) == 0
+        found = one.get(references)
+        one.free()
+        return found
+
+    loads = [150.0, 160.0, 170.0, 180.0]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(values, loads))
+    assert all(same_bits(a, values(load)) for a, load in zip(together, loads, strict=True))
+
+
+def test_a_reset_instance_starts_again(unit):
+    one = unit.instance().initialise()
+    want = one.steps(0, 20, H, unit.references("output"))
+    assert one.call("Reset") == 0
+    assert same_bits(one.initialise().steps(0, 20, H, unit.references("output")), want)
+    one.free()
+
+
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_wrong_calls_are_refused_with_a_sentence(units, case):
+    unit = units[case]
+    assert unit.instance(token="{no}") is None and "is not that of this library" in unit.messages[-1]
+    one = unit.instance().initialise()
+    for value in (np.nan, np.inf):
+        assert one.set({"loads.input.torque": value}) == 3 and "not finite" in unit.messages[-1]
+    assert one.set({"speed[driver]": 1.0}) == 3 and "neither an input" in unit.messages[-1]
+    assert one.step(99.0, H) == 3 and "not the time of the model" in unit.messages[-1]
+    assert one.step(0.0, -H) == 3 and "must be positive" in unit.messages[-1]
+    assert one.step(0.0, 4 * H) == 0  # none of these has changed the instance
+    one.free()
+
+
+def test_a_run_that_fails_says_why_and_can_be_reset(unit):
+    one = unit.instance().initialise(**{"loads.input.torque": 1e90})
+    t, status = 0.0, 0
+    while not status and t < 1.0:
+        status, t = one.step(t, 100 * H), t + 100 * H
+    assert status == 3
+    assert unit.messages[-1].startswith("the run failed: ") and "shorter time step" in unit.messages[-1]
+    assert one.step(t, H) == 3 and "has failed before" in unit.messages[-1]
+    assert one.call("Reset") == 0 and one.initialise().step(0.0, H) == 0
+    one.free()
+
+
+def test_the_library_needs_no_python(units):
+    for unit in units.values():
+        data = unit.library.read_bytes()
+        for name in (b"libpython", b"NRT_", b"PyErr", b"numba"):
+            assert name not in data
+        assert len(data) < 300_000
+
+
+def test_drives_blocks_and_a_set_point(tmp_path):
+    """A prescribed speed, and a controller of blocks, whose speed follows the closed form of its loop."""
+    need_linker()
+    model = loads_model(DRIVEN, False, "driven.yaml")
+    gain, target = "blocks.wanted.proportional", "blocks.error.offset"
+    unit = Unit(unit_of("driven", tmp_path, 3, gain, model=model, inputs=[target]), tmp_path)
+    one = unit.instance()
+    with pytest.raises(AssertionError):
+        one.initialise(start=5.0)
+    assert "drives prescribe positions" in unit.messages[-1]
+    one.free()
+    one = unit.instance().initialise(**{gain: 1.0, target: 100.0})
+    reference = [
+        unit.references("output")[unit.names("output").index(n)] for n in ("speed[motor]", "speed[fan]")
+    ]
+    rows = one.steps(0, 100, 1e-3, reference)
+    assert rows[:, 0] == pytest.approx(1000.0 * np.pi / 30.0, rel=1e-9)
+    # J w'' + P w' + I w = I target + P target', from rest: w = target (1 - combination of two exponentials)
+    t, inertia = 1e-3 * np.arange(1, 101), 0.02
+    a, b = np.roots([inertia, 1.0, 2.0])
+    rise = 1.0 / inertia  # w'(0) / target
+    first, second = (rise + b) / (a - b), -(rise + a) / (a - b)
+    np.testing.assert_allclose(
+        rows[:, 1], 100.0 * (1.0 + first * np.exp(a * t) + second * np.exp(b * t)), rtol=1e-6
+    )
+    one.free()

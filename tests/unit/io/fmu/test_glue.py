@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""FMI functions in C: they agree with the records of the package; the text is their translation."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from pitchpoint.core import status
+from pitchpoint.io.fmu import model
+from pitchpoint.io.fmu.glue import make
+from pitchpoint.io.fmu.model_data import STATUSES, glue, number_names
+from pitchpoint.multibody.channels import CTL
+from pitchpoint.solvers.exported_run import export_run
+from pitchpoint.solvers.sampling import RECORDER
+from pitchpoint.system import requests
+from pitchpoint.system.compile import compile_model
+from tests.support.fmu_models import pair
+
+HEADER = glue("instance.h")
+
+
+def enum(first):
+    """Names of an enumeration that begins with a name, with their values."""
+    found = re.search(rf"enum \{{ ({first}[^}}]*) \}}", HEADER)[1]
+    names, value = {}, -1
+    for part in found.split(", "):
+        name, _, given = part.partition(" = ")
+        value = int(given) if given else value + 1
+        names[name] = value
+    return names
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_the_text_is_the_translation_of_the_sources(version):
+    """After an edit of the C files: make glue."""
+    assert glue(f"fmi{version}.ll").splitlines()[0] == f"; {make.sources_hash()}"
+
+
+def test_records_and_codes_are_those_of_the_package():
+    control = re.search(r"typedef struct \{ double t, ck, cd, cm; i64 jac; \} Ctl;", HEADER)
+    assert control and list(CTL.names[:5]) == ["t", "ck", "cd", "cm", "jac"]
+    fields = re.search(r"typedef struct \{\n  i64 ([^;]*);\n\} Recorder;", HEADER)[1]
+    assert tuple(fields.split(", ")) == RECORDER.names
+    assert all(getattr(requests, name) == value for name, value in enum("OBSERVE").items())
+    assert all(getattr(status, name) == value for name, value in enum("OK").items())
+    assert all(getattr(model, name) == value for name, value in enum("OUTPUT").items())
+    assert status.sentence(STATUSES - 1) and "unknown" in status.sentence(STATUSES)
+
+
+def test_every_number_of_the_header_is_given():
+    run = export_run(compile_model(pair("generalized_alpha"), "steady"))
+    integers, reals = number_names()
+    counted = {"n_moved", "n_code", "n_variables", "n_indicators"}
+    assert set(integers) == counted | set(run.numbers)
+    assert reals == ["t0", "h", "rate"]
