@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from pitchpoint.core.kernel import kernel
@@ -55,7 +57,7 @@ def disturbed(tower, sections, at, u, v):
         return u, v
     dx = at[0] - tower["x"]
     dy = at[1] - tower["y"]
-    speed = square**0.5
+    speed = math.sqrt(square)
     along, across = tower_flow(
         (u * dx + v * dy) / speed, (u * dy - v * dx) / speed, radius_at(sections, at[2])
     )
