@@ -51,7 +51,7 @@ def counted() -> dict[str, list[Levels]]:
 @needs_measured
 @pytest.mark.study
 def test_limits_are_those_of_the_counted_records(counted: dict[str, list[Levels]]) -> None:
-    """The limit of the kurtogram is 3 dB higher, by two records of a sound bearing of a loaded rig with 21.4 dB.
+    """The limit of the kurtogram is 3 dB higher, by two records of another sound rig with 21.4 dB.
 
     That of the squared envelope is 4 dB higher, by bearings that the motor does not have, with 28.8 dB.
     """
