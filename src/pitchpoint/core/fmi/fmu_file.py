@@ -110,7 +110,7 @@ class FmuFile:
             try:
                 for entry in entries:
                     archive.extract(entry, folder)
-            except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+            except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError) as error:
                 raise FmuFileError(f"is damaged: {error}") from error
 
 
@@ -155,7 +155,7 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
             )
         try:
             text = archive.read(DESCRIPTION)
-        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+        except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError) as error:
             raise FmuFileError(f"is damaged: {error}") from error
     if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
         raise FmuFileError(f"has a {DESCRIPTION} with entities, which FMI does not permit")
@@ -179,7 +179,7 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
 def _opened(path: str) -> zipfile.ZipFile:
     try:
         return zipfile.ZipFile(path)
-    except (zipfile.BadZipFile, NotImplementedError, ValueError) as error:
+    except (zipfile.BadZipFile, RuntimeError, ValueError) as error:
         raise FmuFileError(f"is not a ZIP archive: {error}", remedy="select an FMU") from error
 
 

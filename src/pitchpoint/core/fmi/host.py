@@ -151,4 +151,4 @@ def _cast(kind: str, value: float) -> Any:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
