@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.analysis.line_tests import LONG
 from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.analysis.speed_track import SpeedTrack, speed_track
 from pitchpoint.analysis.speed_without_gears import OTHER
@@ -151,8 +152,10 @@ def suggested_range(
     >>> suggested_range({"acc": x}, 6000.0, train_parts([(20, 31)]), 15.0, 0.02).partition("give ")[2]
     'the range, --speed 580..1300rpm'
     """
+    # of a long record the beginning, to limit memory
+    begun = {name: values[:LONG] for name, values in signals.items()}
     try:
-        track = speed_track(signals, sample_rate, parts, frequency / OCTAVE, frequency * OCTAVE)
+        track = speed_track(begun, sample_rate, parts, frequency / OCTAVE, frequency * OCTAVE)
     except SignalError:
         return ""
     low, high = float(track.path.frequency.min()), float(track.path.frequency.max())
