@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -176,9 +177,10 @@ def diagnose(
     raw: list[tuple[str, str, str, str, Measured]] = []
     channels: dict[str, Channel] = {}
     meshes, turns = {}, {}
-    untested: list[Note] = []
-    others: list[Note] = []
-    families: list[Evidence] = []
+    untested, others, families = list[Note](), list[Note](), list[Evidence]()
+    of_families = partial(
+        family_evidence, tolerance=speed_tolerance, slip=slip, false_alarm=allowed, channels=len(signals)
+    )
     modulated: set[tuple[str, str]] = set()
     for name, values in signals.items():
         x = as_signal(values, name, 64)
@@ -186,16 +188,7 @@ def diagnose(
             raise SignalError(f"{name}: is constant; nothing can be read from it")
         alone = bool(parts.bearings) and not parts.meshes
         if alone:  # before the spectrum, which would be in the memory at the same time
-            rows, notes, foreign = family_evidence(
-                name,
-                x,
-                rate,
-                parts,
-                tolerance=speed_tolerance,
-                slip=slip,
-                false_alarm=allowed,
-                channels=len(signals),
-            )
+            rows, notes, foreign = of_families(name, x, rate, parts)
             families += rows
             untested += notes
             others += foreign
@@ -227,9 +220,8 @@ def diagnose(
     evidence = across_channels((*evidence, *families), parts, revolutions)
     views = {(name, shaft): view for name, one in channels.items() for shaft, view in one.shafts.items()}
     findings, observations, spread = findings_of(evidence, views, signals, rate, parts)
-    not_tested, not_reported = (
-        tuple(grouped(notes)) for notes in ([*few, *untested], [*explained, *spread, *by_meshes, *others])
-    )
+    not_tested = tuple(grouped([*few, *untested]))
+    not_reported = tuple(grouped([*explained, *spread, *by_meshes, *others]))
     return Diagnosis(
         findings, observations, evidence, meshes, not_tested, not_reported, turns, tests, allowed
     )
