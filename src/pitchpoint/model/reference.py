@@ -47,6 +47,8 @@ WORDS = {
     "end": "ground, BODY or BODY.MARKER",
     "ends": "list of ground, BODY or BODY.MARKER",
     "file": "file name",
+    "library": "file name",
+    "records": "{RECORD: signal or number}",
     "law": "[law](#model-formulas)",
     "laws": "list of [laws](#model-formulas)",
     "formula": "[formula](#model-formulas)",

@@ -114,6 +114,8 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "python": {"type": ["string", "object"]},
         "center": {"anyOf": [number, {**row, "minItems": 3, "maxItems": 3}]},
         "file": {"type": "string"},
+        "library": {"type": "string"},
+        "records": {"type": "object", "additionalProperties": {"type": ["number", "string"]}},
         "end": {"type": "string"},
         "ends": {"type": "array", "items": {"type": "string"}, **_length(key)},
         "coordinates": {"type": "object", "additionalProperties": {"enum": ["length", "angle"]}},

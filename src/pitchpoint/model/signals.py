@@ -12,7 +12,7 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import ForceActuator, TorqueActuator
 from pitchpoint.model.components.block import Pid
-from pitchpoint.model.components.controller import inputs_of, outputs_of
+from pitchpoint.model.components.controller import input_keys, inputs_of, output_keys, outputs_of
 from pitchpoint.model.components.sensor import FrameSensor, JointSensor, Listener, LoadSensor
 from pitchpoint.model.keys import Place
 
@@ -37,10 +37,8 @@ def made(machine: Any) -> Iterator[tuple[str, Place]]:
         for name in getattr(machine, section):
             yield name, (section, name)
     for name, part in machine.controllers.items():
-        listed = outputs_of(part)
-        for i, output in enumerate(listed):
-            at: Place = ("controllers", name, "output")
-            yield output, at if hasattr(part, "output") else ("controllers", name, "outputs", i)
+        for output, at in zip(outputs_of(part), output_keys(part), strict=True):
+            yield output, ("controllers", name, *at)
 
 
 def read(machine: Any) -> Iterator[tuple[str, Place]]:
@@ -50,9 +48,7 @@ def read(machine: Any) -> Iterator[tuple[str, Place]]:
             if signal != TIME or not isinstance(block, bl.FormulaBlock):
                 yield signal, ("blocks", name, *at)
     for name, part in machine.controllers.items():
-        many = not hasattr(part, "input")
-        for i, signal in enumerate(inputs_of(part)):
-            at = ("inputs", i) if many else ("input",)
+        for signal, at in zip(inputs_of(part), input_keys(part), strict=True):
             yield signal, ("controllers", name, *at)
     for name, part in machine.actuators.items():
         yield part.signal, ("actuators", name, "signal")

@@ -341,6 +341,8 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "center": _Writer.center,
     "ends": _Writer.strings,
     "file": _Writer.file,
+    "library": _Writer.file,
+    "records": _Writer.mapping,
     "coordinates": _Writer.mapping,
     "displacements": _Writer.displacements,
     "rates": _Writer.rates,

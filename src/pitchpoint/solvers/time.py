@@ -214,6 +214,9 @@ class _Loop:
             return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
+        finally:
+            if self.sampler is not None:
+                self.sampler.close()
 
     def _fixed(self, progress: Progress) -> int:
         total, rest = whole_steps(self.t_end - self.t0, self.h)
@@ -320,7 +323,8 @@ class _Loop:
             remarks = (*remarks, *step_notes(self.start, self.scenario, self.h, state))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
-        remarks = (*remarks, *self._divisions())
+        said = self.sampler.notes if self.sampler is not None else ()
+        remarks = (*remarks, *self._divisions(), *said)
         return TimeSummary(
             status=status,
             sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),

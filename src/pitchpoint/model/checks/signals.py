@@ -6,8 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.discon import check_discon
 from pitchpoint.model.components import block as bl
-from pitchpoint.model.components.controller import PythonController
+from pitchpoint.model.components.controller import DisconController, PythonController
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.signals import SECTIONS, TIME, at_once, made, read
@@ -186,7 +187,9 @@ def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
 
 
 def _controller(at: Place, part: Any, report: Reader) -> None:
-    if not isinstance(part, PythonController):
+    if isinstance(part, DisconController):
+        check_discon(at, part, report)
+    elif not isinstance(part, PythonController):
         _limits(at, part.limits, report)
     elif part.start and len(part.start) != len(part.outputs):
         report.problem(

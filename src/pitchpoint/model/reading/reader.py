@@ -377,6 +377,8 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "material": laws.material,
     "center": mechanism.center,
     "file": mechanism.file,
+    "library": mechanism.library,
+    "records": signals.records,
     "end": mechanism.end,
     "ends": mechanism.ends,
     "coordinates": mechanism.coordinates,

@@ -21,12 +21,13 @@ from pitchpoint.elements.signals.record import UNITS
 from pitchpoint.model import mechanism
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
-from pitchpoint.model.components.controller import Controller, PythonController
+from pitchpoint.model.components.controller import Controller, DisconController, PythonController
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
 from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid
+from pitchpoint.system.discon import discon_controller
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.places import Places
 
@@ -236,6 +237,8 @@ def _controller(
         return SampledController(
             name, function, part.inputs, part.outputs, part.period, part.delay, {}, part.parameters
         )
+    if isinstance(part, DisconController):
+        return discon_controller(net, name, part)
     net.held(part.output, part.start, part.unit)
     numbers = {
         "kp": part.proportional,
