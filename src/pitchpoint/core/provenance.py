@@ -38,9 +38,9 @@ def content_hash(data: Any) -> str:
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. For a field with a key of kind
         "file" or "library" the content of the file is hashed, not its name. Fields that are excluded from
-        comparison, such as lines in a file, and fields whose key is marked `later` are ignored while they are None, an empty
-        container or their default. The attribute `former_values` of a dataclass has the values of its empty
-        fields in earlier versions.
+        comparison, such as lines in a file, and fields whose key is marked `later` are ignored while they are
+        None, an empty container or their default. The attribute `former_values` of a dataclass has the values
+        of its empty fields in earlier versions.
 
     Returns
     -------
