@@ -49,6 +49,7 @@ WORDS = {
     "file": "file name",
     "library": "file name",
     "records": "{RECORD: signal or number}",
+    "record_signals": "{RECORD: signal}",
     "law": "[law](#model-formulas)",
     "laws": "list of [laws](#model-formulas)",
     "formula": "[formula](#model-formulas)",
@@ -66,7 +67,7 @@ WORDS = {
     "terms": "{COORDINATE: coefficient}",
     "value": "number in SI units, or with its unit",
     "values": "list of numbers",
-    "gains": "{SIGNAL: gain}",
+    "gains": "{SIGNAL: number}",
     "curve": "rows [input, value], or file name",
     "points": "rows [x, y], or file name",
 }

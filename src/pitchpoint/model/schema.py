@@ -115,6 +115,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "center": {"anyOf": [number, {**row, "minItems": 3, "maxItems": 3}]},
         "file": {"type": "string"},
         "library": {"type": "string"},
+        "record_signals": {"type": "object", "additionalProperties": {"type": "string"}},
         "records": {"type": "object", "additionalProperties": {"type": ["number", "string"]}},
         "end": {"type": "string"},
         "ends": {"type": "array", "items": {"type": "string"}, **_length(key)},

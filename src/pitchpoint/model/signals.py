@@ -136,7 +136,8 @@ def signal_lines(model: Model) -> list[Line]:
     """
     readers: dict[str, list[str]] = {}
     for signal, at in read(model):
-        readers.setdefault(signal, []).append(str(at[1]))
+        users = readers.setdefault(signal, [])
+        users += [str(at[1])] * (at[1] not in users)
     lines = [(name, *_sensor(part)) for name, part in model.sensors.items()]
     for name, block in model.blocks.items():
         words = "formula" if block.form == "formula" else f"block: {block.form.replace('_', ' ')}"
@@ -144,7 +145,8 @@ def signal_lines(model: Model) -> list[Line]:
     for name, part in model.controllers.items():
         late = f", {format_quantity(part.delay, 'time')} late" if part.delay else ""
         words = f"controller {name} ({part.form}), every {format_quantity(part.period, 'time')}{late}"
-        lines += [(output, words, ", ".join(inputs_of(part))) for output in outputs_of(part)]
+        made_of = ", ".join(dict.fromkeys(inputs_of(part)))
+        lines += [(output, words, made_of) for output in outputs_of(part)]
     found: list[Line] = [(*line, ", ".join(readers.get(line[0], ()))) for line in lines]
     return [*found, *((name, _actuator(part), part.signal, "") for name, part in model.actuators.items())]
 

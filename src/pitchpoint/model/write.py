@@ -343,6 +343,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "file": _Writer.file,
     "library": _Writer.file,
     "records": _Writer.mapping,
+    "record_signals": _Writer.mapping,
     "coordinates": _Writer.mapping,
     "displacements": _Writer.displacements,
     "rates": _Writer.rates,

@@ -171,7 +171,7 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     problems = [
         Message(
             f"controllers.{controller.name}",
-            "is a Python function, which an exported model cannot call",
+            "is a Python function or a library, which an exported model cannot call",
             remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers

@@ -59,8 +59,9 @@ class LibraryLaw:
         process["pitch_control"] = float(part.pitch_control == "individual")
         process["pitch_actuator"] = float(part.pitch_actuator == "rate")
         process["yaw_control"] = float(part.yaw_control == "torque")
-        for record, value in part.start.items():
-            process[record] = value
+        for record, output in part.outputs.items():
+            if output in part.start:
+                process[record] = part.start[output]
         return process
 
 
@@ -92,7 +93,7 @@ def discon_controller(net: SignalNet, name: str, part: DisconController) -> Samp
     for record, output in part.outputs.items():
         found = find_record(record)
         unit = found.unit if found is not None and found.unit in UNITS else "1"
-        net.held(output, part.start.get(record, 0.0), unit)
+        net.held(output, part.start.get(output, 0.0), unit)
     return SampledController(
         name,
         LibraryLaw(name, part),

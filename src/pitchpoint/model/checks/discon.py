@@ -31,27 +31,15 @@ def check_discon(at: Place, part: DisconController, report: Reader) -> None:
         problem = library_problem(part.library, part.procedure)
         if problem is not None:
             report.hand_on((*at, "library"), problem)
-    seen: dict[int, str] = {}
     for section, wrong in (("inputs", OUT), ("outputs", IN)):
-        given = getattr(part, section)
-        for name in given:
-            _record((*at, section, name), name, wrong, seen if section == "outputs" else {}, report)
-        numbers = [find_record(name).number for name in given if find_record(name)]  # type: ignore[union-attr]
-        for name in given:
-            record = find_record(name)
-            if record is not None and numbers.count(record.number) > 1 and name != record.name:
-                report.problem(
-                    (*at, section, name), f"is the same record as {record.name}", remedy="remove one"
-                )
-    for name, signal in part.outputs.items():
-        if not isinstance(signal, str):
-            report.problem((*at, "outputs", name), "is not the name of a signal", value=f"{signal:g}")
-    for name, value in part.start.items():
-        if name not in part.outputs:
-            remedy = did_you_mean(name, part.outputs) + f"outputs are {', '.join(part.outputs)}"
-            report.problem((*at, "start", name), "is not among the outputs", remedy=remedy)
-        elif isinstance(value, str):
-            report.problem((*at, "start", name), "is not a number", value=value, remedy="give a number")
+        numbers: set[int] = set()
+        for name in getattr(part, section):
+            _record((*at, section, name), name, wrong, numbers, report)
+    made = tuple(part.outputs.values())
+    for name in part.start:
+        if name not in made:
+            remedy = f"{did_you_mean(name, made)}output signals are {', '.join(made)}"
+            report.problem((*at, "start", name), "is not an output signal", remedy=remedy)
     _demands(at, part, report)
     if part.torque_table is not None and len(part.torque_table) > MOST_POINTS:
         report.problem(
@@ -59,8 +47,8 @@ def check_discon(at: Place, part: DisconController, report: Reader) -> None:
         )
 
 
-def _record(at: Place, name: str, wrong: str, seen: dict[int, str], report: Reader) -> None:
-    """Check the name and the direction of a record."""
+def _record(at: Place, name: str, wrong: str, numbers: set[int], report: Reader) -> None:
+    """Check the name and the direction of a record, and that it has not been given before."""
     record = find_record(name)
     if record is None:
         remedy = f"{did_you_mean(name, BY_NAME)}or record_N with N from 1 to {SIZE}"
@@ -70,6 +58,10 @@ def _record(at: Place, name: str, wrong: str, seen: dict[int, str], report: Read
     elif record.direction == wrong:
         whose = "output" if wrong == OUT else "input"
         report.problem(at, f"is an {whose} of the library: {record.meaning}", remedy=f"move it to {whose}s")
+    elif record.number in numbers:
+        report.problem(at, f"is record {record.number}, which has another entry", remedy="remove one of them")
+    else:
+        numbers.add(record.number)
 
 
 def _demands(at: Place, part: DisconController, report: Reader) -> None:

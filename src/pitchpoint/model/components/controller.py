@@ -67,8 +67,10 @@ class DisconController(Component):
         display="name of the controller",
     )
     inputs: Mapping[str, str | float] = key("records", "signal or constant number for each record", {})
-    outputs: Mapping[str, str] = key("records", "name of the output signal for each record", length=(1, 1000))
-    start: Mapping[str, float] = key("records", f"values of outputs {START}", {}, display="zeros")
+    outputs: Mapping[str, str] = key(
+        "record_signals", "name of the output signal for each record", length=(1, 1000)
+    )
+    start: Mapping[str, float] = key("gains", f"values of output signals {START}", {}, display="zeros")
     period: float = positive("time", PERIOD)
     delay: float = quantity("time", DELAY, 0.0, minimum=0.0)
     blades: int = integer("number of blades", 3, minimum=1, maximum=3)

@@ -379,6 +379,7 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "file": mechanism.file,
     "library": mechanism.library,
     "records": signals.records,
+    "record_signals": signals.record_signals,
     "end": mechanism.end,
     "ends": mechanism.ends,
     "coordinates": mechanism.coordinates,
