@@ -60,7 +60,7 @@ def inputs(block: bl.Block) -> list[tuple[str, Place]]:
         return [(signal, ("inputs", signal)) for signal in block.inputs]
     if isinstance(block, bl.FormulaBlock):
         return [(signal, ("inputs", i)) for i, signal in enumerate(block.inputs)]
-    return [(block.input, ("input",))]
+    return [] if isinstance(block, bl.Input) else [(block.input, ("input",))]
 
 
 def at_once(machine: Any) -> dict[str, list[str]]:
@@ -85,7 +85,7 @@ def has_state_between(block: bl.Block) -> bool:
     """Whether a block has no direct feedthrough from input to output."""
     if isinstance(block, bl.TransferFunction):
         return len(block.numerator) < len(block.denominator) or block.numerator[0] == 0.0
-    return isinstance(block, bl.Integrator | bl.Filter)
+    return isinstance(block, bl.Integrator | bl.Filter | bl.RateLimit)
 
 
 RATES = (

@@ -126,7 +126,7 @@ def test_failures_keep_the_result_and_leave_no_process(
     assert "partial results are in run.h5" in said
     with open_result("run.h5") as data:
         assert data["time"].values[-1] == pytest.approx(0.05 if what == "late" else 0.0)
-    assert read_header("run.h5")["status"] == 12
+    assert read_header("run.h5")["status"] == "failed"
     assert not processes_of_controllers()
 
 

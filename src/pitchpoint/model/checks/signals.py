@@ -117,6 +117,9 @@ def _block(at: Place, block: bl.Block, report: Reader) -> None:
         _limits(at, block.limits, report)
     if isinstance(block, bl.FormulaBlock):
         _formula(at, block, report)
+    elif isinstance(block, bl.RateLimit):
+        if not block.rate > 0.0:
+            report.problem((*at, "rate"), "is not positive", value=f"{block.rate:.6g}", limit="> 0")
     elif isinstance(block, bl.TransferFunction):
         _transfer_function(at, block, report)
     elif isinstance(block, bl.Pid):
