@@ -108,6 +108,6 @@ def input_file(folder: Path, what: str) -> Path:
 
 def processes_of_controllers() -> list[str]:
     """Processes of controllers that run now, as listed by ps."""
-    listed = subprocess.run(["ps", "-ww", "-eo", "pid,args"], capture_output=True, text=True, check=True).stdout
+    listed = subprocess.run(["ps", "-ww", "-eo", "pid,args"], capture_output=True, text=True, check=True)
     mine = str(discon_library())
-    return [line for line in listed.splitlines() if "host.py" in line and mine in line]
+    return [line for line in listed.stdout.splitlines() if "host.py" in line and mine in line]
