@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """WT-CTRL: steady states of the NREL 5 MW turbine with the controller library of ROSCO.
 
-References: (1) the library of ROSCO 2.10.6, called directly by a rotor of one degree of freedom with the table
-of power coefficients of the wheel and 4.37e7 kg m^2: the same table and input file are used here, so that
-only the interface differs, and all printed digits agree. (2) J. Jonkman et al., NREL/TP-500-38060 (2009),
-table 7-1: pitch 10.45 and 17.47 deg at 15 and 20 m/s, with other aerodynamics (0.15 deg); rated torque 43 093.55
-N m and speed 12.1 rpm. Runs only if the wheel `rosco` is installed.
+References: (1) the library of ROSCO 2.10.6, called directly by a rotor of one degree of freedom with the
+table of power coefficients of the wheel and 4.37e7 kg m^2: the same table and input file are used here, so
+that only the interface differs, and all printed digits agree. (2) J. Jonkman et al., NREL/TP-500-38060
+(2009), table 7-1: pitch 10.45 and 17.47 deg at 15 and 20 m/s, with other aerodynamics (0.15 deg); rated
+torque 43 093.55 N m and speed 12.1 rpm. Runs only if the wheel `rosco` is installed.
 """
 
 from __future__ import annotations
@@ -56,7 +56,8 @@ controllers:
   turbine: {{type: discon, library: {library}, input_file: DISCON.IN,
     period: 50 ms, pitch_control: individual,
     inputs: {{generator_speed: fast, rotor_speed: speed, generator_torque: torque,
-      electrical_power: power, wind_speed: {wind}, blade_1_pitch: pitch, blade_2_pitch: pitch, blade_3_pitch: pitch}},
+      electrical_power: power, wind_speed: {wind},
+      blade_1_pitch: pitch, blade_2_pitch: pitch, blade_3_pitch: pitch}},
     outputs: {{generator_torque_demand: torque, blade_1_pitch_demand: pitch}}, start: {{pitch: {pitch}}}}}
 actuators: {{shaft: {{type: torque, signal: shaft_torque, bodies: [rotor]}}}}
 scenarios:
