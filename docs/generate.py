@@ -87,6 +87,7 @@ SNIPPETS = (
     ROOT / "examples" / "bevel-drive" / "spiral.yaml",
     ROOT / "examples" / "flexible-slider-crank" / "elastic.yaml",
     ROOT / "examples" / "speed-control" / "model.yaml",
+    ROOT / "examples" / "wind-turbine" / "model.yaml",
 )
 """Models whose sections the reference page shows; of several with a section, the first."""
 

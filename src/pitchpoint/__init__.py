@@ -24,19 +24,18 @@ if TYPE_CHECKING:
         ValidityWarning,
     )
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
+    from pitchpoint.geometry.beam_table import BeamTable
     from pitchpoint.geometry.rotor.blade import Blade, Rotor
     from pitchpoint.geometry.rotor.flow import RotorFlow
     from pitchpoint.geometry.rotor.polar import Polar
     from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
     from pitchpoint.geometry.rotor.tower import Tower
     from pitchpoint.io.measured.reading import read_measured
-    from pitchpoint.io.openfast.aerodyn import read_aerodyn
-    from pitchpoint.io.openfast.airfoil import read_airfoil
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
     from pitchpoint.io.rexs.reading import read_rexs
     from pitchpoint.io.wind.mann import MannGeometry, read_mann, write_mann
-    from pitchpoint.io.wind.turbsim import read_turbsim, write_turbsim
+    from pitchpoint.io.wind.turbsim import write_turbsim
     from pitchpoint.io.yaml_model import load_model, write_model
     from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.bearing import Bearing
@@ -67,11 +66,17 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.spring import Maxwell, Spring
     from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
     from pitchpoint.model.components.unbalance import Unbalance
+    from pitchpoint.model.components.wind import Wind
+    from pitchpoint.model.components.wind_rotor import WindRotor
     from pitchpoint.model.model import Model
+    from pitchpoint.model.openfast.aerodyn import read_aerodyn
+    from pitchpoint.model.openfast.airfoil import read_airfoil
+    from pitchpoint.model.openfast.elastodyn import read_elastodyn
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.wind.box import WindBox
     from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass
     from pitchpoint.model.wind.steady import SteadyWind
+    from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.model.wind.turbulence import KaimalTurbulence
     from pitchpoint.report.exported_model import export_fmu
     from pitchpoint.report.pictures import plot
@@ -102,6 +107,7 @@ if TYPE_CHECKING:
 __all__ = [
     "BasicRack",
     "Beam",
+    "BeamTable",
     "Bearing",
     "BevelGear",
     "BevelMesh",
@@ -159,9 +165,11 @@ __all__ = [
     "Unbalance",
     "UnitError",
     "ValidityWarning",
+    "Wind",
     "WindBox",
     "WindClass",
     "WindField",
+    "WindRotor",
     "__version__",
     "add_mean",
     "analyse",
@@ -179,6 +187,7 @@ __all__ = [
     "plot",
     "read_aerodyn",
     "read_airfoil",
+    "read_elastodyn",
     "read_mann",
     "read_measured",
     "read_rexs",
@@ -226,8 +235,12 @@ _HOMES = {
     "geometry.rotor.polar_range": ("extrapolate_polar",),
     "geometry.rotor.tower": ("Tower",),
     "io.measured.reading": ("read_measured",),
-    "io.openfast.aerodyn": ("read_aerodyn",),
-    "io.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.aerodyn": ("read_aerodyn",),
+    "model.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.elastodyn": ("read_elastodyn",),
+    "geometry.beam_table": ("BeamTable",),
+    "model.components.wind": ("Wind",),
+    "model.components.wind_rotor": ("WindRotor",),
     "io.results": ("open_result",),
     "io.rexs.importing": ("import_rexs",),
     "io.rexs.reading": ("read_rexs",),
@@ -300,7 +313,8 @@ _HOMES = {
     "system.compile": ("compile_model",),
     "system.planet_loads": ("planet_loads",),
     "io.wind.mann": ("MannGeometry", "read_mann", "write_mann"),
-    "io.wind.turbsim": ("read_turbsim", "write_turbsim"),
+    "io.wind.turbsim": ("write_turbsim",),
+    "model.wind.turbsim": ("read_turbsim",),
     "model.wind.box": ("WindBox",),
     "model.wind.iec": ("Gust", "RotorSite", "WindClass"),
     "model.wind.steady": ("SteadyWind",),

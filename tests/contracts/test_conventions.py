@@ -36,6 +36,7 @@ from pitchpoint.geometry.tooth_faults import break_level, displaced_gap
 from pitchpoint.geometry.tooth_form import gear_outline
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.frames import body_frame
+from pitchpoint.model.model import Model
 from pitchpoint.model.phasing import tooth_twist
 from pitchpoint.model.wind.box import WindBox
 from pitchpoint.model.wind.iec import Gust, RotorSite, WindClass
@@ -60,6 +61,7 @@ from tests.support.bevel_files import bevel_file
 from tests.support.mesh_alone import moved
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 from tests.support.one_mesh import OneMesh, make_pair
+from tests.support.rotors import AERODYN
 
 PAGE = Path(__file__).parents[2] / "docs" / "conventions.md"
 FOURIER = PhaseStiffness(mean=4e8, cosine=[-0.2, 0.1], sine=[0.15, 0.0])
@@ -980,6 +982,31 @@ def test_a_positive_shear_is_faster_above_and_at_the_left() -> None:
     for direction, point in (("vertical", [0.0, 0.0, 110.0]), ("horizontal", [0.0, 20.0, 90.0])):
         gust = site.wind_shear(8.0, direction, sign=1)
         assert WindField(steady, gust).velocity([point], 6.0)[0, 0] > 9.0
+
+
+def test_rotors_are_driven_about_the_downwind_axis() -> None:
+    """Parked in wind, the twist of the blades drives it; the stations of blade 1 are above the hub."""
+    at = {"inertia": 1e7, "position": (0.0, 0.0, 90.0), "axes": {"z": (1.0, 0.0, 0.0), "x": (0.0, 0.0, 1.0)}}
+    rotor = {"hub": "hub", "aerodyn": str(AERODYN), "hub_radius": 1.5, "tower_position": (5.0, 0.0)}
+    model = Model.from_dict(
+        {
+            "bodies": {"hub": at},
+            "winds": {"w": {"speed": 8.0, "height": 90.0}},
+            "wind_rotors": {"rotor": rotor},
+        }
+    )
+    torque = []
+    for turned in (model, model.replace("wind_rotors.rotor.pitch", "20 deg")):
+        system = compile_model(turned)
+        row = evaluate.observe(system, system.initial_state())
+        thrust, found = (row[system.layout.channel(f"{w}[rotor]")] for w in ("rotor_thrust", "rotor_torque"))
+        assert thrust > 0.0
+        torque.append(found)
+    assert 0.0 < torque[0] < torque[1]  # at rest a leading edge upwind gives more torque
+    place = system.records["blade_station"]["x"][:, 0]
+    blades = place.reshape(3, -1, 3)[:, -1]
+    assert blades[0, 2] > 150.0
+    assert blades[1, 1] < 0.0 < blades[2, 1]  # clockwise for a view downwind
 
 
 def test_a_box_moves_downwind() -> None:

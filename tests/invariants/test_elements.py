@@ -28,6 +28,7 @@ from pitchpoint.multibody.beam_section import Beam, rectangle, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
+from tests.support.blade_stations import stations_between
 from tests.support.engine import (
     bearings,
     couplings,
@@ -178,6 +179,7 @@ def _drive(rng):
 
 SAMPLES = {
     "beam": _beam,
+    "blade_station": stations_between,
     "bearing": _bearing,
     "bushing": _bushing,
     "clearance_bearing": lambda rng: _ring(clearance_bearing, rng, gap=1e-3),
@@ -237,7 +239,7 @@ def test_action_is_reaction_about_a_common_point(name):
     # at rest inertia adds nothing; ground's accumulator takes the rest of the sum about its origin
     fr = fr[:3]  # states are no bodies
     total = sum(f["F"][:3] for f in fr)
-    if name in ("force", "gravity"):  # an applied load has no partner
+    if name in ("blade_station", "force", "gravity"):  # an applied load has no partner
         return
     np.testing.assert_allclose(total, 0.0, atol=1e-12)
     moments = sum(f["F"][3:] + np.cross(f["r"], f["F"][:3]) for f in fr)

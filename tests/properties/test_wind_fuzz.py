@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pitchpoint.io.wind.errors import WindFileError
 from pitchpoint.io.wind.mann import MannGeometry, read_mann
-from pitchpoint.io.wind.turbsim import read_turbsim
+from pitchpoint.model.wind.file_errors import WindFileError
+from pitchpoint.model.wind.turbsim import read_turbsim
 from tests.unit.io.test_wind_files import turbsim_bytes
 
 # most of what can go wrong is in the header

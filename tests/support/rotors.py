@@ -11,9 +11,9 @@ import numpy as np
 
 from pitchpoint.geometry.rotor.blade import Blade, Rotor
 from pitchpoint.geometry.rotor.polar import Polar
-from pitchpoint.io.openfast.aerodyn import AeroDynInput, read_aerodyn
+from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
 
-FOLDER = Path(__file__).parent / "nrel_5mw"
+FOLDER = Path(__file__).parents[2] / "examples" / "wind-turbine" / "nrel_5mw"
 AERODYN = FOLDER / "onshore" / "AeroDyn.dat"
 AIRFOILS = FOLDER / "5MW_Baseline" / "Airfoils"
 BLADE = FOLDER / "5MW_Baseline" / "NRELOffshrBsline5MW_AeroDyn_blade.dat"

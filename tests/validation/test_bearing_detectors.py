@@ -26,7 +26,7 @@ from tests.support.measured_sets import needs_measured
 HIGHEST = {
     "motor": [10.4, 14.1, 14.7, 25.3, 23.2],
     "gearbox": [13.6, 15.6, 17.4, 25.7, 17.5],
-    "simulated": [9.5, 11.6, 14.0, 21.5, 24.1],
+    "simulated": [9.5, 11.6, 17.9, 21.5, 24.1],
 }
 """Highest level of a sound part by machine and detector [dB], as in docs/diagnosis.md."""
 
@@ -51,7 +51,7 @@ def counted() -> dict[str, list[Levels]]:
 @needs_measured
 @pytest.mark.study
 def test_limits_are_those_of_the_counted_records(counted: dict[str, list[Levels]]) -> None:
-    """The limit of the kurtogram is 3 dB higher, by two records of a sound bearing of a loaded rig with 21.4 dB.
+    """The limit of the kurtogram is 3 dB higher, by two records of another sound rig with 21.4 dB.
 
     That of the squared envelope is 4 dB higher, by bearings that the motor does not have, with 28.8 dB.
     """
@@ -73,7 +73,7 @@ def test_limits_hold_on_machines_that_were_not_counted(counted: dict[str, list[L
     for name in counted:
         others = [row for other, rows in counted.items() if other != name for row in rows]
         found[name] = above(counted[name], limits_of(others))
-    assert found == {"motor": (10, 0), "gearbox": (0, 9), "simulated": (107, 0)}
+    assert found == {"motor": (10, 0), "gearbox": (0, 5), "simulated": (107, 0)}
 
 
 @needs_measured

@@ -72,11 +72,10 @@ PAGE_ENDINGS = (".html", ".htm")
     "--bearing",
     "bearings",
     multiple=True,
-    metavar="NAME:BEARING[@SHAFT]",
-    help="Rolling bearing with rotating inner ring: designation, such as left:6205@2; number and diameter "
-    "of elements, "
-    "pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, such as "
-    "left:BPFO=3.58,BPFI=5.42.",
+    metavar="[NAME:]BEARING[@SHAFT]",
+    help="Rolling bearing with rotating inner ring: designation, such as 6205 or left:6205@2; number and "
+    "diameter of elements, pitch diameter and angle, such as left:8,7.9mm,33.5mm,0deg@2; or fault orders, "
+    "such as left:BPFO=3.58,BPFI=5.42.",
 )
 @click.option(
     "--shaft",

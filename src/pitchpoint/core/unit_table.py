@@ -193,6 +193,8 @@ DIMENSIONS: dict[str, Dimension] = {
     "mass": Dimension("a mass", (0, 1, 0, 0), "kg", "2.5 kg", display=((0.0, "g"), (1.0, "kg"), (1e4, "t"))),
     "inertia": Dimension("a moment of inertia", (2, 1, 0, 0), "kg m^2", "0.0115 kg m^2"),
     "density": Dimension("a density", (-3, 1, 0, 0), "kg/m^3", "7850 kg/m^3"),
+    "mass_per_length": Dimension("a mass per length", (-1, 1, 0, 0), "kg/m", "300 kg/m"),
+    "bending_stiffness": Dimension("a stiffness of a section", (3, 1, -2, 0), "N m^2", "2e9 N m^2"),
     "time": Dimension("a time", (0, 0, 1, 0), "s", "0.5 s", display=((0.0, "µs"), (1e-3, "ms"), (1.0, "s"))),
     "frequency": Dimension(
         "a frequency", (0, 0, -1, 0), "Hz", "1000 Hz", (0, 1), ((0.0, "Hz"), (1e4, "kHz"))

@@ -17,6 +17,9 @@ from pitchpoint.model.speed_ratios import Link, fixed_bodies, links_of
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
+GEARED = ("meshes", "bevel_meshes", "ratios")
+"""Sections of links that are not elastic."""
+
 
 @dataclass(frozen=True)
 class LockedLoop:
@@ -87,6 +90,8 @@ def loop_with(loops: Sequence[LockedLoop], link: Place) -> LockedLoop | None:
 
 def _locked(parts: Parts, place: dict[str, int], links: list[tuple[Link, np.ndarray]]) -> LockedLoop | None:
     """Last link of a train without which it can rotate; None if it can rotate with all of them."""
+    if len(links) == 1 and links[0][0][0][0] not in GEARED:
+        return None  # a spring between a body and the one that carries it holds their joint
     spins = sorted({s for _, row in links for s in np.flatnonzero(row).tolist()})
     if null_space(np.array([row for _, row in links])[:, spins], len(spins)).shape[1]:
         return None

@@ -271,6 +271,7 @@ class Scenario(Component):
         None,
         later=True,
     )
+    wind: str | None = text("wind at the rotors of wind turbines, instead of their own", None, later=True)
     channels: tuple[str, ...] = key(
         "names",
         "channels to store; * matches any characters, as in mesh_force[*]",

@@ -50,6 +50,8 @@ from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.model.components.unbalance import Unbalance
+from pitchpoint.model.components.wind import Wind
+from pitchpoint.model.components.wind_rotor import WindRotor
 from pitchpoint.model.keys import Key, component, defaults_of, key, keys_of, quantities, text
 from pitchpoint.model.scenario import Scenario
 
@@ -185,6 +187,14 @@ class Contents(Checked):
     )
     couplings: Mapping[str, Coupling] = section("couplings between bodies", Coupling, "bearing:bearing_bank")
     loads: Mapping[str, Load] = section("torques and forces on bodies", Load, "load:load_banks")
+    winds: Mapping[str, Wind] = section("winds by name", Wind, later=True)
+    wind_rotors: Mapping[str, WindRotor] = section(
+        "rotors of wind turbines: loads of the air on their blades",
+        WindRotor,
+        "wind_rotor:wind_rotor_bank",
+        later=True,
+        also=("rotors", "wind_turbines"),
+    )
     sensors: Mapping[str, Sensor] = section("sensors: signals of motion and loads", SENSORS)
     blocks: Mapping[str, Block] = section("signals computed from other signals", BLOCKS)
     controllers: Mapping[str, Controller] = section("discrete controllers", CONTROLLERS)

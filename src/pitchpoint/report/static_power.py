@@ -341,9 +341,10 @@ def _others(model: Model, train: Sequence[str]) -> list[str]:
     train = [*train, *(name for body in train for name in model.mechanism.carried_by(body))]
     found = [name for name in model.mechanism.cut if {*bodies_of(model.joints[name].bodies)} & {*train}]
     groups = ("springs", "maxwells", "rods", "bushings", "beams", "cam_contacts", "curve_contacts")
-    for group in (*groups, "surface_contacts"):
+    for group in (*groups, "surface_contacts", "wind_rotors"):
         for name, part in getattr(model, group).items():
             ends = getattr(part, "ends", None) or getattr(part, "bodies", None) or ()
+            ends = (*ends, part.hub) if group == "wind_rotors" else ends
             if {*bodies_of(ends)} & {*train}:
                 found.append(name)
     return found

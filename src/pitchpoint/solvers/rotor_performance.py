@@ -15,7 +15,7 @@ from pitchpoint.core.kernel import invoke
 from pitchpoint.core.provenance import content_hash, provenance
 from pitchpoint.core.status import OK
 from pitchpoint.elements.rotor.loads import stations_entry
-from pitchpoint.elements.rotor.record import AIR, BATCH, POINT, SKEW, polar_rows, station_records
+from pitchpoint.elements.rotor.record import BATCH, POINT, air_record, polar_rows, station_records
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.solvers.rotor_wind import station_points
@@ -151,11 +151,7 @@ class StationBatch:
     def __init__(self, rotor: Rotor, flow: RotorFlow, stall: bool = False) -> None:
         self.stations = station_records(rotor, flow.tip_loss, flow.hub_loss, stall)
         self.knots = polar_rows(rotor)
-        self.air = air = np.zeros(1, AIR)
-        air["rho"], air["axial"], air["swirl"] = flow.density, flow.axial_induction, flow.tangential_induction
-        air["axial_drag"] = flow.drag_in_axial_induction
-        air["swirl_drag"] = flow.drag_in_tangential_induction
-        air["skew"] = SKEW if flow.skewed_wake else 0.0
+        self.air = air = air_record(flow)
         self.record = batch = np.zeros(1, BATCH)
         batch["stations"], batch["n"] = self.stations.ctypes.data, self.stations.size
         batch["knots"], batch["rows"] = self.knots.ctypes.data, len(self.knots)

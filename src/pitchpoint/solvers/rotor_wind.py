@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.kernel import invoke
-from pitchpoint.elements.rotor.record import POINT
-from pitchpoint.elements.rotor.tower import TOWER_POINT, tower_entry
+from pitchpoint.elements.rotor.air import SAMPLE, air_entry
+from pitchpoint.elements.rotor.record import POINT, tower_rows
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
+from pitchpoint.model.wind.steady import SteadyWind
+from pitchpoint.system.wind import WindField
 
 FloatArray = NDArray[np.float64]
 
@@ -79,18 +81,22 @@ def wind_field(rotor: Rotor, flow: RotorFlow, position: FloatArray, height: Floa
     ndarray, shape (..., 3)
         Velocities over the wind speed.
     """
-    profile = np.ones_like(height)
-    if flow.shear_exponent != 0.0:
-        if (height <= 0.0).any():
-            low = f"{height.min():g} m"
-            raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
-        profile = (height / rotor.hub_height) ** flow.shear_exponent
     c, s = math.cos(flow.yaw), math.sin(flow.yaw)
-    along, across = np.array([c, -s, 0.0]), np.array([s, c, 0.0])
-    if flow.tower is None:
-        return profile[..., None] * along
-    rows = np.zeros(height.shape, TOWER_POINT)
-    rows["x"], rows["y"] = position @ along, position @ across
-    rows["radius"] = flow.tower.radius_at(height)
-    invoke(tower_entry, 0, rows.ctypes.data, rows.size)
-    return profile[..., None] * (rows["along"][..., None] * along + rows["across"][..., None] * across)
+    if flow.shear_exponent == 0.0 and flow.tower is None:
+        return np.broadcast_to(np.array([c, -s, 0.0]), (*height.shape, 3))
+    if (height <= 0.0).any():
+        low = f"{height.min():g} m"
+        raise ModelError([Message("rotor.hub_height", "is the lowest station above ground", low, "> 0")])
+    steady = SteadyWind(
+        speed=1.0, hub_height=rotor.hub_height, exponent=flow.shear_exponent, direction=-flow.yaw
+    )
+    at = np.concatenate([position[..., :2], height[..., None]], axis=-1).reshape(-1, 3)
+    found = np.empty_like(at)
+    sample = np.zeros(1, SAMPLE)
+    sample["wind"], sample["box"] = WindField(steady).record, -1
+    if flow.tower is not None:
+        sections = tower_rows(flow.tower)
+        sample["tower"]["n"], sample["pool"] = len(sections), sections.ctypes.data
+    sample["positions"], sample["velocities"] = at.ctypes.data, found.ctypes.data
+    invoke(air_entry, 0, sample.ctypes.data, len(at))
+    return found.reshape(position.shape)

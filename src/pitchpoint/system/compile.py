@@ -85,6 +85,10 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
         tree=tree,
     )
     elements = [n for names in states_of(model).values() for n in names]
+    if model.wind_rotors:
+        from pitchpoint.system.rules.wind_rotor import state_names
+
+        elements += state_names(model)
     states |= {name: k for k, name in enumerate(elements, start=len(places.tree) + 1)}
     used = [found for name in groups_of(model) if getattr(model, name) and (found := find(name)) is not None]
     banks = [damping_bank(model), gravity_bank(model)]

@@ -111,6 +111,7 @@ def test_an_unknown_designation_names_the_nearest_and_the_options(
 @pytest.mark.parametrize(
     ("options", "words"),
     [
+        (["--bearing", "8,7.9mm,33.5mm"], "'8,7.9mm,33.5mm' is not NAME:BEARING@SHAFT"),
         (["--bearing", "a:6205", "--slip", "30%"], "--slip: 0.3 (limit 0 to 0.1)"),
         (["--bearing", "a:BPFO=5.4,BPFI=3.6"], "BPFO 5.4 (limit below BPFI 3.6 if the inner ring rotates)"),
         (["--bearing", "a:9,7.94mm,39mm,15"], "contact angle 859.4 deg (limit 0 to 90 deg)"),

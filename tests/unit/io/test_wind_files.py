@@ -12,11 +12,12 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.target import OutputError
-from pitchpoint.io.wind import errors
-from pitchpoint.io.wind.errors import WindFileError
 from pitchpoint.io.wind.mann import MannGeometry, read_mann, write_mann
-from pitchpoint.io.wind.turbsim import read_turbsim, write_turbsim
+from pitchpoint.io.wind.turbsim import write_turbsim
+from pitchpoint.model.wind import file_errors as errors
 from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.file_errors import WindFileError
+from pitchpoint.model.wind.turbsim import read_turbsim
 from pitchpoint.system.wind import WindField
 
 

@@ -14,7 +14,7 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.engine import couplings
+from tests.support.engine import couplings, torques
 from tests.support.rod import GRAVITY, pendulum
 
 ANGLE, SPEED, END = -1.0, 3.0, 1.0
@@ -130,3 +130,21 @@ def test_modes_that_are_too_fast_for_the_step_begin_as_they_are():
     np.testing.assert_array_equal(system.workspace.arrays["al"], system.workspace.a)
     assert run.advance(100).status == OK
     assert np.abs(run.state().v).max() < 1.0
+
+
+def test_a_strongly_damped_body_starts_without_overshoot():
+    """1 kg m^2 on a damper of 1e6 N m s/rad with 1 N m: it has its speed of 1e-6 rad/s after microseconds.
+
+    In steps of 1 ms the mean is right from the first step on, and the ringing of the integrator is below the
+    speed. The slope of the acceleration at the start, -1e6 rad/s^3, ends within 1e-6 s.
+    """
+    damped = couplings([(1, 0, 0.0, 1e6, 0.0)])
+    system = assemble(
+        [Body(polar_inertia=1.0, name="rotor")], {"torque": torques([(1, 1.0)]), "coupling": damped}
+    )
+    run = generalized_alpha.start(system, system.initial_state(), 1e-3)
+    found = []
+    for _ in range(10):
+        run.advance(1)
+        found.append(float(run.state().v[0]))
+    assert np.abs(np.array(found) - 1e-6).max() < 1e-6

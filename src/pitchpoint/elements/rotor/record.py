@@ -9,8 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.geometry.rotor.blade import Rotor
+from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.separation import separation
+from pitchpoint.geometry.rotor.tower import Tower
 
 STATION = np.dtype(
     [
@@ -120,3 +122,18 @@ def _rows(polar: Polar) -> NDArray[np.float64]:
     f = np.ones(len(polar.alpha)) if found is None else found.f
     apart = Polar(alpha=polar.alpha, lift=f, drag=f).knots[:, 1:3]
     return np.hstack([polar.knots, apart])
+
+
+def tower_rows(tower: Tower) -> NDArray[np.float64]:
+    """Rows of height and radius of a tower, shape (n, 2)."""
+    return np.ascontiguousarray(np.column_stack([tower.elevation, 0.5 * tower.diameter]))
+
+
+def air_record(flow: RotorFlow) -> NDArray[Any]:
+    """Record of the air and of the options of the theory, shape (1,)."""
+    air = np.zeros(1, AIR)
+    air["rho"], air["axial"], air["swirl"] = flow.density, flow.axial_induction, flow.tangential_induction
+    air["axial_drag"] = flow.drag_in_axial_induction
+    air["swirl_drag"] = flow.drag_in_tangential_induction
+    air["skew"] = SKEW if flow.skewed_wake else 0.0
+    return air

@@ -3,18 +3,17 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.kernel import kernel
 
-TOWER_POINT = np.dtype(
+TOWER = np.dtype(
     [
-        ("x", "f8"),  # position from the axis of the tower, downwind and 90° counter-clockwise of it
+        ("n", "i8"),  # sections of the tower; 0 without one
+        ("x", "f8"),  # its axis in the world [m]
         ("y", "f8"),
-        ("radius", "f8"),  # radius of the tower at this height; 0 above it
-        ("along", "f8"),  # results: wind along x and y over the wind without tower
-        ("across", "f8"),
     ],
     align=True,
 )
@@ -37,12 +36,29 @@ def tower_flow(x, y, radius):
 
 
 @kernel
-def tower_entry(ctl, rec, n):
-    """Wind at n points; rec is the address of their records."""
-    points = view(rec, n, TOWER_POINT)
-    for k in range(n):
-        p = points[k]
-        along, across = tower_flow(p["x"], p["y"], p["radius"])
-        p["along"] = along
-        p["across"] = across
-    return OK
+def radius_at(sections, z):
+    """Radius at a height from rows of height and radius; zero above the tower."""
+    last = sections.shape[0] - 1
+    if z > sections[last, 0]:
+        return 0.0
+    k = 0
+    while k < last - 1 and sections[k + 1, 0] < z:
+        k += 1
+    share = (z - sections[k, 0]) / (sections[k + 1, 0] - sections[k, 0])
+    share = max(share, 0.0)
+    return (1.0 - share) * sections[k, 1] + share * sections[k + 1, 1]
+
+
+@kernel
+def disturbed(tower, sections, at, u, v):
+    """Horizontal velocities u and v of the wind at a point, with the flow around the tower."""
+    square = u * u + v * v
+    if square == 0.0:
+        return u, v
+    dx = at[0] - tower["x"]
+    dy = at[1] - tower["y"]
+    speed = math.sqrt(square)
+    along, across = tower_flow(
+        (u * dx + v * dy) / speed, (u * dy - v * dx) / speed, radius_at(sections, at[2])
+    )
+    return along * u - across * v, along * v + across * u

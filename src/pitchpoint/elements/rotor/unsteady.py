@@ -11,6 +11,18 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.rotor.polar import coefficient
+from pitchpoint.elements.rotor.slopes import (
+    COLUMNS,
+    INPUTS,
+    VX,
+    W_N,
+    W_T,
+    F,
+    angle_slope,
+    no_induction,
+    speed_slope,
+)
 
 SHARE = 0.6
 """Share k of the steady induction that acts on the second filter at once (Øye 1990)."""
@@ -61,3 +73,85 @@ def stalling_lift(lift, steady, attached, f):
 def attached_lift(alpha, alpha_0, slope):
     """Lift of attached flow; sine, so that it is periodic."""
     return slope * math.sin(alpha - alpha_0)
+
+
+@kernel
+def inflow_speed(p):
+    """Wind speed of the time constants, at least 0.1 m/s."""
+    return max(abs(p["vx"]), 0.1)
+
+
+@kernel
+def state_rates(b, p, x, steady, rates):
+    """Rates of the states x = (z_n, w_n, z_t, w_t, f) for the steady induction and point of separation."""
+    steady_n, steady_t, steady_f = steady
+    speed = inflow_speed(p)
+    first, second = inflow_times(steady_n / speed, b["share"], b["radius"], speed)
+    for k in range(2):
+        w = steady_n if k == 0 else steady_t
+        rates[2 * k] = ((1.0 - SHARE) * w - x[2 * k]) / first
+        rates[2 * k + 1] = (x[2 * k] + SHARE * w - x[2 * k + 1]) / second
+    rates[4] = (steady_f - x[4]) * p["speed"] / (CHORDS * b["chord"])
+
+
+@kernel
+def held_velocities(U):
+    """Derivatives of the velocities at a station whose induced velocities are states."""
+    no_induction(U)
+    U[0, W_N] = -1.0
+    U[1, W_T] = 1.0
+
+
+@kernel
+def rate_slopes(b, p, x, steady, slopes, U, Q):
+    """Derivatives of the rates, shape (5, 10), in Q.
+
+    `slopes` contains the derivatives of the steady velocities, shape (2, 10), and that of the steady point of
+    separation with respect to the angle of attack; U those of the velocities at the station.
+    """
+    by_steady, by_alpha = slopes
+    steady_n, steady_t, steady_f = steady
+    speed = inflow_speed(p)
+    a = steady_n / speed
+    first, second = inflow_times(a, b["share"], b["radius"], speed)
+    faster = 0.0 if abs(p["vx"]) <= 0.1 else 1.0 if p["vx"] > 0.0 else -1.0
+    for n in range(COLUMNS):
+        d_speed = faster if n == VX else 0.0
+        dn = (1.0 if n == VX else 0.0) - by_steady[0, n] if n < INPUTS else 0.0
+        dt = by_steady[1, n] - (1.0 if n == VX + 1 else 0.0) if n < INPUTS else 0.0
+        da = (dn - a * d_speed) / speed
+        longer = -d_speed / speed  # change of the time constants over them
+        if a < 0.5:
+            longer += 1.3 * da / (1.0 - 1.3 * a)
+        for k in range(2):
+            w = steady_n if k == 0 else steady_t
+            dw = dn if k == 0 else dt
+            z = 2 * k
+            dz = 1.0 if n == INPUTS + z else 0.0
+            own = 1.0 if n == INPUTS + z + 1 else 0.0
+            Q[z, n] = ((1.0 - SHARE) * dw - dz - longer * ((1.0 - SHARE) * w - x[z])) / first
+            slow = x[z] + SHARE * w - x[z + 1]
+            Q[z + 1, n] = (dz + SHARE * dw - own - longer * slow) / second
+        df = by_alpha * angle_slope(p, U, n) - (1.0 if n == F else 0.0)
+        fast = p["speed"] / (CHORDS * b["chord"])
+        Q[4, n] = df * fast + (steady_f - x[4]) * speed_slope(p, U, n) / (CHORDS * b["chord"])
+
+
+@kernel
+def lift_slopes(b, p, knots, i, stall, x, lift):
+    """Derivatives of the coefficient of lift with respect to the angle of attack and to the state f."""
+    cl, cl1 = coefficient(knots, i, 1, p["alpha"])
+    lift[0] = cl1
+    lift[1] = 0.0
+    if stall == 0 or b["slope"] <= 0.0:
+        return
+    f, f1 = coefficient(knots, i, 7, p["alpha"])
+    attached = attached_lift(p["alpha"], b["alpha_0"], b["slope"])
+    attached1 = b["slope"] * math.cos(p["alpha"] - b["alpha_0"])
+    apart = 0.5 * attached
+    apart1 = 0.5 * attached1
+    if f < 1.0 - 1e-6:
+        apart = (cl - attached * f) / (1.0 - f)
+        apart1 = (cl1 - attached1 * f - attached * f1 + apart * f1) / (1.0 - f)
+    lift[0] = x[4] * attached1 + (1.0 - x[4]) * apart1
+    lift[1] = attached - apart

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.target import check_place, write_file
-from pitchpoint.io.wind.errors import (
+from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.file_errors import (
     WindFileError,
     check_memory,
     check_size,
@@ -25,7 +26,6 @@ from pitchpoint.io.wind.errors import (
     size_of,
     unreadable,
 )
-from pitchpoint.model.wind.box import WindBox
 from pitchpoint.model.wind.ranges import Ranges
 
 _FLOAT = np.dtype("<f4")

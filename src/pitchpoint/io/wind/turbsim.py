@@ -1,21 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Full-field files of TurbSim (.bts): velocities as 16-bit integers with a scale for each component.
-
-The layout is that of TurbSim User's Guide 2.00, appendix D, and of the routines `WrBinTURBSIM` of TurbSim and
-`IfW_TurbSim_Init` of InflowWind in OpenFAST: 70 bytes of header, a text, then for each time the grid, y
-fastest, then z from bottom to top, each point with u, v, w; then the points of the tower below the grid.
-"""
+"""Full-field files of TurbSim (.bts), written; `model/wind/turbsim.py` reads them and has the layout."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pitchpoint.core.errors import ModelError
 from pitchpoint.io.target import (
     TURBSIM_MARK,
     OutputError,
@@ -24,138 +16,9 @@ from pitchpoint.io.target import (
     make_folder,
     replacing,
 )
-from pitchpoint.io.wind.errors import (
-    WindFileError,
-    check_finite,
-    check_memory,
-    check_size,
-    refused,
-    size_of,
-    unreadable,
-)
 from pitchpoint.model.wind.box import WindBox
-
-HEADER = np.dtype(
-    [
-        ("id", "<i2"),  # 7: the wind does not repeat, 8: it repeats
-        ("n_z", "<i4"),
-        ("n_y", "<i4"),
-        ("n_tower", "<i4"),
-        ("n_t", "<i4"),  # numbers of points
-        ("dz", "<f4"),
-        ("dy", "<f4"),
-        ("dt", "<f4"),  # steps [m], [m], [s]
-        ("mean_speed", "<f4"),  # at hub height [m/s]
-        ("hub_height", "<f4"),
-        ("bottom", "<f4"),  # heights of the hub and of the lowest row [m]
-        ("scale", "<f4", (3, 2)),  # integer = slope velocity + offset, for u, v, w
-        ("n_text", "<i4"),  # length of the text
-    ]
-)
-"""Header, 70 bytes without gaps."""
-LONGEST_TEXT = 200
-PERIODIC, ONCE = 8, 7
-_BLOCK = 1 << 22
-_REMEDY = "copy the file again, or run TurbSim again"
-
-
-def read_turbsim(path: str | os.PathLike[str]) -> WindBox:
-    """Read a full-field file of TurbSim.
-
-    The velocities contain the mean wind. Points of the tower are skipped. A file that does not repeat begins
-    half a grid width upwind of x = 0, as in InflowWind.
-
-    Parameters
-    ----------
-    path
-        The file (.bts).
-
-    Raises
-    ------
-    WindFileError
-        If the file is missing, cut off or damaged.
-    """
-    name = Path(path)
-    there = size_of(name)
-    if there < HEADER.itemsize:
-        raise refused(name, "header", f"{there} bytes", "are there: the file is cut off",
-                      f"{HEADER.itemsize} bytes", _REMEDY)  # fmt: skip
-    try:
-        with name.open("rb") as file:
-            head = np.frombuffer(file.read(HEADER.itemsize), HEADER)[0]
-            numbers = _checked(name, head, there)
-            file.seek(HEADER.itemsize + numbers["n_text"])
-            velocity = _velocities(name, file, numbers, head["scale"].astype(float))
-    except (OSError, ValueError) as error:
-        if isinstance(error, WindFileError):
-            raise
-        raise unreadable(name, error) from error
-    spacing = (float(head["dy"]), float(head["dz"]))
-    periodic = int(head["id"]) == PERIODIC
-    try:
-        return WindBox(
-            velocity=velocity,
-            time_step=float(head["dt"]),
-            spacing=spacing,
-            bottom=float(head["bottom"]),
-            hub_height=float(head["hub_height"]),
-            mean_speed=float(head["mean_speed"]),
-            with_mean=True,
-            periodic=periodic,
-            shift=0.0 if periodic else 0.5 * (numbers["n_y"] - 1) * spacing[0],
-        )
-    except ModelError as error:
-        raise WindFileError(f"{name}: {'; '.join(map(str, error.problems))}") from error
-
-
-def _checked(path: Path, head: Any, there: int) -> dict[str, int]:
-    """Numbers of points; the header is checked together with the size of the file."""
-    numbers = {key: int(head[key]) for key in ("n_z", "n_y", "n_tower", "n_t", "n_text")}
-    if int(head["id"]) not in (PERIODIC, ONCE):
-        raise refused(path, "byte 0", f"{int(head['id'])}", "is not the number of this format", "7 or 8",
-                      "use a full-field file of TurbSim (.bts)")  # fmt: skip
-    lowest = {"n_z": 1, "n_y": 1, "n_tower": 0, "n_t": 1, "n_text": 0}
-    for key, words in (
-        ("n_z", "points along z"),
-        ("n_y", "points along y"),
-        ("n_tower", "points of the tower"),
-        ("n_t", "time steps"),
-        ("n_text", "characters of the text"),
-    ):
-        if numbers[key] < lowest[key] or (key == "n_text" and numbers[key] > LONGEST_TEXT):
-            limit = f"0 to {LONGEST_TEXT}" if key == "n_text" else f">= {lowest[key]}"
-            raise refused(path, words, f"{numbers[key]}", "is not possible", limit, _REMEDY)
-    check_finite(
-        path,
-        dz=float(head["dz"]),
-        dy=float(head["dy"]),
-        dt=float(head["dt"]),
-        mean_speed=float(head["mean_speed"]),
-    )
-    scale = head["scale"].astype(float)
-    if not np.isfinite(scale).all() or (scale[:, 0] == 0.0).any():
-        raise refused(path, "scale", "", "has a slope of 0 or a number that is not finite", None, _REMEDY)
-    samples = numbers["n_t"] * (numbers["n_z"] * numbers["n_y"] + numbers["n_tower"]) * 3
-    check_size(path, there, HEADER.itemsize + numbers["n_text"] + 2 * samples, _REMEDY)
-    check_memory(path, samples)
-    return numbers
-
-
-def _velocities(path: Path, file: Any, numbers: dict[str, int], scale: NDArray[Any]) -> NDArray[np.float32]:
-    """Velocities of the grid, read in blocks."""
-    n_t, grid = numbers["n_t"], numbers["n_z"] * numbers["n_y"]
-    row = 3 * (grid + numbers["n_tower"])
-    found = np.empty((n_t, numbers["n_z"], numbers["n_y"], 3), np.float32)
-    step = max(1, _BLOCK // row)
-    with np.errstate(over="ignore"):
-        for k in range(0, n_t, step):
-            count = min(step, n_t - k)
-            raw = np.frombuffer(file.read(2 * row * count), "<i2")
-            if raw.size != row * count:
-                raise refused(path, "", "", "became shorter while it was read", None, _REMEDY)
-            points = raw.reshape(count, -1, 3)[:, :grid].reshape(found[k : k + count].shape)
-            found[k : k + count] = (points - scale[:, 1]) / scale[:, 0]
-    return found
+from pitchpoint.model.wind.file_errors import refused
+from pitchpoint.model.wind.turbsim import BLOCK, HEADER, ONCE, PERIODIC
 
 
 def write_turbsim(path: str | os.PathLike[str], box: WindBox) -> Path:
@@ -199,7 +62,7 @@ def write_turbsim(path: str | os.PathLike[str], box: WindBox) -> Path:
         make_folder(target)
         with replacing(target) as draft, draft.open("wb") as file:
             file.write(head.tobytes() + TURBSIM_MARK)
-            step = max(1, _BLOCK // velocity[0].size)
+            step = max(1, BLOCK // velocity[0].size)
             for k in range(0, len(velocity), step):
                 scaled = np.rint(velocity[k : k + step] * slope.astype(float) + offset.astype(float))
                 file.write(np.clip(scaled, -32768, 32767).astype("<i2").tobytes())

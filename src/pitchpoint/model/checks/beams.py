@@ -4,18 +4,20 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.errors import ModelError
+from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.components.beam import SHAPES
+from pitchpoint.model.components.beam import IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.beam import Beam, BeamSection
+    from pitchpoint.model.components.beam import Beam, BeamProperties, BeamSection
     from pitchpoint.model.parts import Parts
 
 
@@ -25,8 +27,10 @@ def check_beams(parts: Parts, report: Reader) -> None:
         at: Place = ("beams", name)
         if name in parts.bodies and beam.pieces > 1:
             report.problem(at, "has the name of a body", remedy="choose a unique name for the beam")
-        if (*at, "section") not in report.tainted:
+        if beam.section is not None and (*at, "section") not in report.tainted:
             _section(beam.section, (*at, "section"), report)
+        if beam.properties is not None and (*at, "properties") not in report.tainted:
+            _properties(beam.properties, (*at, "properties"), report)
         if (*at, "ends") not in report.tainted:
             _place(parts, beam, at, report)
 
@@ -59,6 +63,27 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
             f"has {len(section.bending)} entries",
             remedy="give two second moments of area: for bending in the direction of axis 1 and axis 2",
         )
+
+
+def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
+    given = part.lists
+    if part.elastodyn is not None:
+        for name in set(given) & set(IN_FILE):
+            report.problem((*at, name), "is in the file too", remedy="remove it, or remove elastodyn")
+        if given and ("position" in given) != (len(given) > 1):
+            report.problem(at, "has lists and positions that do not belong together", remedy="give both")
+    elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
+        report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
+        return
+    try:
+        plain = dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position))
+        lists: dict[str, Any] = {**plain, "position": [0.0, 1.0], **given}
+        BeamTable(**lists)
+    except ModelError as error:
+        for p in error.problems:
+            key = p.where.partition("[")[0]
+            if key in given:
+                report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.keys import REQUIRED, component, integer, key, positive, quantities, quantity
+from pitchpoint.model.keys import component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.materials import Material
@@ -53,6 +53,68 @@ class BeamSection(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
+class BeamProperties(Component):
+    """Properties over the length of a beam, linear between the given places: lists, or a file of OpenFAST."""
+
+    elastodyn: str | None = key(
+        "file",
+        "blade or tower file of ElastoDyn, instead of mass, bending stiffness and twist: axis 1 is flapwise, "
+        "or fore-aft",
+        None,
+    )
+    position: tuple[float, ...] = quantities(
+        "dimensionless", "places from the first end, 0, to the second, 1", (), minimum=0.0, maximum=1.0
+    )
+    mass: tuple[float, ...] = quantities("mass_per_length", "mass per length", (), minimum=0.0)
+    bending_1: tuple[float, ...] = quantities(
+        "bending_stiffness", "bending stiffness E I in the direction of axis 1", (), minimum=0.0, above=True
+    )
+    bending_2: tuple[float, ...] = quantities(
+        "bending_stiffness", "bending stiffness E I in the direction of axis 2", (), minimum=0.0, above=True
+    )
+    torsion: tuple[float, ...] = quantities(
+        "bending_stiffness",
+        "torsional stiffness G J",
+        (),
+        minimum=0.0,
+        above=True,
+        display="stiff: 100 times the larger bending stiffness",
+    )
+    axial: tuple[float, ...] = quantities(
+        "force",
+        "axial stiffness E A",
+        (),
+        minimum=0.0,
+        above=True,
+        display="stiff: 1e4 times the larger bending stiffness over the square of the length",
+    )
+    twist: tuple[float, ...] = quantities(
+        "angle",
+        "rotation of axes 1 and 2 about the beam, from the first end to the second",
+        (),
+        display="0",
+    )
+    center_1: tuple[float, ...] = quantities(
+        "length", "position of the centre of mass along the twisted axis 1", (), display="0"
+    )
+    center_2: tuple[float, ...] = quantities(
+        "length", "position of the centre of mass along the twisted axis 2", (), display="0"
+    )
+
+    @property
+    def lists(self) -> dict[str, tuple[float, ...]]:
+        """The lists that are given, by key."""
+        names = ("position", "mass", "bending_1", "bending_2", *OPTIONAL)
+        return {name: values for name in names if (values := getattr(self, name))}
+
+
+OPTIONAL = ("torsion", "axial", "twist", "center_1", "center_2")
+"""Lists of `BeamProperties` that have defaults."""
+IN_FILE = ("mass", "bending_1", "bending_2", "twist")
+"""Lists of `BeamProperties` that a file of ElastoDyn replaces."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Beam(Component):
     """Timoshenko beam between two points, clamped to both bodies, for large rotations and deflections."""
 
@@ -62,7 +124,14 @@ class Beam(Component):
         "the initial position",
         length=(2, 2),
     )
-    section: BeamSection = component(BeamSection, "constant cross-section", REQUIRED)
+    section: BeamSection | None = component(BeamSection, "constant cross-section", None, one_of="section")
+    properties: BeamProperties | None = component(
+        BeamProperties,
+        "instead of section and material: properties over the length, as of a blade or tower",
+        None,
+        one_of="section",
+        later=True,
+    )
     axis: tuple[float, float, float] | None = quantities(
         "dimensionless",
         "direction of axis 1 of the section, in the world",

@@ -16,9 +16,19 @@ from pitchpoint.model.speed_ratios import joined
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-NO_MACHINE = ("gears", "bevel_gears", "bodies", "shafts", "parameters", "sensors", "blocks", "scenarios")
+NO_MACHINE = (
+    "gears",
+    "bevel_gears",
+    "bodies",
+    "shafts",
+    "parameters",
+    "sensors",
+    "blocks",
+    "winds",
+    "scenarios",
+)
 """Sections that connect no bodies."""
-NAMING = ("bodies", "ends", "gears", "terms", "body", "housing", "reaction")
+NAMING = ("bodies", "ends", "gears", "terms", "body", "housing", "reaction", "hub")
 """Keys of components that name bodies, their gears or joints."""
 
 

@@ -69,6 +69,12 @@ def read_bearing(text: str) -> tuple[str, dict[str, float], str, str]:
     ------
     SignalError
         If the option cannot be read, or the bearing is unknown or impossible.
+
+    Examples
+    --------
+    >>> name, orders, _, _ = read_bearing("6205")
+    >>> name, round(orders["outer ring"], 2)
+    ('6205', 3.58)
     """
     match = _OPTION.fullmatch(text.strip())
     if match is None or (match[1] is None and {",", "="} & set(match[2])):

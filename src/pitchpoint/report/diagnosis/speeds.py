@@ -45,15 +45,13 @@ class GivenSpeed:
     lowest: float | None = None
 
 
-def given_speed(text: str, option: str = "--speed") -> GivenSpeed:
+def given_speed(text: str) -> GivenSpeed:
     """Speed of `[SHAFT=]QUANTITY[±TOLERANCE]` or `[SHAFT=]LOW..HIGH`.
 
     Parameters
     ----------
     text
         Such as "30Hz", "fan=1750rpm±2%", "1750 rpm +- 20 rpm" or "600..1800rpm".
-    option
-        Name of the option in messages.
 
     Raises
     ------
@@ -71,59 +69,59 @@ def given_speed(text: str, option: str = "--speed") -> GivenSpeed:
     """
     name, equals, quantity = text.rpartition("=")
     if ".." in quantity:
-        low, high = _limits(quantity, option)
+        low, high = _limits(quantity)
         return GivenSpeed(name.strip() if equals else "", high, 0.0, True, low)
     nominal, *rest = _SIGN.split(quantity.strip())
-    value = _frequency(nominal, option)
+    value = _frequency(nominal)
     tolerance = TOLERANCE
     if rest:
-        tolerance = _tolerance(rest, value, option)
+        tolerance = _tolerance(rest, value)
     return GivenSpeed(name.strip() if equals else "", value, tolerance, bool(rest))
 
 
-def _limits(text: str, option: str) -> tuple[float, float]:
+def _limits(text: str) -> tuple[float, float]:
     """Limits of a range [Hz]; the lower one has the unit of the upper one unless it has its own."""
     low, _, high = (part.strip() for part in text.partition(".."))
     if not low or not high or high[0] == "." or ".." in high or _SIGN.search(text):
-        raise SignalError(f"{option}: {text!r} is not a range; write it as in 600..1800rpm")
+        raise SignalError(f"--speed: {text!r} is not a range; write it as in 600..1800rpm")
     if _NUMBER.fullmatch(high):
-        raise SignalError(f"{option}: {text!r} has no unit; write it as in {low}..{high}rpm")
+        raise SignalError(f"--speed: {text!r} has no unit; write it as in {low}..{high}rpm")
     if _NUMBER.fullmatch(low):
         unit = _NUMBER.match(high)
         low += high[unit.end() :] if unit else ""
-    limits = _frequency(low, option), _frequency(high, option)
+    limits = _frequency(low), _frequency(high)
     if not limits[0] < limits[1]:
         raise SignalError(
-            f"{option}: range {text} (limit: the lower speed first); write it as in 600..1800rpm"
+            f"--speed: range {text} (limit: the lower speed first); write it as in 600..1800rpm"
         )
     return limits
 
 
-def _tolerance(rest: list[str], frequency: float, option: str) -> float:
+def _tolerance(rest: list[str], frequency: float) -> float:
     """Relative tolerance of a percentage or a speed."""
     from pitchpoint.core.units import parse_quantity
 
     [text] = rest if len(rest) == 1 else [" ± ".join(rest)]
     if _NUMBER.fullmatch(text):
         number = text.strip()
-        raise SignalError(f"{option}: tolerance {number} has no unit; write ±{number}% or ±{number}rpm")
+        raise SignalError(f"--speed: tolerance {number} has no unit; write ±{number}% or ±{number}rpm")
     try:
         if text.rstrip().endswith("%"):
             found = parse_quantity(text, "dimensionless", nonnegative=True)
         else:
-            found = _frequency(text, option, zero=True) / frequency
+            found = _frequency(text, zero=True) / frequency
     except UnitError as error:
         raise SignalError(
-            f"{option}: {text!r} is not a tolerance; write it as in 1750rpm±2% or 1750rpm±20rpm"
+            f"--speed: {text!r} is not a tolerance; write it as in 1750rpm±2% or 1750rpm±20rpm"
         ) from error
     if found > LARGEST:
         raise SignalError(
-            f"{option}: tolerance {100.0 * found:.3g} % (limit 10 %); give the speed more closely"
+            f"--speed: tolerance {100.0 * found:.3g} % (limit 10 %); give the speed more closely"
         )
     return found
 
 
-def _frequency(text: str, option: str, *, zero: bool = False) -> float:
+def _frequency(text: str, *, zero: bool = False) -> float:
     """Rotation frequency [Hz]."""
     from pitchpoint.core.units import parse_quantity
 
@@ -133,4 +131,4 @@ def _frequency(text: str, option: str, *, zero: bool = False) -> float:
             return float(parse_quantity(text, "frequency", **limit))
         return float(parse_quantity(text, "angular_speed", **limit)) / math.tau
     except UnitError as error:
-        raise SignalError(f"{option}: {error}") from None
+        raise SignalError(f"--speed: {error}") from None

@@ -188,7 +188,8 @@ def mesh_remarks(
         found = ", ".join(_rate(order, frequency) for order in listed)
         remarks.append(
             f"{mesh.name}: no mesh line at {_rate(first.order, frequency)} or its harmonics stands out; "
-            f"strongest lines at {found}; check tooth counts and speed"
+            f"strongest lines at {found}; check tooth counts and speed, or give the "
+            "range of a run-up as in --speed 600..1800rpm"
         )
     return [*grouped(lost), *remarks], held and not seen
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.frames import place_of, split, unit
 from pitchpoint.model.shafts import station_names
+from pitchpoint.report.scene.blades import blade_rings, rigid_blades
 from pitchpoint.report.scene.shapes import skin
 from pitchpoint.viz.scene.content import Blend, ModalShape, SceneSolid
 
@@ -28,6 +29,8 @@ Read = Callable[[str], "Array | None"]
 RINGS = 4
 """Number of rings of corners along every segment of a beam."""
 MAX_NODES = 300
+SLENDER = 0.015
+"""Radius of beams of unknown section, relative to their length."""
 BAR = 0.008
 """Half width of the bars between nodes, relative to the size of the machine."""
 
@@ -44,7 +47,9 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
     read
         Function that returns channels of the result at the frames.
     """
-    found = [_beam(model, name, part, at) for name, part in model.beams.items()]
+    blades = blade_rings(model)
+    found = [_beam(model, name, part, at, blades.get(name)) for name, part in model.beams.items()]
+    found += rigid_blades(model, at)
     notes: list[str] = []
     for name in model.elastic_bodies:
         try:
@@ -56,20 +61,23 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
     return found, notes
 
 
-def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
-    """Beam with its cross section, which follows its ends and stations."""
+def _beam(model: Model, name: str, part: Beam, at: Places, blade: Array | None = None) -> SceneSolid:
+    """Beam with its cross section, or with the sections of a blade, which follows its ends and stations."""
     root, tip = (place_of(model, end) for end in part.ends)
     assert root is not None and tip is not None
     z = unit(tip - root)
     wish = np.array(part.axis or ((0.0, 1.0, 0.0) if abs(z[0]) > 0.999 else (1.0, 0.0, 0.0)))
     x = unit(wish - z * (z @ wish))
     y = np.cross(z, x)
-    outline = _section(part)
+    outline = _section(part, float(np.linalg.norm(tip - root)))
     count = RINGS * part.pieces + 1
     share = np.linspace(0.0, 1.0, count)
     ring = outline[:, :1] * x + outline[:, 1:] * y
     points = (root + share[:, None] * (tip - root))[:, None, :] + ring
     n = len(outline)
+    if blade is not None:
+        points, n, count = blade, blade.shape[1], len(blade)
+        share = np.clip((blade.mean(axis=1) - root) @ z / float(np.linalg.norm(tip - root)), 0.0, 1.0)
     stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
     between = [number for number in stations if number is not None]
     # a scene at rest has no stations of beams
@@ -89,13 +97,16 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     )
 
 
-def _section(part: Beam) -> Array:
+def _section(part: Beam, length: float) -> Array:
     """Corners of the cross section of a beam along its axes 1 and 2, (n, 2) [m]; a circle if unknown."""
     section = part.section
-    if section.width is not None and section.height is not None:
+    if section is None:  # properties without a shape
+        radius = SLENDER * length
+    elif section.width is not None and section.height is not None:
         w, h = 0.5 * section.width, 0.5 * section.height
         return np.array([[w, -h], [w, h], [-w, h], [-w, -h]])
-    radius = 0.5 * section.diameter if section.diameter else math.sqrt((section.area or 0.0) / math.pi)
+    else:
+        radius = 0.5 * section.diameter if section.diameter else math.sqrt((section.area or 0.0) / math.pi)
     angle = 2.0 * math.pi / 20 * np.arange(20)
     return radius * np.column_stack([np.cos(angle), np.sin(angle)])
 

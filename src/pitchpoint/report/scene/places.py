@@ -59,7 +59,7 @@ class Places:
         """Connection points of a body in world coordinates [m]."""
         model = self.model
         found = [place_of(model, f"{body}.{m}") for m in model.bodies[body].markers]
-        joints = self._joints.get(body, ())
+        joints = [joint for joint in self._joints.get(body, ()) if joint.type != "free"]
         return [p for p in (*found, *(joint_place(model, j) for j in joints)) if p is not None]
 
     def seat(self, body: str, place: ArrayLike | None = None) -> tuple[int, Array, Array]:

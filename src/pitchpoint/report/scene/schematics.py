@@ -31,6 +31,8 @@ STEEL = 7850.0
 """Density of balls and discs that represent masses and inertias [kg/m^3]."""
 BAR, PIN, BALL, DISC = 0.010, 0.017, 0.045, 0.4
 """Radii of bars, pins, the largest ball and disc, relative to the size of the machine."""
+SLIGHT = 1e-4
+"""Mass of a body at the end of a beam over the largest mass, below which it is not drawn."""
 GUESSED = 0.2
 """The same for a disc with known inertia only: the inertia of a vehicle is not that of a disc."""
 RAIL = 0.15
@@ -122,7 +124,7 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
         elif np.linalg.norm(p - hub) > bar:
             pieces += [shapes.rod(hub, p, bar), shapes.ball(bar, p, 12)]
     heavy = part.mass or 0.0
-    if part.moves == "fixed" or (shaped and not pieces):
+    if part.moves == "fixed" or (shaped and not pieces) or (not pieces and _is_end(at.model, name)):
         pass
     elif joint is not None and joint.type == "prismatic" and part.center is None:
         side = min(BALL * at.size, max(4.0 * bar, (heavy / STEEL) ** (1.0 / 3.0)))
@@ -137,6 +139,13 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
     elif not shaped:
         pieces += [shapes.moved(piece, origin, axes) for piece in _rotor(at, name)]
     return [stand_in(at, name, "body", name, shapes.joined(pieces))] if pieces else []
+
+
+def _is_end(model: Model, name: str) -> bool:
+    """Whether a body is the end of a beam and has next to no mass, such as the tip of a blade."""
+    heaviest = max(body.mass or 0.0 for body in model.bodies.values())
+    ends = {split(end)[0] for beam in model.beams.values() for end in beam.ends}
+    return name in ends and (model.bodies[name].mass or 0.0) < SLIGHT * heaviest
 
 
 def _rotor(at: Places, name: str) -> list[shapes.Surface]:

@@ -24,13 +24,18 @@ from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
+FASTEST = 100.0
+"""Largest change of the slope of the accelerations over a step, relative to the slope, by the change of the
+rates that it causes: step times damping over twice the mass."""
+
 _derivatives = plain(forward_derivatives)  # for arrays
 
 
 def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | None:
     """Derivatives of the accelerations and multipliers at the state in the workspace.
 
-    None if two difference quotients disagree: very stiff modes, or forces that start or end within a step.
+    None if two difference quotients disagree: very stiff modes, or forces that start or end within a step;
+    or if the accelerations would decay within a small part of the step: very strong damping.
 
     Parameters
     ----------
@@ -51,11 +56,18 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
         w.a[:], w.lam[:] = a, lam
         if send_request(w, ACCELERATE, t + s) == OK:
             found.append((w.a.copy(), w.lam.copy()))
+    soon_jerk = None
+    if len(found) == 2:  # the first quotient continued with the change of the rates that it causes
+        slope = (found[0][0] - a) / d
+        w.q[:], w.v[:] = q + d * v + 0.5 * d * d * a + d**3 / 6.0 * slope, v + d * a + 0.5 * d * d * slope
+        w.a[:], w.lam[:] = a, lam
+        if send_request(w, ACCELERATE, t + d) == OK:
+            soon_jerk = w.a.copy()
     w.q[:], w.v[:] = q, v
     status = send_request(w, ACCELERATE, t)
     w.a[:], w.lam[:] = a, lam
     w.ctl[0]["bad"], w.ctl[0]["badkind"] = bad, kind
-    if status != OK or len(found) < 2:
+    if status != OK or soon_jerk is None:
         return None
     (soon, soon_lam), (later, later_lam) = found
     weight = w.arrays["weight"]
@@ -64,6 +76,8 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
         size = float(np.linalg.norm(weight * (soon - a))) / d
         change = float(np.linalg.norm(weight * snap)) * 0.5 * d  # difference of the two jerk estimates
         if not change <= DISAGREEMENT * size < np.inf:
+            return None
+        if float(np.linalg.norm(weight * (soon_jerk - soon))) > FASTEST * APART * size * d:
             return None
         rise, _ = _derivatives(lam, soon_lam, later_lam, d)
     return jerk, rise

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import ModelError, PitchpointError
-from pitchpoint.io.openfast.aerodyn import read_aerodyn, read_aerodyn_blade
-from pitchpoint.io.openfast.airfoil import read_airfoil
+from pitchpoint.model.openfast.aerodyn import read_aerodyn, read_aerodyn_blade
+from pitchpoint.model.openfast.airfoil import read_airfoil
 from tests.support.rotors import AERODYN, AIRFOILS, BLADE, FOLDER, aerodyn
 
 

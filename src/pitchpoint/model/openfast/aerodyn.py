@@ -15,8 +15,8 @@ from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.tower import Tower
-from pitchpoint.io.openfast.airfoil import read_airfoil
-from pitchpoint.io.openfast.text import InputText, Line, read_input
+from pitchpoint.model.openfast.airfoil import read_airfoil
+from pitchpoint.model.openfast.text import InputText, Line, read_input
 
 _COLUMNS = ("BlSpn", "BlCrvAC", "BlSwpAC", "BlCrvAng", "BlTwist", "BlChord", "BlAFID")
 _MOST_AIRFOILS = 1000

@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.rotor.polar import Polar
-from pitchpoint.io.openfast.text import read_input
+from pitchpoint.model.openfast.text import read_input
 
 
 def read_airfoil(

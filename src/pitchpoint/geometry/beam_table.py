@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Properties of a beam over its length, and their means over its pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import Message, ModelError
+
+FloatArray = NDArray[np.float64]
+STIFF_TORSION, STIFF_AXIAL = 100.0, 1e4
+"""Torsional stiffness, and axial stiffness times the square of the length, over the larger bending stiffness,
+of a table without them."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class BeamTable:
+    """Properties of a beam, linear between the given positions.
+
+    Parameters
+    ----------
+    position
+        Positions from the first end, 0, to the second, 1, increasing, shape (n,).
+    mass
+        Mass per length, shape (n,) [kg/m].
+    bending_1, bending_2
+        Bending stiffness in the direction of axis 1 and 2, shape (n,) [N m²].
+    torsion
+        Torsional stiffness, shape (n,) [N m²]; empty: 100 times the larger bending stiffness.
+    axial
+        Axial stiffness, shape (n,) [N]; empty: 1e4 times the larger bending stiffness over the square of the
+        length.
+    twist
+        Rotation of the axes 1 and 2 about the beam axis, shape (n,) [rad]; empty for zero.
+    center_1, center_2
+        Centre of mass along the twisted axes, shape (n,) [m]; empty for zero.
+
+    Raises
+    ------
+    ModelError
+        With all lists that describe no beam.
+
+    Examples
+    --------
+    >>> table = BeamTable(position=[0, 1], mass=[300, 100], bending_1=[2e9, 1e9], bending_2=[3e9, 1e9])
+    >>> table.mean(0.0, 0.5, 60.0)["mass"]
+    250.0
+    """
+
+    position: FloatArray
+    mass: FloatArray
+    bending_1: FloatArray
+    bending_2: FloatArray
+    torsion: FloatArray = ()  # type: ignore[assignment]
+    axial: FloatArray = ()  # type: ignore[assignment]
+    twist: FloatArray = ()  # type: ignore[assignment]
+    center_1: FloatArray = ()  # type: ignore[assignment]
+    center_2: FloatArray = ()  # type: ignore[assignment]
+
+    def __post_init__(self) -> None:
+        for f in fields(self):
+            object.__setattr__(self, f.name, np.array(getattr(self, f.name), dtype=float))
+        if problems := list(self._problems()):
+            raise ModelError(problems)
+
+    def _problems(self) -> list[Message]:
+        found = []
+        x = self.position
+        if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0 or not (np.diff(x) > 0.0).all():
+            shown = f"{x.size} values" if x.size < 2 else f"{x[0]:g} to {x[-1]:g}"
+            found.append(Message("position", "is not a list of increasing places", shown, "0 to 1"))
+        for f in fields(self)[1:]:
+            values = getattr(self, f.name)
+            if values.size != x.size and (values.size or f.name in ("mass", "bending_1", "bending_2")):
+                found.append(
+                    Message(f.name, "is the number of values", str(values.size), f"{x.size} as of position")
+                )
+            elif not np.isfinite(values).all():
+                found.append(Message(f.name, "contains values that are not finite", remedy="give numbers"))
+            elif f.name in ("mass", "bending_1", "bending_2", "torsion", "axial"):
+                least = f.name == "mass"
+                bad = np.flatnonzero(values < 0.0 if least else values <= 0.0)
+                for k in bad[:1]:
+                    limit = ">= 0" if least else "> 0"
+                    found.append(Message(f"{f.name}[{k}]", "is out of range", f"{values[k]:g}", limit))
+        return found
+
+    def mean(self, start: float, end: float, length: float) -> dict[str, float]:
+        """Mean properties of a piece.
+
+        Parameters
+        ----------
+        start, end
+            Ends of the piece, from 0 to 1.
+        length
+            Length of the beam [m].
+        """
+        inner = self.position[(self.position > start) & (self.position < end)]
+        x = np.r_[start, inner, end]
+        found = {}
+        for f in fields(self)[1:]:
+            values = self._values(f.name, length)
+            at = np.interp(x, self.position, values)
+            found[f.name] = float(np.trapezoid(at, x)) / (end - start)
+        return found
+
+    def _values(self, name: str, length: float) -> FloatArray:
+        """A property at all positions, with its default."""
+        given = np.asarray(getattr(self, name))
+        if given.size:
+            return given
+        larger = np.maximum(self.bending_1, self.bending_2)
+        if name == "torsion":
+            return STIFF_TORSION * larger
+        return STIFF_AXIAL * larger / length**2 if name == "axial" else np.zeros(self.position.size)

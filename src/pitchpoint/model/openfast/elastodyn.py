@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Blade and tower files of ElastoDyn: distributed mass, stiffness and structural twist."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.openfast.text import InputText, Line, read_input
+
+_BLADE = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
+_TOWER = ("HtFract", "TMassDen", "TwFAStif", "TwSSStif")
+
+
+def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
+    """Distributed properties of a blade or tower file of ElastoDyn, with its adjustment factors.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Returns
+    -------
+    BeamTable
+        Axis 1 is flapwise, downwind without twist, or fore-aft; the first end is the root or the base. The
+        structural twist is positive with the leading edge upwind, a negative rotation about the blade.
+        Columns GJStff, EAStff, FlpcgOf and EdgcgOf of older files are used too.
+
+    Raises
+    ------
+    ModelError
+        With every problem and its line.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "Tower.dat"
+    >>> lines = ["2 NTwInpSt", "2 AdjTwMa", "HtFract TMassDen TwFAStif TwSSStif", "0 5600 6e11 6e11"]
+    >>> _ = file.write_text("\\n".join([*lines, "1 2500 1e11 1e11"]))
+    >>> read_elastodyn(file).mass.tolist()
+    [11200.0, 5000.0]
+    """
+    text = read_input(path)
+    blade, tower = text.find("NBlInpSt"), text.find("NTwInpSt")
+    if (blade is None) == (tower is None):
+        text.problem(
+            "NBlInpSt, NTwInpSt",
+            "is not given" if blade is None else "are given together",
+            None,
+            "one of them",
+            remedy="give a blade or tower file of ElastoDyn",
+        )
+        text.stop()
+    columns = (
+        _columns(text, blade, "NBlInpSt", _BLADE) if blade else _columns(text, tower, "NTwInpSt", _TOWER)
+    )
+    try:
+        return _blade(text, columns) if blade is not None else _tower(text, columns)
+    except ModelError as error:
+        raise ModelError([p.changed(where=p.where, file=text.path.name) for p in error.problems]) from None
+
+
+def _columns(
+    text: InputText, start: Line | None, count: str, needed: tuple[str, ...]
+) -> dict[str, np.ndarray]:
+    """Columns of the table of properties by their titles in lower case."""
+    title = next((ln for ln in text.lines if ln.tokens[0].lower() == needed[0].lower()), None)
+    if title is None or start is None:
+        text.problem(needed[0], "is not the title of a column", None, None, remedy="give an ElastoDyn file")
+        text.stop()
+        raise AssertionError
+    names = [token.lower() for token in title.tokens]
+    missing = [name for name in needed if name.lower() not in names]
+    if missing:
+        text.problem(", ".join(missing), "are missing in the titles of the columns", None, None, title.number)
+    rows = text.rows(title, text.count(count), len(names), "properties")
+    text.stop()
+    return dict(zip(names, np.array(rows).reshape(-1, len(names)).T, strict=True))
+
+
+def _factor(text: InputText, name: str) -> float:
+    """Adjustment factor; 1 if it is missing."""
+    return text.number(name, default=1.0)
+
+
+def _blade(text: InputText, column: dict[str, np.ndarray]) -> BeamTable:
+    factors = [_factor(text, name) for name in ("AdjBlMs", "AdjFlSt", "AdjEdSt")]
+    text.stop()
+    none = np.zeros(0)
+    return BeamTable(
+        position=column["blfract"],
+        mass=factors[0] * column["bmassden"],
+        bending_1=factors[1] * column["flpstff"],
+        bending_2=factors[2] * column["edgstff"],
+        torsion=column.get("gjstff", none),
+        axial=column.get("eastff", none),
+        twist=-np.radians(column["strctwst"]),
+        center_1=column.get("flpcgof", none),
+        center_2=column.get("edgcgof", none),
+    )
+
+
+def _tower(text: InputText, column: dict[str, np.ndarray]) -> BeamTable:
+    factors = [_factor(text, name) for name in ("AdjTwMa", "AdjFASt", "AdjSSSt")]
+    text.stop()
+    none = np.zeros(0)
+    return BeamTable(
+        position=column["htfract"],
+        mass=factors[0] * column["tmassden"],
+        bending_1=factors[1] * column["twfastif"],
+        bending_2=factors[2] * column["twssstif"],
+        torsion=column.get("twgjstif", none),
+        axial=column.get("tweastif", none),
+    )
