@@ -56,7 +56,7 @@ def test_torque_table_and_start_of_the_log(tmp_path):
     points = ((70.0, 600.0), (90.0, 14000.0), (122.0, 40000.0))
     with opened(tmp_path, "all", torque_table=points) as controller:
         controller.call(0.0)
-    seen = np.fromfile(tmp_path / "discon.bin", np.float32)
+    seen = np.fromfile(tmp_path / "discon.out.bin", np.float32)
     assert seen[[24, 25, 62]].tolist() == [145.0, 3.0, 151.0]
     assert seen[144:150].reshape(3, 2).tolist() == [list(point) for point in points]
 

@@ -52,7 +52,8 @@ class Discon:
     infile
         Input file of the controller; its folder is the working directory of the library.
     outname
-        Name from which the library makes the names of its output files.
+        Name from which the library makes the names of its output files; ROSCO replaces what follows the
+        last point.
     procedure
         Name of the procedure in the library.
     blades
@@ -93,7 +94,7 @@ class Discon:
         library: str | Path,
         infile: str | Path = "",
         *,
-        outname: str = "discon",
+        outname: str = "discon.out",
         procedure: str = "DISCON",
         blades: int = 3,
         interval: float = 0.01,

@@ -64,7 +64,7 @@ class DisconController(Component):
     output_name: str | None = text(
         "name from which the library makes the names of its output files",
         None,
-        display="name of the controller",
+        display="name of the controller with .out",
     )
     inputs: Mapping[str, str | float] = key("records", "signal or constant number for each record", {})
     outputs: Mapping[str, str] = key(

@@ -27,8 +27,8 @@ from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, TIME
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid
-from pitchpoint.system.discon import discon_controller
 from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.discon import discon_controller
 from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:

@@ -49,7 +49,7 @@ class LibraryLaw:
         process = Discon(
             part.library,
             part.input_file or "",
-            outname=part.output_name or self.name,
+            outname=part.output_name or f"{self.name}.out",
             procedure=part.procedure,
             blades=part.blades,
             interval=part.period,
