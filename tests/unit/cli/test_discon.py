@@ -15,6 +15,9 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.components.controller import DisconController
+from pitchpoint.model.model import Model
 from tests.support.cli_files import json_of
 from tests.support.discon_library import discon_library, input_file, processes_of_controllers
 
@@ -185,6 +188,20 @@ def test_files_are_written_again_and_hashed_by_content(file: Path) -> None:
     model = load_model(file, allow_code=True)
     again = loads_model(dump_model(model), allow_code=True, file=str(file))
     assert again == model and content_hash(again) == content_hash(model)
+    changed = model.replace_all({"controllers.turbine.period": "20 ms", "controllers.turbine.blades": 2})
+    assert (changed.controllers["turbine"].period, changed.controllers["turbine"].blades) == (0.02, 2)
+    built = Model(
+        bodies={"rotor": Body(motion="torsion", inertia=20.0)},
+        controllers={
+            "turbine": DisconController(
+                library=str(file.parent / "libprobe.so"),
+                inputs={"wind_speed": 8.0, "power_demand": "5 MW"},
+                outputs={"pitch_demand": "pitch"},
+                period="10 ms",
+            )
+        },
+    )
+    assert built.controllers["turbine"].inputs == {"wind_speed": 8.0, "power_demand": 5e6}
     before = content_hash(model)
     with (file.parent / "libprobe.so").open("ab") as library:
         library.write(b"more")

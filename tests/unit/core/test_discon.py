@@ -8,6 +8,7 @@ import signal
 import struct
 import subprocess
 import sys
+import threading
 import time
 
 import numpy as np
@@ -102,6 +103,16 @@ def test_failures_are_sentences_and_leave_no_process(tmp_path, what, words):
     with pytest.raises(ControllerError, match="is closed"):
         controller.call(0.1)
     controller.close()  # twice is permitted
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_an_interrupted_call_ends_the_process(tmp_path):
+    controller = opened(tmp_path, "hang")
+    threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        controller.call(0.0)
+    assert not processes_of_controllers()
+    controller.close()
 
 
 def test_warnings_are_kept_once_and_the_last_call_may_fail(tmp_path):

@@ -9,6 +9,7 @@ process ends for any reason.
 from __future__ import annotations
 
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -256,8 +257,11 @@ class Discon:
             rest = process.stdout.read(size)
             if len(rest) == size:
                 return flag, rest[:length].decode("utf-8", "replace").strip(), rest[length:]
-        except (OSError, host.struct.error):
+        except (OSError, struct.error):
             pass
+        except BaseException:  # an interrupted call has no answer, and the next one would read it
+            self._end()
+            raise
         finally:
             late.cancel()
         status = process.wait()
