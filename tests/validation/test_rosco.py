@@ -65,6 +65,22 @@ scenarios:
     settle_time: 390 s}}
 """
 PUBLISHED = {15: 10.45, 20: 17.47}
+CONTROL = """\
+  wind_at_hub: {{type: input, value: 15 m/s, unit: m/s}}
+  fast: {{type: sum, inputs: {{speed: 97}}, unit: rad/s}}
+  torque: {{type: rate_limit, input: torque_demand, rate: 150 kN m/s, time_constant: 20 ms, start: 43093 N m}}
+  reaction: {{type: sum, inputs: {{torque: -97}}, unit: N m}}
+  power: {{type: formula, formula: "0.944*torque*fast", inputs: [torque, fast], unit: W}}
+{servos}  generator_torque: {{type: torque, signal: reaction, bodies: [generator, nacelle]}}
+controllers:
+  rosco: {{type: discon, library: {library}, input_file: DISCON.IN, period: 20 ms,
+    inputs: {{generator_speed: fast, rotor_speed: speed, generator_torque: torque, electrical_power: power,
+      wind_speed: wind_at_hub, blade_1_pitch: pitch_1, blade_2_pitch: pitch_2, blade_3_pitch: pitch_3}},
+    outputs: {{generator_torque_demand: torque_demand, pitch_demand: demand}},
+    start: {{torque_demand: 43093 N m}}}}
+"""
+"""Control of the example `wind-turbine` by ROSCO: blocks, actuator of the generator, controller."""
+EXAMPLE = Path(__file__).parents[2] / "examples" / "wind-turbine"
 CASES = {
     8: (9.0944, 0.0, 19719.0, 1719.6e3),
     15: (12.1, 10.345, 43093.5, 5e6),
@@ -72,16 +88,20 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("wind", CASES)
-def test_steady_state(tmp_path: Path, wind: int) -> None:
+def copied(folder: Path) -> Path:
+    """Copy the input files to a folder; returns the library."""
     assert FOUND is not None and FOUND.origin is not None
     package = Path(FOUND.origin).parent
-    cases = package.parent / "Examples" / "Test_Cases" / "NREL-5MW"
     for name in ("DISCON.IN", "Cp_Ct_Cq.NREL5MW.txt"):
-        shutil.copy(cases / name, tmp_path)
+        shutil.copy(package.parent / "Examples" / "Test_Cases" / "NREL-5MW" / name, folder)
+    return package / "lib" / "libdiscon.so"
+
+
+@pytest.mark.parametrize("wind", CASES)
+def test_steady_state(tmp_path: Path, wind: int) -> None:
+    library = copied(tmp_path)
     (tmp_path / "rotor.py").write_text(ROTOR, encoding="utf-8")
     speed, pitch, torque, power = CASES[wind]
-    library = package / "lib" / "libdiscon.so"
     text = MODEL.format(wind=wind, library=library, pitch=0.18 * (wind > 11), speed=9 if wind < 11 else 12)
     model = loads_model(text, allow_code=True, file=str(tmp_path / "model.yaml"))
     done = run_time(compile_model(model, "run"))
@@ -94,3 +114,25 @@ def test_steady_state(tmp_path: Path, wind: int) -> None:
         assert found["torque"] == pytest.approx(43093.55, rel=2e-6)
     assert found["torque"] == pytest.approx(torque, rel=5e-5)
     assert found["power"] == pytest.approx(power, rel=5e-5)
+
+
+@pytest.mark.study
+def test_elastic_turbine(tmp_path: Path) -> None:
+    """The turbine of the example, with shear of the wind: the pitch of its own control, 10.1 deg."""
+    library = copied(tmp_path)
+    shutil.copytree(EXAMPLE / "nrel_5mw", tmp_path / "nrel_5mw")
+    text = (EXAMPLE / "model.yaml").read_text(encoding="utf-8")
+    head, rest = text[: text.index("  overspeed:")], text[text.index("  servo_1:") :]
+    servos = rest[: rest.index("loads:")].replace("wanted_pitch", "demand")
+    control = CONTROL.format(servos=servos, library=library)
+    file = tmp_path / "model.yaml"
+    file.write_text(head + control + rest[rest.index("scenarios:") :], encoding="utf-8")
+    model = loads_model(file.read_text(encoding="utf-8"), allow_code=True, file=str(file))
+    changes = {"duration": "60 s", "settle_time": "50 s", "sample_rate": "10 Hz"}
+    model = model.replace_all({f"scenarios.rated.{key}": value for key, value in changes.items()})
+    done = run_time(compile_model(model, "rated"))
+    assert done.status == 1, done.sentence
+    found = {name: done.channels[f"signal[{name}]"]["mean"] for name in ("speed", "demand", "power")}
+    assert found["speed"] * 30.0 / math.pi == pytest.approx(12.1, rel=5e-4)
+    assert math.degrees(found["demand"]) == pytest.approx(10.1, abs=0.1)
+    assert found["power"] == pytest.approx(5e6, rel=1e-3)

@@ -115,6 +115,17 @@ def test_an_interrupted_call_ends_the_process(tmp_path):
     controller.close()
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_signals_to_all_processes_of_a_terminal_leave_the_last_call_possible(tmp_path):
+    with opened(tmp_path, "count") as controller:
+        controller.call(0.0)
+        for line in processes_of_controllers():
+            for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                os.kill(int(line.split()[0]), one)
+        controller.call(0.1)
+        assert controller[47] == 2.0
+
+
 def test_warnings_are_kept_once_and_the_last_call_may_fail(tmp_path):
     with opened(tmp_path, "warn") as controller:
         controller.call(0.0)
