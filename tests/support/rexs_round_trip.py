@@ -181,11 +181,12 @@ def _loads(one: Any, two: Any) -> Found:
                     isinstance(plain[0], list) and isinstance(plain[1], list) and _near(*plain, 1e-6)
                 ):
                     yield f"{path}.{key}", *values
+    # the first scenario is read as one, all of them as load cases
+    read = [case.speed for case in (*two.scenarios.values(), *two.load_cases.values())]
     for name, scenario in own_parts(one.scenarios).items():
-        if scenario.speed and not any(
-            _near(sorted(scenario.speed.values()), sorted(s.speed.values())) for s in two.scenarios.values()
-        ):
-            yield f"scenarios.{name}.speed", scenario.speed, [s.speed for s in two.scenarios.values()]
+        wanted = sorted(scenario.speed.values())
+        if wanted and not any(_near(wanted, sorted(speed.values())) for speed in read):
+            yield f"scenarios.{name}.speed", scenario.speed, read
 
 
 def _law(value: Any) -> Any:

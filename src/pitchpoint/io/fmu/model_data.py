@@ -11,7 +11,7 @@ from importlib.resources import files
 from pitchpoint.core.status import sentence
 from pitchpoint.io.fmu.model import FmuModel
 
-STATUSES = 17
+STATUSES = 18
 """Number of statuses of `core.status` whose sentences are part of an FMU."""
 
 

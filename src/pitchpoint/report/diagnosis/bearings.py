@@ -74,7 +74,7 @@ def read_bearing(text: str) -> tuple[str, dict[str, float], str, str]:
     --------
     >>> name, orders, _, _ = read_bearing("6205")
     >>> name, round(orders["outer ring"], 2)
-    ('6205', 3.58)
+    ('6205', 3.57)
     """
     match = _OPTION.fullmatch(text.strip())
     if match is None or (match[1] is None and {",", "="} & set(match[2])):
