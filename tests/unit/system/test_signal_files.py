@@ -245,7 +245,8 @@ def test_every_block_driving_a_torque(form, tmp_path: Path):
     net.torque("m", "b", ARM, FRAME)
     compare(one, twin_of(net, system), ["b", "m"])
     start = one.initial_state().v[one.states]
-    np.testing.assert_array_equal(start, [0.7] if form in ("integrator", "rate_limit") else np.zeros(start.size))
+    begins = form in ("integrator", "rate_limit")
+    np.testing.assert_array_equal(start, [0.7] if begins else np.zeros(start.size))
 
 
 def test_units_of_signals():

@@ -55,9 +55,9 @@ def main(arguments: list[str]) -> int:
     nothing = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nothing, 0)
     os.dup2(2, 1)  # what the library prints goes with its error messages
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):  # the caller decides, and closes the pipe
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    for interrupt in ("SIGINT", "SIGTERM", "SIGHUP"):  # the caller decides, and closes the pipe
+        if hasattr(signal, interrupt):
+            signal.signal(getattr(signal, interrupt), signal.SIG_IGN)
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
 

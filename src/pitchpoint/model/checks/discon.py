@@ -43,7 +43,11 @@ def check_discon(at: Place, part: DisconController, report: Reader) -> None:
     _demands(at, part, report)
     if part.torque_table is not None and len(part.torque_table) > MOST_POINTS:
         report.problem(
-            (*at, "torque_table"), "has too many points", str(len(part.torque_table)), f"<= {MOST_POINTS}"
+            (*at, "torque_table"),
+            "has too many points",
+            value=str(len(part.torque_table)),
+            limit=f"<= {MOST_POINTS}",
+            remedy="use fewer points: the records of the library have room for no more",
         )
 
 

@@ -206,7 +206,7 @@ def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, 
         net.rate_limit(name, part.input, part.rate, part.time_constant, part.start)
     elif isinstance(part, bl.TransferFunction):
         net.transfer_function(name, part.input, part.numerator, part.denominator)
-    else:
+    elif isinstance(part, bl.Pid):
         net.pid(
             name,
             part.input,
