@@ -26,7 +26,7 @@ extensions = [
     "mathml",
     "numpydoc_text",
 ]
-exclude_patterns = ["_extra", "_parts", "gallery/*/README.md"]
+exclude_patterns = ["_extra", "_parts", "gallery/**/README.md"]
 html_extra_path = ["_extra"]
 html_static_path = ["_static"]
 html_css_files = ["pitchpoint.css"]

@@ -78,6 +78,8 @@ GROUPS = {
         "design_relief",
         "ReliefPlan",
         "solve_time",
+        "Stepper",
+        "estimate_communication_error",
         "reduce_system",
         "state_space",
     ),

@@ -82,6 +82,7 @@ if TYPE_CHECKING:
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
+    from pitchpoint.solvers.communication_error import estimate_communication_error
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
     from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
@@ -95,6 +96,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
     from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space
+    from pitchpoint.solvers.stepper import Stepper
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.solvers.turbulence.box import make_turbulence
     from pitchpoint.sweep.cases import cases_dataset, run_cases
@@ -158,6 +160,7 @@ __all__ = [
     "SolverError",
     "Spring",
     "SteadyWind",
+    "Stepper",
     "SurfaceContact",
     "TorsionMaxwell",
     "TorsionSpring",
@@ -177,6 +180,7 @@ __all__ = [
     "cases_dataset",
     "compile_model",
     "design_relief",
+    "estimate_communication_error",
     "export_fmu",
     "extrapolate_polar",
     "import_rexs",
@@ -293,6 +297,7 @@ _HOMES = {
     "report.pictures": ("plot",),
     "report.write": ("write_report",),
     "solvers.campbell_dataset": ("solve_campbell",),
+    "solvers.communication_error": ("estimate_communication_error",),
     "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),
     "solvers.contact_analysis.solve": ("solve_contact",),
     "solvers.contact_analysis.relief.design": ("design_relief",),
@@ -306,6 +311,7 @@ _HOMES = {
     "solvers.rotor_performance": ("solve_rotor_performance",),
     "solvers.rotor_transient": ("solve_rotor_transient",),
     "solvers.state_space": ("state_space",),
+    "solvers.stepper": ("Stepper",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),

@@ -8,7 +8,8 @@ import platform
 import pytest
 
 from pitchpoint.core.errors import MissingDependencyError
-from pitchpoint.io.fmu.linking import check_linker, own_platform
+from pitchpoint.core.fmi.fmu_file import own_platform
+from pitchpoint.io.fmu.linking import check_linker
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.exported_model import begin_export, fmu_model

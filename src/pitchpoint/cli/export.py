@@ -131,8 +131,9 @@ def _write(
 
 def _platforms(text: str | None) -> list[str]:
     """Platforms of the option."""
+    from pitchpoint.core.fmi.fmu_file import own_platform
     from pitchpoint.core.nearest import hint
-    from pitchpoint.io.fmu.linking import PLATFORMS, own_platform
+    from pitchpoint.io.fmu.linking import PLATFORMS
 
     names = [own_platform()] if text is None else [part.strip() for part in text.split(",")]
     for name in names:

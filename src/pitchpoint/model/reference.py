@@ -67,7 +67,8 @@ WORDS = {
     "terms": "{COORDINATE: coefficient}",
     "value": "number in SI units, or with its unit",
     "values": "list of numbers",
-    "gains": "{SIGNAL: number}",
+    "gains": "{NAME: number}",
+    "wires": "{VARIABLE: SIGNAL}",
     "curve": "rows [input, value], or file name",
     "points": "rows [x, y], or file name",
 }

@@ -127,6 +127,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "value": number,
         "values": {**row, **_length(key)},
         "gains": {"type": "object", "additionalProperties": number},
+        "wires": {"type": "object", "additionalProperties": {"type": "string"}},
         "curve": {"anyOf": [{"type": "array", "items": row}, file]},
         "code": {"type": "string"},
         "formula": {"type": "string"},

@@ -336,6 +336,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "code": _Writer.python,
     "values": _Writer.plain_list,
     "gains": _Writer.mapping,
+    "wires": _Writer.mapping,
     "curve": _Writer.matrix,
     "material": _Writer.material,
     "center": _Writer.center,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.compiler import machine_code
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.io.fmu.linking import own_platform
+from pitchpoint.core.fmi.fmu_file import own_platform
 from pitchpoint.io.fmu.model import (
     INDICATOR,
     INPUT,

@@ -31,6 +31,9 @@ BACKWARDS = {
     "back_pair_exit": "back_pair_entry",
 }
 
+MAX_EVENTS = 100_000
+"""Maximum number of events recorded per chunk."""
+
 
 def bending(system: System) -> NDArray[np.int64]:
     """Flags of event functions at whose zeros forces have a jump or a kink, shape (ne,)."""
@@ -74,6 +77,11 @@ class EventWatch:
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())
+
+    @property
+    def room(self) -> int:
+        """Maximum number of events recorded per chunk."""
+        return MAX_EVENTS if self else 0
 
     def pick(self, found: NDArray[np.float64]) -> NDArray[np.float64]:
         """Requested events, named by the direction of the sign change.

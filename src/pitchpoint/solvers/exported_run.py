@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.compiler.memory_image import MemoryImage
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.fmi.fmu_process import FmuFunction
 from pitchpoint.core.kernel import COMPILING, address
 from pitchpoint.elements.kind import DRIVE, FORCE, TORQUE
 from pitchpoint.elements.signal import CONSTANT
@@ -32,6 +33,7 @@ from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.requests import handle_request
+from pitchpoint.system.rules.discon import LibraryLaw
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
@@ -41,6 +43,8 @@ if TYPE_CHECKING:
 
 RATE = 200.0
 """Rate of the constraint stabilisation of single evaluations [1/s], as in `explicit.runge_kutta`."""
+WORDS = {FmuFunction: "an FMU", LibraryLaw: "a controller library"}
+"""Words for functions of controllers."""
 
 
 @dataclass(frozen=True)
@@ -153,7 +157,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         RATE,
         float(chosen.duration or 0.0),
         (every if chosen.sample_rate else 100) * h,
-        tuple(_loads(start.system, image)),
+        tuple(load_places(start.system, image.at)),
         tuple(coordinate_units(start.system).items()),
         _indicators(start.system),
         tuple(_shafts(start.system)),
@@ -171,7 +175,8 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     problems = [
         Message(
             f"controllers.{controller.name}",
-            "is a Python function or a library, which an exported model cannot call",
+            f"is {WORDS.get(type(controller.function), 'a Python function')}, which an exported model cannot "
+            "call",
             remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers
@@ -250,13 +255,21 @@ def _indicators(system: System) -> tuple[int, ...]:
     return tuple(k for k, event in events if event.name.partition("[")[0] in wanted)
 
 
-def _loads(system: System, image: MemoryImage) -> list[Place]:
-    """Constant loads of a system as inputs."""
+def load_places(system: System, at: Mapping[str, int]) -> list[Place]:
+    """Constant loads of a system as inputs.
+
+    Parameters
+    ----------
+    system
+        The system.
+    at
+        Offset of each of its arrays, see `system.image.offsets`.
+    """
     found = []
     for role in (TORQUE, FORCE):
         for kind in system.kinds(role):
             bank = system.records[kind]
-            base, width = image.at[f"records.{kind}"], bank.dtype.itemsize
+            base, width = at[f"records.{kind}"], bank.dtype.itemsize
             value = bank.dtype.fields["value"][1]  # type: ignore[index]
             for k, label in enumerate(system.names[kind]):
                 if bank[k]["form"] == CONSTANT and bank[k]["ramp"] == 0.0:

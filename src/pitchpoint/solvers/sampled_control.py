@@ -31,6 +31,10 @@ FINEST = 1e-3
 """Smallest fraction of the chosen step to which the instants may reduce it."""
 
 
+CHANGING = ("status", "failure", "_calls", "_states", "_waiting")
+"""Attributes of a sampler that change during a run."""
+
+
 class Sampler:
     """The controllers of one run.
 
@@ -75,6 +79,10 @@ class Sampler:
         calls = [self._instant(k) for k in range(len(self._calls))]
         return min([*calls, *(t for t, _, _ in self._waiting)])
 
+    def steps(self, t: float, h: float) -> int:
+        """Number of time steps h [s] from t to the next instant, at least 1."""
+        return max(1, round((self.next() - t) / h))
+
     def _instant(self, k: int) -> float:
         return self.t0 + self._calls[k] * self.system.controllers[k].period
 
@@ -84,6 +92,14 @@ class Sampler:
             return OK
         self.status, changed = self.update(run.t)
         return begin_anew(run) if changed else self.status
+
+    def save(self) -> dict[str, Any]:
+        """Copy of all that changes from call to call, for `restore`."""
+        return copy.deepcopy({name: getattr(self, name) for name in CHANGING})
+
+    def restore(self, saved: dict[str, Any]) -> None:
+        """Go back to what `save` has returned."""
+        vars(self).update(copy.deepcopy(saved))
 
     def _room(self) -> float:
         return SAME * min(c.period for c in self.system.controllers)

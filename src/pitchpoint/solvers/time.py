@@ -53,8 +53,6 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.sampled_control import Sampler
     from pitchpoint.solvers.sampling import Accumulators, Chunk
 
-MAX_EVENTS = 100_000
-"""Maximum number of events recorded per chunk."""
 MAX_SAMPLES = 100_000
 """Size of the sample buffer of a chunk of an adaptive method."""
 
@@ -113,7 +111,7 @@ def run_time(
     begun = time.perf_counter()
     begin = start or with_vibration_losses(prepare_start(system, chosen), chosen, run_time)
     forget_contacts(begin.system)  # trial states of the start do not count
-    loop = _Loop(begin, chosen, sink, channels)
+    loop = Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
     return loop.summary(status, time.perf_counter() - begun)
 
@@ -131,7 +129,7 @@ def loop_of(method: str) -> Any:
     return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
 
-class _Loop:
+class Loop:
     """One run: integrator, statistics, events and counters."""
 
     def __init__(
@@ -203,11 +201,15 @@ class _Loop:
             run.watch(self.watch.functions)
         return run
 
-    def run(self, progress: Progress) -> int:
-        """Advance to the end of the scenario; returns the status."""
+    def begin(self) -> None:
+        """Pass the channels of the start to the sink."""
         if self.sink is not None:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), self._picked(row[None, :]))
+
+    def run(self, progress: Progress) -> int:
+        """Advance to the end of the scenario; returns the status."""
+        self.begin()
         try:
             if self.sampler is not None and self.sampler.status != OK:
                 return self.sampler.status
@@ -228,13 +230,11 @@ class _Loop:
             stop = settle if self.run_.steps < settle else total
             take = min(n, stop - self.run_.steps)
             if self.sampler is not None:
-                take = min(take, max(1, round((self.sampler.next() - self.run_.t) / self.h)))
+                take = min(take, self.sampler.steps(self.run_.t, self.h))
             sums = None if self.run_.steps < settle else self.sums.copy()
             every = self.every if self.sink is not None else 0
-            chunk = self.run_.advance(
-                take, every=every, statistics=sums, events=MAX_EVENTS if self.watch else 0, **self.more
-            )
-            status = self._take(chunk, sums)
+            chunk = self.run_.advance(take, every=every, statistics=sums, events=self.watch.room, **self.more)
+            status = self.take(chunk, sums)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
@@ -245,8 +245,8 @@ class _Loop:
         """Take the shorter last step up to the duration; it is not a sample."""
         self.run_.change_step(h)
         sums = self.sums.copy() if self.window < self.t_end else None
-        chunk = self.run_.advance(1, statistics=sums, events=MAX_EVENTS if self.watch else 0)
-        return self._take(chunk, sums)
+        chunk = self.run_.advance(1, statistics=sums, events=self.watch.room)
+        return self.take(chunk, sums)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
@@ -262,18 +262,18 @@ class _Loop:
                 limit,
                 sample=sample,
                 statistics=sums,
-                events=MAX_EVENTS if self.watch else 0,
+                events=self.watch.room,
                 restart=bool(self.watch),
                 most=n,
             )
-            status = self._take(chunk, sums)
+            status = self.take(chunk, sums)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
-    def _take(self, chunk: Chunk, sums: Accumulators | None) -> int:
+    def take(self, chunk: Chunk, sums: Accumulators | None) -> int:
         """Store the results of a chunk and call the controllers that are due; returns the status.
 
         Statistics of a chunk in which the solution diverged are discarded.
@@ -300,8 +300,10 @@ class _Loop:
         n = int(self.system.workspace.clock[REJECTED]) if isinstance(self.run_, generalized_alpha.Run) else 0
         return (note(f"{n} of {self.steps} steps were divided where Newton's method failed"),) * (n > 0)
 
-    def _sentence(self, status: int) -> str:
+    def sentence(self, status: int) -> str:
         """Sentence on how the run ended: what diverged and when, why, or whether a smaller step may help."""
+        if self.sampler is not None and self.sampler.failure:
+            return self.sampler.failure
         said = explain(self.system, status) + (f": {self.diverged}" if self.diverged else "")
         ran = runaway(self.start, self.scenario, self.run_.state()) if status in FAILURES else ""
         return said + (ran or remedy(self.start, self.scenario, status, self.h))
@@ -327,7 +329,7 @@ class _Loop:
         remarks = (*remarks, *self._divisions(), *said)
         return TimeSummary(
             status=status,
-            sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),
+            sentence=self.sentence(status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,

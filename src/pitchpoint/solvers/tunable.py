@@ -20,7 +20,7 @@ from pitchpoint.model.numbers import number_at
 from pitchpoint.solvers.exported_run import ExportedRun, Place
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.image import arrays_of
+from pitchpoint.system.image import arrays_of, word_at
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -155,10 +155,9 @@ def _write(
     system: System, at: Mapping[str, int], changes: Sequence[tuple[int, float]], replaced: bool = False
 ) -> None:
     """Add to words of a system, or replace them."""
-    arrays = {name: array for name, array in arrays_of(system).items() if array.nbytes}
+    arrays = arrays_of(system)
     for offset, change in changes:
-        name = max((n for n in arrays if at[n] <= offset), key=lambda n: at[n])
-        word = arrays[name].reshape(-1).view(np.uint8)[offset - at[name] :][:8].view(np.float64)
+        word = word_at(arrays, at, offset)
         word[0] = change if replaced else word[0] + change
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from pitchpoint.core.discon.process import ControllerError
 from pitchpoint.core.errors import CompileError
+from pitchpoint.core.fmi.fmu_process import FmuError
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ class SampledController:
             answer = self.function(t, inputs, state, self.parameters)
         except KeyboardInterrupt:
             raise
-        except ControllerError as error:
+        except (ControllerError, FmuError) as error:
             return [], self._message(t, str(error))
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
             return [], self._message(t, f"raised {type(error).__name__}: {error}", _where(error))

@@ -71,14 +71,38 @@ def memory_image(make: Callable[[], tuple[System, Mapping[str, Array]]]) -> Memo
     return first
 
 
+def offsets(arrays: Mapping[str, Array]) -> tuple[dict[str, int], int]:
+    """Offset of each array in the block, and the size of the block [bytes]."""
+    at, size = {}, 0
+    for name, array in arrays.items():
+        at[name] = size
+        size += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
+    return at, size
+
+
+def word_at(arrays: Mapping[str, Array], at: Mapping[str, int], offset: int) -> NDArray[np.float64]:
+    """The number at an offset of the block, in the array of a system, shape (1,).
+
+    Parameters
+    ----------
+    arrays
+        Arrays of a system.
+    at
+        Their offsets.
+    offset
+        Offset of the word.
+    """
+    name = max((n for n, a in arrays.items() if a.nbytes and at[n] <= offset), key=lambda n: at[n])
+    found: NDArray[np.float64] = arrays[name].reshape(-1).view(np.uint8)[offset - at[name] :][:8].view("f8")
+    return found
+
+
 def _image(arrays: Mapping[str, Array]) -> MemoryImage:
     """Image of arrays, with their addresses as offsets."""
-    at, size = {}, 0
     for name, array in arrays.items():
         if not array.flags.c_contiguous:
             raise CompileError(f"{name}: this array is not contiguous, so the model cannot be exported")
-        at[name] = size
-        size += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
+    at, size = offsets(arrays)
     block = np.zeros(size, np.uint8)
     for name, array in arrays.items():
         block[at[name] : at[name] + array.nbytes] = np.frombuffer(array.tobytes(), np.uint8)

@@ -310,7 +310,8 @@ def test_all_forms_are_tried():
     assert set(SENSORS) == {"frames", "joint", "load", "observation"}
     assert set(BLOCKS) <= set(BLOCK_FILES)
     assert {numbers[0] for _, numbers in ACTUATOR_FILES.values()} == set(ACTUATORS)
-    assert set(CONTROLLERS) == {"python", "pid", "discon"}  # the last one in tests/unit/cli/test_discon.py
+    # discon: tests/unit/cli/test_discon.py, fmu: tests/unit/system/test_fmu_controllers.py
+    assert set(CONTROLLERS) == {"python", "pid", "discon", "fmu"}
 
 
 CONTROLLED = f"""\

@@ -9,7 +9,6 @@ Windows.
 from __future__ import annotations
 
 import importlib.util
-import platform as host
 import re
 import shutil
 import subprocess
@@ -18,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pitchpoint.core.errors import MissingDependencyError, PitchpointError
+from pitchpoint.core.fmi.fmu_file import own_platform
 from pitchpoint.io.fmu.model import FmuModel
 from pitchpoint.io.fmu.model_data import data_text, glue
 
@@ -68,12 +68,6 @@ PLATFORMS = {
     "aarch64-darwin": Platform("arm64-apple-macosx11.0.0", "apple-m1", "dylib", "darwin64"),
 }
 """Platforms by their names in FMI 3.0."""
-
-
-def own_platform() -> str:
-    """Name of the platform of this computer, as in `PLATFORMS` if it is there."""
-    machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(host.machine(), host.machine())
-    return f"{machine}-{host.system().lower()}"
 
 
 def library(model: FmuModel, name: str, version: int, folder: Path) -> Path:

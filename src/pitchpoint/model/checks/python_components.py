@@ -70,7 +70,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
             report.value(key, value, place)
         else:
             report.problem(place, "contains text", remedy="give numbers in SI units")
-    elif key.kind in ("value", "values", "gains", "records", "record_signals", "curve"):
+    elif key.kind in ("value", "values", "gains", "records", "record_signals", "wires", "curve"):
         report.value(key, value, place)
     elif key.kind == "code":
         if not isinstance(value, PythonLaw):

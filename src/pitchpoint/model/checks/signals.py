@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.checks.discon import check_discon
+from pitchpoint.model.checks.fmus import check_fmu
 from pitchpoint.model.components import block as bl
-from pitchpoint.model.components.controller import DisconController, PythonController
+from pitchpoint.model.components.controller import DisconController, FmuController, SampledPid
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.signals import SECTIONS, TIME, at_once, made, read
@@ -192,9 +193,13 @@ def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
 def _controller(at: Place, part: Any, report: Reader) -> None:
     if isinstance(part, DisconController):
         check_discon(at, part, report)
-    elif not isinstance(part, PythonController):
+        return
+    if isinstance(part, SampledPid):
         _limits(at, part.limits, report)
-    elif part.start and len(part.start) != len(part.outputs):
+        return
+    if isinstance(part, FmuController):
+        check_fmu(at, part, report)
+    if part.start and len(part.start) != len(part.outputs):
         report.problem(
             (*at, "start"),
             f"has {len(part.start)} numbers for {len(part.outputs)} outputs",

@@ -83,29 +83,46 @@ class DisconController(Component):
     timeout: float = positive("time", "longest duration of a call; then the process is ended", 30.0)
 
 
-Controller: TypeAlias = PythonController | SampledPid | DisconController
+@dataclass(frozen=True, kw_only=True)
+class FmuController(Component):
+    """A functional mock-up unit (FMU) of another program, for co-simulation, in a process of its own."""
 
-CONTROLLERS: dict[str, type] = {c.form: c for c in (PythonController, SampledPid, DisconController)}
+    form: ClassVar[str] = "fmu"
+    delay: ClassVar[float] = 0.0
+    file: str = key("file", "FMU of version 2.0 or 3.0", sample="engine.fmu")
+    inputs: Mapping[str, str] = key("wires", "signal that each of its inputs follows", {})
+    outputs: Mapping[str, str] = key("wires", "signal that follows each of its outputs")
+    parameters: Mapping[str, float] = key("gains", "values of its parameters, set before the start", {})
+    start: tuple[float, ...] = key("values", f"values of the outputs {START}", (), display="zeros")
+    period: float = positive("time", "communication step")
+    time_limit: float = positive("time", "maximum wall time of a communication step", 30.0)
+
+
+Controller: TypeAlias = PythonController | SampledPid | DisconController | FmuController
+
+CONTROLLERS: dict[str, type] = {
+    c.form: c for c in (PythonController, SampledPid, DisconController, FmuController)
+}
 
 
 def outputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the output signals of a controller."""
-    if isinstance(part, DisconController):
+    if isinstance(part, DisconController | FmuController):
         return tuple(part.outputs.values())
     return part.outputs if isinstance(part, PythonController) else (part.output,)
 
 
 def inputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the input signals of a controller."""
-    if isinstance(part, DisconController):
+    if isinstance(part, DisconController | FmuController):
         return tuple(signal for signal in part.inputs.values() if isinstance(signal, str))
     return part.inputs if isinstance(part, PythonController) else (part.input,)
 
 
 def output_keys(part: Controller) -> tuple[tuple[str | int, ...], ...]:
     """Key of each output signal of a controller, in the order of `outputs_of`."""
-    if isinstance(part, DisconController):
-        return tuple(("outputs", record) for record in part.outputs)
+    if isinstance(part, DisconController | FmuController):
+        return tuple(("outputs", name) for name in part.outputs)
     if isinstance(part, PythonController):
         return tuple(("outputs", i) for i in range(len(part.outputs)))
     return (("output",),)
@@ -113,8 +130,8 @@ def output_keys(part: Controller) -> tuple[tuple[str | int, ...], ...]:
 
 def input_keys(part: Controller) -> tuple[tuple[str | int, ...], ...]:
     """Key of each input signal of a controller, in the order of `inputs_of`."""
-    if isinstance(part, DisconController):
-        return tuple(("inputs", record) for record, name in part.inputs.items() if isinstance(name, str))
+    if isinstance(part, DisconController | FmuController):
+        return tuple(("inputs", name) for name, signal in part.inputs.items() if isinstance(signal, str))
     if isinstance(part, PythonController):
         return tuple(("inputs", i) for i in range(len(part.inputs)))
     return (("input",),)

@@ -390,6 +390,7 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "value": signals.value,
     "values": signals.values,
     "gains": signals.gains,
+    "wires": signals.wires,
     "curve": signals.curve,
     "code": signals.code,
     "formula": formulas.formula,

@@ -59,7 +59,7 @@ def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of signal names to gains."""
     if not isinstance(data, Mapping):
         return reader.problem(
-            path, "is not a mapping of signals to gains", value=shown(data), remedy="write {speed: -1}"
+            path, "is not a mapping of names to numbers", value=shown(data), remedy="write {speed: -1}"
         )
     found = {str(name): value(reader, key, given, (*path, str(name))) for name, given in data.items()}
     return BAD if any(v is BAD for v in found.values()) else found
@@ -88,6 +88,16 @@ def record_signals(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(path, "is not a mapping of records", value=shown(data), remedy=remedy)
     text = Key("text", "")
     found = {str(name): reader.string(text, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
+def wires(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of variables of another program to signals."""
+    if not isinstance(data, Mapping):
+        return reader.problem(
+            path, "is not a mapping of variables to signals", value=shown(data), remedy="write {w: speed}"
+        )
+    found = {str(name): reader.string(key, given, (*path, str(name))) for name, given in data.items()}
     return BAD if any(v is BAD for v in found.values()) else found
 
 

@@ -12,6 +12,8 @@ import numpy as np
 
 from pitchpoint.core import nomenclature
 from pitchpoint.core.errors import CompileError
+from pitchpoint.core.fmi.fmu_file import read_fmu
+from pitchpoint.core.fmi.fmu_process import FmuFunction, check_importer
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.user_law import load_function
 from pitchpoint.elements.signals import record as sr
@@ -21,7 +23,12 @@ from pitchpoint.elements.signals.record import UNITS
 from pitchpoint.model import mechanism
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
-from pitchpoint.model.components.controller import Controller, DisconController, PythonController
+from pitchpoint.model.components.controller import (
+    Controller,
+    DisconController,
+    FmuController,
+    PythonController,
+)
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
 from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, TIME
 from pitchpoint.multibody import joints
@@ -261,6 +268,8 @@ def _controller(
         )
     if isinstance(part, DisconController):
         return discon_controller(net, name, part)
+    if isinstance(part, FmuController):
+        return _fmu(net, name, part)
     net.held(part.output, part.start, part.unit)
     numbers = {
         "kp": part.proportional,
@@ -274,3 +283,20 @@ def _controller(
     return SampledController(
         name, sampled_pid, (part.input,), (part.output,), part.period, part.delay, state, numbers
     )
+
+
+def _fmu(net: SignalNet, name: str, part: FmuController) -> SampledController:
+    """Functional mock-up unit as a sampled controller: it is called at its communication points."""
+    check_importer()
+    file = read_fmu(part.file)
+    inputs, outputs, numbers = (
+        tuple(file.variables[variable] for variable in group)
+        for group in (part.inputs, part.outputs, part.parameters)
+    )
+    start = part.start or (0.0,) * len(outputs)
+    for signal, value, variable in zip(part.outputs.values(), start, outputs, strict=True):
+        net.held(signal, value, variable.unit if variable.unit in UNITS[1:] else "1")
+    parameters = tuple(zip(numbers, part.parameters.values(), strict=True))
+    function = FmuFunction(file, inputs, outputs, parameters, part.time_limit)
+    signals = tuple(part.inputs.values()), tuple(part.outputs.values())
+    return SampledController(name, function, *signals, part.period, 0.0, {})

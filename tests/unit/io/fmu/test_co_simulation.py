@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.sampled_control import begin_anew
+from pitchpoint.solvers.stepper import Stepper
 from tests.support.fmi_host import Unit
 from tests.support.fmu_models import DRIVEN, need_linker, own_run, pair, unit_of
 
@@ -193,6 +194,19 @@ def test_a_run_that_fails_says_why_and_can_be_reset(unit):
     assert unit.messages[-1].startswith("the run failed: ") and "shorter time step" in unit.messages[-1]
     assert one.step(t, H) == 3 and "has failed before" in unit.messages[-1]
     assert one.call("Reset") == 0 and one.initialise().step(0.0, H) == 0
+    one.free()
+
+
+def test_a_stepper_has_the_bits_of_the_unit(unit):
+    """The same calls: loads that jump, and communication steps that are no multiples of the time step."""
+    one, stepper, t = unit.instance().initialise(), Stepper(pair("adams"), "steady"), 0.0
+    for k in range(40):
+        load, size = 150.0 + 100.0 * np.sin(0.5 * k), (4e-5, 3.3e-5)[k // 3 % 2]
+        stepper.set({"loads.input.torque": load})
+        stepper.advance(size)
+        assert one.set({"loads.input.torque": load}) == 0 and one.step(t, size) == 0
+        t += size
+        assert same_bits(one.get(unit.references("output")), list(stepper.outputs().values()))
     one.free()
 
 
