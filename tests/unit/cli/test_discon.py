@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import shutil
 import struct
 from pathlib import Path
@@ -11,13 +12,14 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.controller import DisconController
 from pitchpoint.model.model import Model
+from pitchpoint.solvers.stepper import Stepper
 from tests.support.cli_files import json_of
 from tests.support.discon_library import discon_library, input_file, processes_of_controllers
 
@@ -177,6 +179,25 @@ def test_wrong_controllers_are_refused(file: Path, what: str) -> None:
         load_model(file, allow_code=True)
     said = [p for p in found.value.problems if p.where == f"controllers.turbine.{key}"]
     assert said and words in str(said[0]), found.value
+
+
+def test_a_stepper_calls_libraries_but_cannot_save_them(
+    file: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    variant(file, ("settle_time: 0 s", "settle_time: 0 s, method: adams"), ("0.6 s", "0.1 s"))
+    assert run(file) == 0
+    stepper = Stepper(load_model(file, allow_code=True), "run")
+    for _ in range(10):
+        stepper.advance(0.01)
+    with open_result("run.h5") as data:
+        assert stepper.value("signal[pitch]") == data["signal[pitch]"].values[-1] > 0.0
+    with pytest.raises(PitchpointError, match=r"state of the controller library libprobe.so cannot be saved"):
+        stepper.save()
+    del stepper
+    gc.collect()
+    assert not processes_of_controllers()
+    assert run_command(["export", str(file), "--allow-code", "--fmu", "rotor.fmu"]) == 2
+    assert "controllers.turbine: is a controller library, which an exported model" in capsys.readouterr().err
 
 
 def test_libraries_need_permission(file: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -17,7 +17,7 @@ import threading
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
-from typing import IO, Self
+from typing import IO, Any, Self
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from pitchpoint.core.discon.records import (
     TABLE_START,
     find_record,
 )
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.nearest import did_you_mean
 
 LOG_NAMES_SIZE = LOG_SIZE * 32 + 1
@@ -209,6 +210,9 @@ class Discon:
             pass
         finally:
             self._end()
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        raise PitchpointError(f"the state of the controller library {self._library.name} cannot be saved")
 
     def __enter__(self) -> Self:
         """Return the controller."""
