@@ -191,6 +191,7 @@ class Discon:
                 )
 
     _first = True
+    _expired = False
 
     def _pitch_demand(self) -> float:
         return self["blade_1_pitch_demand" if self["pitch_control"] else "pitch_demand"]
@@ -240,11 +241,10 @@ class Discon:
         process = self._process
         if not self._end.alive:
             raise ControllerError("is closed")
-        expired: list[bool] = []
 
         def expire() -> None:
-            """End a process that takes too long."""
-            expired.append(True)
+            """End a process that takes too long; its answer may arrive at the same time."""
+            self._expired = True
             process.kill()
 
         late = threading.Timer(self.timeout, expire)
@@ -271,7 +271,7 @@ class Discon:
         status = process.wait()
         printed = self._last_line()
         self._end()
-        if expired:
+        if self._expired:
             raise ControllerError(f"did not return within {self.timeout:g} s; its process was ended{printed}")
         raise ControllerError(f"{_how_it_ended(status)}{printed}")
 
