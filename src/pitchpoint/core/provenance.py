@@ -37,10 +37,10 @@ def content_hash(data: Any) -> str:
     ----------
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. For a field with a key of kind
-        "file" the content of the file is hashed, not its name. Fields that are excluded from comparison, such
-        as lines in a file, and fields whose key is marked `later` are ignored while they are None, an empty
-        container or their default. The attribute `former_values` of a dataclass has the values of its empty
-        fields in earlier versions.
+        "file" or "library" the content of the file is hashed, not its name. Fields that are excluded from
+        comparison, such as lines in a file, and fields whose key is marked `later` are ignored while they are
+        None, an empty container or their default. The attribute `former_values` of a dataclass has the values
+        of its empty fields in earlier versions.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def _differs(field: dataclasses.Field[Any], value: Any) -> bool:
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:
     """Value of a field; for the name of a file, the hash of its content."""
-    if value is None or getattr(field.metadata.get("key"), "kind", "") != "file":
+    if value is None or getattr(field.metadata.get("key"), "kind", "") not in ("file", "library"):
         return value
     try:
         status = Path(value).stat()

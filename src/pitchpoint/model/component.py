@@ -12,7 +12,18 @@ from typing import Any, Self
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of, remedy_for_key
 
-WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
+WORDS = (
+    "choice",
+    "text",
+    "boolean",
+    "end",
+    "file",
+    "library",
+    "formula",
+    "parameter",
+    "coordinates",
+    "material",
+)
 """Kinds of keys whose texts are the same in a file and in a component."""
 LISTS_OF_WORDS = ("names", "ends", "words")
 MAPPINGS = ("component", "variant", "tooth_profile", "pitch", "law", "code", "material", "orders", "points")

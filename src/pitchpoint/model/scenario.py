@@ -119,6 +119,20 @@ class Drive(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Course(Component):
+    """Course of an input over time: a value, points or a formula."""
+
+    value: float | None = key("value", "constant value", None, one_of="course")
+    points: tuple[tuple[float, float], ...] | None = key(
+        "curve",
+        "points [time, value], linear between them and constant beyond the ends, or a text file",
+        None,
+        one_of="course",
+    )
+    formula: str | None = key("formula", "formula of the time t", None, one_of="course")
+
+
+@dataclass(frozen=True, kw_only=True)
 class Sweep(Component):
     """Speed sweep: each point starts from the final state of the previous one; give one of the two ranges."""
 
@@ -187,6 +201,13 @@ class Scenario(Component):
         "initial state; equilibrium: static equilibrium under the loads at t = 0, with the mean of pulsating "
         "torques and their steady vibration; assembled: all coordinates zero, teeth centred in the backlash",
         "equilibrium",
+    )
+    inputs: dict[str, Course] = key(
+        "components",
+        "courses of inputs by the NAME of the block, instead of their values",
+        {},
+        of=Course,
+        later=True,
     )
     hold: tuple[str, ...] = key("names", "bodies whose speed is kept constant at its initial value", ())
     engaged: tuple[str, ...] | None = key(

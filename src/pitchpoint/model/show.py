@@ -105,6 +105,7 @@ def example(description: Key) -> str:
         "names": "[a, b]",
         "text": "a name",
         "file": "a file name",
+        "library": "a file name",
     }
     return samples.get(description.kind, "{...}")
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core import nomenclature
@@ -12,7 +12,7 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import ForceActuator, TorqueActuator
 from pitchpoint.model.components.block import Pid
-from pitchpoint.model.components.controller import inputs_of, outputs_of
+from pitchpoint.model.components.controller import input_keys, inputs_of, output_keys, outputs_of
 from pitchpoint.model.components.sensor import FrameSensor, JointSensor, Listener, LoadSensor
 from pitchpoint.model.keys import Place
 
@@ -37,13 +37,8 @@ def made(machine: Any) -> Iterator[tuple[str, Place]]:
         for name in getattr(machine, section):
             yield name, (section, name)
     for name, part in machine.controllers.items():
-        listed = outputs_of(part)
-        for i, output in enumerate(listed):
-            at: Place = ("controllers", name, "output")
-            yield (
-                output,
-                at if hasattr(part, "output") else ("controllers", name, "outputs", _key(part.outputs, i)),
-            )
+        for output, at in zip(outputs_of(part), output_keys(part), strict=True):
+            yield output, ("controllers", name, *at)
 
 
 def read(machine: Any) -> Iterator[tuple[str, Place]]:
@@ -53,17 +48,10 @@ def read(machine: Any) -> Iterator[tuple[str, Place]]:
             if signal != TIME or not isinstance(block, bl.FormulaBlock):
                 yield signal, ("blocks", name, *at)
     for name, part in machine.controllers.items():
-        many = not hasattr(part, "input")
-        for i, signal in enumerate(inputs_of(part)):
-            at = ("inputs", _key(part.inputs, i)) if many else ("input",)
+        for signal, at in zip(inputs_of(part), input_keys(part), strict=True):
             yield signal, ("controllers", name, *at)
     for name, part in machine.actuators.items():
         yield part.signal, ("actuators", name, "signal")
-
-
-def _key(group: Any, i: int) -> str | int:
-    """Step of the path to an entry of a list, or of a mapping by variables."""
-    return list(group)[i] if isinstance(group, Mapping) else i
 
 
 def inputs(block: bl.Block) -> list[tuple[str, Place]]:
@@ -72,7 +60,7 @@ def inputs(block: bl.Block) -> list[tuple[str, Place]]:
         return [(signal, ("inputs", signal)) for signal in block.inputs]
     if isinstance(block, bl.FormulaBlock):
         return [(signal, ("inputs", i)) for i, signal in enumerate(block.inputs)]
-    return [(block.input, ("input",))]
+    return [] if isinstance(block, bl.Input) else [(block.input, ("input",))]
 
 
 def at_once(machine: Any) -> dict[str, list[str]]:
@@ -97,7 +85,7 @@ def has_state_between(block: bl.Block) -> bool:
     """Whether a block has no direct feedthrough from input to output."""
     if isinstance(block, bl.TransferFunction):
         return len(block.numerator) < len(block.denominator) or block.numerator[0] == 0.0
-    return isinstance(block, bl.Integrator | bl.Filter)
+    return isinstance(block, bl.Integrator | bl.Filter | bl.RateLimit)
 
 
 RATES = (
@@ -148,7 +136,8 @@ def signal_lines(model: Model) -> list[Line]:
     """
     readers: dict[str, list[str]] = {}
     for signal, at in read(model):
-        readers.setdefault(signal, []).append(str(at[1]))
+        users = readers.setdefault(signal, [])
+        users += [str(at[1])] * (at[1] not in users)
     lines = [(name, *_sensor(part)) for name, part in model.sensors.items()]
     for name, block in model.blocks.items():
         words = "formula" if block.form == "formula" else f"block: {block.form.replace('_', ' ')}"
@@ -156,7 +145,8 @@ def signal_lines(model: Model) -> list[Line]:
     for name, part in model.controllers.items():
         late = f", {format_quantity(part.delay, 'time')} late" if part.delay else ""
         words = f"controller {name} ({part.form}), every {format_quantity(part.period, 'time')}{late}"
-        lines += [(output, words, ", ".join(inputs_of(part))) for output in outputs_of(part)]
+        made_of = ", ".join(dict.fromkeys(inputs_of(part)))
+        lines += [(output, words, made_of) for output in outputs_of(part)]
     found: list[Line] = [(*line, ", ".join(readers.get(line[0], ()))) for line in lines]
     return [*found, *((name, _actuator(part), part.signal, "") for name, part in model.actuators.items())]
 

@@ -33,6 +33,7 @@ from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.requests import handle_request
+from pitchpoint.system.rules.discon import LibraryLaw
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
@@ -42,6 +43,8 @@ if TYPE_CHECKING:
 
 RATE = 200.0
 """Rate of the constraint stabilisation of single evaluations [1/s], as in `explicit.runge_kutta`."""
+WORDS = {FmuFunction: "an FMU", LibraryLaw: "a controller library"}
+"""Words for functions of controllers."""
 
 
 @dataclass(frozen=True)
@@ -172,8 +175,8 @@ def check_exportable(system: System, scenario: Scenario) -> None:
     problems = [
         Message(
             f"controllers.{controller.name}",
-            f"is {'an FMU' if isinstance(controller.function, FmuFunction) else 'a Python function'}, which "
-            "an exported model cannot call",
+            f"is {WORDS.get(type(controller.function), 'a Python function')}, which an exported model cannot "
+            "call",
             remedy="remove it, and use blocks, or a constant load, which becomes an input",
         )
         for controller in system.controllers

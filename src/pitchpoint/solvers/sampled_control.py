@@ -14,7 +14,7 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.step_choice import divided
@@ -49,11 +49,14 @@ class Sampler:
     ----------
     status, failure
         Status of the last calls, and a message if a controller failed.
+    notes
+        Remarks of the controllers at the end of the run.
     """
 
     def __init__(self, system: System, state: State) -> None:
         self.system, self.t0 = system, state.t
         self.failure = ""
+        self.notes: tuple[Message, ...] = ()
         self._calls = [0] * len(system.controllers)
         self._states = [copy.deepcopy(c.state) for c in system.controllers]
         self._waiting: list[tuple[float, str, float]] = []
@@ -61,6 +64,15 @@ class Sampler:
         evaluate.prepare(system)
         evaluate.load(system, state)
         self.status, _ = self.update(state.t)
+
+    def close(self) -> None:
+        """End the controllers; processes of libraries end too."""
+        for controller, state in zip(self.system.controllers, self._states, strict=True):
+            if controller.finish is not None:
+                self.notes += tuple(
+                    note(f"{_named(self.system, controller.name)[1]} {remark}")
+                    for remark in controller.finish(state)
+                )
 
     def next(self) -> float:
         """Time of the next instant [s]."""

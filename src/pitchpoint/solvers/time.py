@@ -216,6 +216,9 @@ class Loop:
             return self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
+        finally:
+            if self.sampler is not None:
+                self.sampler.close()
 
     def _fixed(self, progress: Progress) -> int:
         total, rest = whole_steps(self.t_end - self.t0, self.h)
@@ -242,8 +245,7 @@ class Loop:
         """Take the shorter last step up to the duration; it is not a sample."""
         self.run_.change_step(h)
         sums = self.sums.copy() if self.window < self.t_end else None
-        chunk = self.run_.advance(1, statistics=sums, events=self.watch.room)
-        return self.take(chunk, sums)
+        return self.take(self.run_.advance(1, statistics=sums, events=self.watch.room), sums)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
@@ -322,7 +324,7 @@ class Loop:
             remarks = (*remarks, *step_notes(self.start, self.scenario, self.h, state))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
-        remarks = (*remarks, *self._divisions())
+        remarks = (*remarks, *self._divisions(), *(self.sampler.notes if self.sampler is not None else ()))
         return TimeSummary(
             status=status,
             sentence=self.sentence(status),

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pitchpoint.core.discon.process import ControllerError
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.fmi.fmu_process import FmuError
 
@@ -37,6 +38,8 @@ class SampledController:
         Initial state, copied at the start of each run.
     parameters
         Passed to the function unchanged.
+    finish
+        Called with the state at the end of the run; returns remarks.
     """
 
     name: str
@@ -47,6 +50,7 @@ class SampledController:
     delay: float = 0.0
     state: Any = None
     parameters: Any = ()
+    finish: Callable[[Any], tuple[str, ...]] | None = None
 
     def __post_init__(self) -> None:
         """Check period and delay."""
@@ -61,7 +65,7 @@ class SampledController:
             answer = self.function(t, inputs, state, self.parameters)
         except KeyboardInterrupt:
             raise
-        except FmuError as error:
+        except (ControllerError, FmuError) as error:
             return [], self._message(t, str(error))
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
             return [], self._message(t, f"raised {type(error).__name__}: {error}", _where(error))

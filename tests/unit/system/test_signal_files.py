@@ -187,6 +187,8 @@ BLOCK_FILES = {
     "python": "{type: python, input: rate, function: 'laws.py:cubic', parameters: [0.5, 2]}",
     "integrator": "{type: integrator, input: rate, start: 0.7}",
     "filter": "{type: filter, input: rate, time_constant: 20 ms}",
+    "rate_limit": "{type: rate_limit, input: rate, rate: 3, time_constant: 20 ms, start: 0.7}",
+    "input": "{type: input, value: 0.3}",
     "second_order": "{type: filter, input: rate, time_constant: 20 ms, damping_ratio: 0.4}",
     "transfer_function": "{type: transfer_function, input: rate, numerator: [1, 2, 3], "
     "denominator: [2, 5, 4]}",
@@ -221,6 +223,8 @@ def add_block(net, form):
         "python": lambda: net.law("b", "rate", cubic, (0.5, 2.0)),
         "integrator": lambda: net.integrator("b", "rate", 0.7),
         "filter": lambda: net.low_pass("b", "rate", 0.02),
+        "rate_limit": lambda: net.rate_limit("b", "rate", 3.0, 0.02, 0.7),
+        "input": lambda: net.linear("b", {}, 0.3),
         "second_order": lambda: net.second_order("b", "rate", 50.0, 0.4),
         "transfer_function": lambda: net.transfer_function("b", "rate", [1.0, 2.0, 3.0], [2.0, 5.0, 4.0]),
         "pid": lambda: net.pid("b", "turn", kp=3.0, ki=2.0, kd=0.4, filter_time=0.005, limits=(-1.0, 1.5)),
@@ -241,7 +245,8 @@ def test_every_block_driving_a_torque(form, tmp_path: Path):
     net.torque("m", "b", ARM, FRAME)
     compare(one, twin_of(net, system), ["b", "m"])
     start = one.initial_state().v[one.states]
-    np.testing.assert_array_equal(start, [0.7] if form == "integrator" else np.zeros(start.size))
+    begins = form in ("integrator", "rate_limit")
+    np.testing.assert_array_equal(start, [0.7] if begins else np.zeros(start.size))
 
 
 def test_units_of_signals():
@@ -305,7 +310,8 @@ def test_all_forms_are_tried():
     assert set(SENSORS) == {"frames", "joint", "load", "observation"}
     assert set(BLOCKS) <= set(BLOCK_FILES)
     assert {numbers[0] for _, numbers in ACTUATOR_FILES.values()} == set(ACTUATORS)
-    assert set(CONTROLLERS) == {"python", "pid", "fmu"}
+    # discon: tests/unit/cli/test_discon.py, fmu: tests/unit/system/test_fmu_controllers.py
+    assert set(CONTROLLERS) == {"python", "pid", "discon", "fmu"}
 
 
 CONTROLLED = f"""\

@@ -248,6 +248,14 @@ class SignalNet:
         self.linear(f"{name}.change", {x: 1.0 / time_constant, name: -1.0 / time_constant})
         self.integrator(name, f"{name}.change", start, unit)
 
+    def rate_limit(self, name: str, x: str, rate: float, time_constant: float, start: float = 0.0) -> None:
+        """Add a first-order lag with limited rate, y' = (x - y)/T within -rate and rate."""
+        if not (time_constant > 0.0 and rate > 0.0):
+            raise CompileError(f"signal {name!r}: its time constant and rate must be positive")
+        self.linear(f"{name}.change", {x: 1.0 / time_constant, name: -1.0 / time_constant})
+        self.saturation(f"{name}.limited", f"{name}.change", -rate, rate)
+        self.integrator(name, f"{name}.limited", start)
+
     def second_order(self, name: str, x: str, omega: float, zeta: float) -> None:
         """Add a second-order filter, y'' + 2 zeta omega y' + omega^2 y = omega^2 x."""
         self.transfer_function(name, x, [omega**2], [1.0, 2.0 * zeta * omega, omega**2])

@@ -46,10 +46,20 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     if key.kind == "center":
         kind = "quantities" if isinstance(value, list | tuple) else "quantity"
         _value(Key(kind, "", dimension=key.dimension, length=(3, 3)), value, place, report)
-    elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end", "file", "formula"):
+    elif key.kind in (
+        "quantity",
+        "integer",
+        "choice",
+        "text",
+        "boolean",
+        "end",
+        "file",
+        "library",
+        "formula",
+    ):
         if key.kind == "quantity" and not isinstance(value, Real):
             report.problem(place, "is not a number", value=shown(value), remedy=f"write {example(key)}")
-        elif not (key.kind == "file" and isinstance(value, str) and Path(value).is_file()):
+        elif not (key.kind in ("file", "library") and isinstance(value, str) and Path(value).is_file()):
             report.value(key, value, place)  # a file that was read is relative to the working directory
     elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
         _of_joints(key, value, place, report)
@@ -60,7 +70,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
             report.value(key, value, place)
         else:
             report.problem(place, "contains text", remedy="give numbers in SI units")
-    elif key.kind in ("value", "values", "gains", "wires", "curve"):
+    elif key.kind in ("value", "values", "gains", "records", "record_signals", "wires", "curve"):
         report.value(key, value, place)
     elif key.kind == "code":
         if not isinstance(value, PythonLaw):

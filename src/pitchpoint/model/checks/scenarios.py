@@ -9,6 +9,7 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.core.words import listed
 from pitchpoint.model.carried_trains import has_carriers
 from pitchpoint.model.checks.choices import exactly_one
+from pitchpoint.model.checks.inputs import check_inputs
 from pitchpoint.model.checks.references import known, speed_as_written
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
@@ -45,6 +46,7 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
             continue
         _names(parts, scenario, at, report)
         _engaged(parts, scenario, (*at, "engaged"), report)
+        check_inputs(parts, scenario, (*at, "inputs"), report)
         _speeds(parts, scenario, at, report)
         if at in report.tainted:
             continue

@@ -6,9 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.discon import check_discon
 from pitchpoint.model.checks.fmus import check_fmu
 from pitchpoint.model.components import block as bl
-from pitchpoint.model.components.controller import FmuController, SampledPid
+from pitchpoint.model.components.controller import DisconController, FmuController, SampledPid
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.signals import SECTIONS, TIME, at_once, made, read
@@ -117,6 +118,9 @@ def _block(at: Place, block: bl.Block, report: Reader) -> None:
         _limits(at, block.limits, report)
     if isinstance(block, bl.FormulaBlock):
         _formula(at, block, report)
+    elif isinstance(block, bl.RateLimit):
+        if not block.rate > 0.0:
+            report.problem((*at, "rate"), "is not positive", value=f"{block.rate:.6g}", limit="> 0")
     elif isinstance(block, bl.TransferFunction):
         _transfer_function(at, block, report)
     elif isinstance(block, bl.Pid):
@@ -187,6 +191,9 @@ def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
 
 
 def _controller(at: Place, part: Any, report: Reader) -> None:
+    if isinstance(part, DisconController):
+        check_discon(at, part, report)
+        return
     if isinstance(part, SampledPid):
         _limits(at, part.limits, report)
         return

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from typing import ClassVar, TypeAlias, get_args
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import PythonLaw
@@ -96,6 +96,26 @@ class Filter(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
+class RateLimit(Component):
+    """First-order lag with limited rate, such as the torque of a converter or a pitch drive."""
+
+    form: ClassVar[str] = "rate_limit"
+    input: str = text(INPUT)
+    rate: float = key("value", "largest rate of the output in both directions, per second")
+    time_constant: float = positive("time", "T of T y' + y = x, below the largest rate")
+    start: float = key("value", "initial value, unless the initial equilibrium determines it", 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Input(Component):
+    """Input of the model, such as a command or the voltage of the grid; scenarios give its course."""
+
+    form: ClassVar[str] = "input"
+    value: float = key("value", "value in scenarios that do not give another one", 0.0)
+    unit: str = choice(UNITS, UNIT, "1")
+
+
+@dataclass(frozen=True, kw_only=True)
 class TransferFunction(Component):
     """Rational transfer function."""
 
@@ -126,9 +146,17 @@ class Pid(Component):
 
 
 Block: TypeAlias = (
-    Sum | Limits | Curve | FormulaBlock | LawBlock | Integrator | Filter | TransferFunction | Pid
+    Sum
+    | Limits
+    | Curve
+    | FormulaBlock
+    | LawBlock
+    | Integrator
+    | Filter
+    | RateLimit
+    | Input
+    | TransferFunction
+    | Pid
 )
 
-BLOCKS: dict[str, type] = {
-    c.form: c for c in (Sum, Limits, Curve, FormulaBlock, LawBlock, Integrator, Filter, TransferFunction, Pid)
-}
+BLOCKS: dict[str, type] = {c.form: c for c in get_args(Block)}

@@ -10,7 +10,7 @@ from typing import ClassVar, TypeAlias
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.components.sensor import UNITS
-from pitchpoint.model.keys import choice, key, positive, quantities, quantity, text
+from pitchpoint.model.keys import choice, integer, key, positive, quantities, quantity, text
 
 PERIOD = "sample time"
 DELAY = "delay from a sample to the change of the outputs"
@@ -52,6 +52,38 @@ class SampledPid(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
+class DisconController(Component):
+    """Controller library of a wind turbine with the interface of Bladed, in a process of its own."""
+
+    form: ClassVar[str] = "discon"
+    library: str = key("library", "shared library for this system, .so, .dll or .dylib")
+    procedure: str = text("name of the procedure in the library", "DISCON")
+    input_file: str | None = key(
+        "file", "input file of the library; its folder is the working directory of the library", None
+    )
+    output_name: str | None = text(
+        "name from which the library makes the names of its output files",
+        None,
+        display="name of the controller with .out",
+    )
+    inputs: Mapping[str, str | float] = key("records", "signal or constant number for each record", {})
+    outputs: Mapping[str, str] = key(
+        "record_signals", "name of the output signal for each record", length=(1, 1000)
+    )
+    start: Mapping[str, float] = key("gains", f"values of output signals {START}", {}, display="zeros")
+    period: float = positive("time", PERIOD)
+    delay: float = quantity("time", DELAY, 0.0, minimum=0.0)
+    blades: int = integer("number of blades", 3, minimum=1, maximum=3)
+    pitch_control: str = choice(("collective", "individual"), "pitch demands", "collective")
+    pitch_actuator: str = choice(("position", "rate"), "meaning of the pitch demands", "position")
+    yaw_control: str = choice(("rate", "torque"), "yaw demand", "rate")
+    torque_table: tuple[tuple[float, float], ...] | None = key(
+        "curve", "generator torque below rated: points [speed, torque], or a text file", None
+    )
+    timeout: float = positive("time", "longest duration of a call; then the process is ended", 30.0)
+
+
+@dataclass(frozen=True, kw_only=True)
 class FmuController(Component):
     """A functional mock-up unit (FMU) of another program, for co-simulation, in a process of its own."""
 
@@ -66,20 +98,40 @@ class FmuController(Component):
     time_limit: float = positive("time", "maximum wall time of a communication step", 30.0)
 
 
-Controller: TypeAlias = PythonController | SampledPid | FmuController
+Controller: TypeAlias = PythonController | SampledPid | DisconController | FmuController
 
-CONTROLLERS: dict[str, type] = {c.form: c for c in (PythonController, SampledPid, FmuController)}
+CONTROLLERS: dict[str, type] = {
+    c.form: c for c in (PythonController, SampledPid, DisconController, FmuController)
+}
 
 
 def outputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the output signals of a controller."""
-    if isinstance(part, FmuController):
+    if isinstance(part, DisconController | FmuController):
         return tuple(part.outputs.values())
     return part.outputs if isinstance(part, PythonController) else (part.output,)
 
 
 def inputs_of(part: Controller) -> tuple[str, ...]:
     """Names of the input signals of a controller."""
-    if isinstance(part, FmuController):
-        return tuple(part.inputs.values())
+    if isinstance(part, DisconController | FmuController):
+        return tuple(signal for signal in part.inputs.values() if isinstance(signal, str))
     return part.inputs if isinstance(part, PythonController) else (part.input,)
+
+
+def output_keys(part: Controller) -> tuple[tuple[str | int, ...], ...]:
+    """Key of each output signal of a controller, in the order of `outputs_of`."""
+    if isinstance(part, DisconController | FmuController):
+        return tuple(("outputs", name) for name in part.outputs)
+    if isinstance(part, PythonController):
+        return tuple(("outputs", i) for i in range(len(part.outputs)))
+    return (("output",),)
+
+
+def input_keys(part: Controller) -> tuple[tuple[str | int, ...], ...]:
+    """Key of each input signal of a controller, in the order of `inputs_of`."""
+    if isinstance(part, DisconController | FmuController):
+        return tuple(("inputs", name) for name, signal in part.inputs.items() if isinstance(signal, str))
+    if isinstance(part, PythonController):
+        return tuple(("inputs", i) for i in range(len(part.inputs)))
+    return (("input",),)

@@ -63,6 +63,18 @@ def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return str(found)
 
 
+def library(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a library; reports a problem unless code is allowed."""
+    found = file(reader, key, data, path)
+    if found is not BAD and not reader.allow_code:
+        return reader.problem(
+            path,
+            f"names a library ({shown(data)}), which is not loaded unless allowed",
+            remedy="if you trust it, use --allow-code (allow_code=True)",
+        )
+    return found
+
+
 # --- joints -------------------------------------------------------------------------------------------------
 def coordinates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read the names of user-defined coordinates, each a length or an angle."""

@@ -65,6 +65,32 @@ def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return BAD if any(v is BAD for v in found.values()) else found
 
 
+def records(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of records of a controller library to names of signals or numbers."""
+    if not isinstance(data, Mapping):
+        return reader.problem(
+            path,
+            "is not a mapping of records",
+            value=shown(data),
+            remedy="write {generator_speed: SIGNAL}, or {power_demand: 5 MW} for a constant number",
+        )
+    found = {}
+    for name, given in data.items():
+        is_name = isinstance(given, str) and (given[:1].isalpha() or given[:1] == "_")
+        found[str(name)] = given if is_name else value(reader, key, given, (*path, str(name)))
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
+def record_signals(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of records of a controller library to names of its output signals."""
+    remedy = "write {generator_torque_demand: SIGNAL}"
+    if not isinstance(data, Mapping) or len(data) < key.length[0]:
+        return reader.problem(path, "is not a mapping of records", value=shown(data), remedy=remedy)
+    text = Key("text", "")
+    found = {str(name): reader.string(text, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
 def wires(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of variables of another program to signals."""
     if not isinstance(data, Mapping):

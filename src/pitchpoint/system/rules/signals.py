@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,17 +23,24 @@ from pitchpoint.elements.signals.record import UNITS
 from pitchpoint.model import mechanism
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
-from pitchpoint.model.components.controller import Controller, FmuController, PythonController
+from pitchpoint.model.components.controller import (
+    Controller,
+    DisconController,
+    FmuController,
+    PythonController,
+)
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
-from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
+from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, TIME
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid
 from pitchpoint.system.rules.bodies import body_numbers
+from pitchpoint.system.rules.discon import discon_controller
 from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Course
 
 Function = Callable[..., Any]
 
@@ -86,7 +93,8 @@ def net_of_model(
                     allow_code=True,
                     where=where,
                 )
-    machine = Machine(bodies, places, coordinate, functions)
+    courses = places.scenario.inputs if places.scenario is not None else {}
+    machine = Machine(bodies, places, coordinate, functions, courses)
     return signal_net(machine, model.sensors, model.blocks, model.actuators, model.controllers)
 
 
@@ -104,12 +112,15 @@ class Machine:
         Function of JOINT.COORDINATE, or of a body for its spin: body number and index of the coordinate.
     functions
         Python functions by their path in the model: "blocks.NAME.function", "controllers.NAME.function".
+    courses
+        Courses of inputs in the scenario, by the name of the block.
     """
 
     bodies: Sequence[Body]
     places: Places
     coordinate: Callable[[str], tuple[int, int]]
     functions: Mapping[str, Function]
+    courses: Mapping[str, Course] = field(default_factory=dict)
 
 
 def signal_net(
@@ -132,7 +143,10 @@ def signal_net(
     for name, sensor in sensors.items():
         _sense(net, name, sensor, machine)
     for name, block in blocks.items():
-        _compute(net, name, block, machine.functions)
+        if isinstance(block, bl.Input):
+            _input(net, name, block, machine.courses.get(name))
+        else:
+            _compute(net, name, block, machine.functions)
     made = [_controller(net, name, part, machine.functions) for name, part in controllers.items()]
     for name in blocks:
         net.nodes[name].fields["unit"] = unit_code(_unit_of(net, name, blocks))
@@ -146,7 +160,7 @@ def _unit_of(net: SignalNet, name: str, blocks: Mapping[str, bl.Block]) -> str:
     seen: set[str] = set()
     while name in blocks and name not in seen:
         block = blocks[name]
-        if not isinstance(block, bl.Limits | bl.Filter):
+        if not isinstance(block, bl.Limits | bl.Filter | bl.RateLimit):
             return block.unit
         seen.add(name)
         name = block.input
@@ -195,9 +209,11 @@ def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, 
             net.low_pass(name, part.input, part.time_constant)
         else:
             net.second_order(name, part.input, 1.0 / part.time_constant, part.damping_ratio)
+    elif isinstance(part, bl.RateLimit):
+        net.rate_limit(name, part.input, part.rate, part.time_constant, part.start)
     elif isinstance(part, bl.TransferFunction):
         net.transfer_function(name, part.input, part.numerator, part.denominator)
-    else:
+    elif isinstance(part, bl.Pid):
         net.pid(
             name,
             part.input,
@@ -208,6 +224,18 @@ def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, 
             limits=part.limits,
             tracking_time=part.tracking_time or 0.0,
         )
+
+
+def _input(net: SignalNet, name: str, part: bl.Input, course: Course | None) -> None:
+    """Signal of an input with its course in the scenario."""
+    if course is not None and course.formula is not None:
+        net.formula(name, Formula.parse(course.formula, (TIME,)), (TIME,))
+    elif course is not None and course.points is not None:
+        net.formula(f"{name}.time", Formula.parse(TIME, (TIME,)), (TIME,))
+        net.table(name, f"{name}.time", *zip(*course.points, strict=True))
+    else:
+        value = course.value if course is not None and course.value is not None else part.value
+        net.linear(name, {}, value)
 
 
 def _act(net: SignalNet, name: str, part: Actuator, places: Places) -> None:
@@ -238,6 +266,8 @@ def _controller(
         return SampledController(
             name, function, part.inputs, part.outputs, part.period, part.delay, {}, part.parameters
         )
+    if isinstance(part, DisconController):
+        return discon_controller(net, name, part)
     if isinstance(part, FmuController):
         return _fmu(net, name, part)
     net.held(part.output, part.start, part.unit)

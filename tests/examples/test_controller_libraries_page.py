@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page on controller libraries: its library, its commands, its numbers, its table of records."""
+
+from __future__ import annotations
+
+import math
+import re
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.core.discon.records import RECORDS
+from pitchpoint.io.reading import open_result
+
+TEXT = (Path(__file__).parents[2] / "docs" / "howto" / "controller_libraries.md").read_text(encoding="utf-8")
+WORDS = " ".join(TEXT.split())
+J, RPM = 4.37e7, math.pi / 30.0
+SPEED = 12.1 * RPM
+TORQUE = 5.0e6 / 0.944 / 122.9097
+
+
+def part(language: str) -> str:
+    found = re.search(rf"^```{language}\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
+    assert found is not None
+    return found[1]
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder in which all commands of the page have been run."""
+    if shutil.which("cc") is None:
+        pytest.skip("no C compiler (cc) for the library of the page")
+    folder = tmp_path_factory.mktemp("page")
+    (folder / "pitch.c").write_text(part("c"), encoding="utf-8")
+    (folder / "turbine.yaml").write_text(part("yaml"), encoding="utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        compiled = re.search(r"^cc .*$", TEXT, re.MULTILINE)
+        assert compiled is not None
+        subprocess.run(shlex.split(compiled[0]), check=True)
+        lines = re.findall(r"^pitchpoint (.*)$", TEXT, re.MULTILINE)
+        assert len(lines) == 5
+        for line in lines:
+            assert run_command(shlex.split(line)) == 0, line
+    return folder
+
+
+def read(folder: Path, scenario: str, *names: str) -> list[np.ndarray]:
+    with open_result(folder / f"turbine-{scenario}.h5") as data:
+        assert data.attrs["notes"] in ("", "[]"), data.attrs["notes"]
+        return [data["time"].values, *(data[name].values for name in names)]
+
+
+def test_steady_states(results: Path) -> None:
+    """The torque of the air, linear in wind and pitch, is that of the generator at constant power."""
+    for scenario, wind, shown in (("production", 15.0, "7.52"), ("wind_step", 17.0, "12.53")):
+        exact = (4.18e6 + 3.5e5 * (wind - 12.0) - 97.0 * TORQUE) / 8e6
+        _, speed, pitch, power = read(results, scenario, "speed[rotor]", "signal[pitch]", "signal[power]")
+        assert pitch[-1] == pytest.approx(exact, rel=1e-4)
+        assert speed[-1] == pytest.approx(122.9097 / 97.0, rel=1e-6)
+        assert power[-1] == pytest.approx(5e6, rel=1e-5)
+        assert f"{math.degrees(exact):.2f}" == shown and f"{shown} deg" in WORDS
+
+
+def test_grid_fault(results: Path) -> None:
+    """The impulse that is missing: 80 % of the torque for 0.15 s, and for half of both ramps of 10 ms."""
+    t, speed = read(results, "grid_fault", "speed[rotor]")
+    rise = 0.8 * 97.0 * TORQUE * 0.16 / J
+    assert speed.max() - SPEED == pytest.approx(rise, rel=0.02)  # the torque falls a little at constant power
+    assert f"rises to {speed.max() / RPM:.2f} rpm" in WORDS
+
+
+def test_emergency_stop(results: Path) -> None:
+    t, speed, air, friction, pitch = read(
+        results, "emergency_stop", "speed[rotor]", "signal[air]", "signal[friction]", "signal[pitch]"
+    )
+    assert f"rises to {speed.max() / RPM:.1f} rpm" in WORDS
+    # the pitch drive at its largest rate
+    assert np.diff(pitch).max() == pytest.approx(math.radians(8.0) * 0.0125, rel=1e-4)  # float32
+    # without torque of the air, dry friction of 1.5 MN m: the speed falls at a constant rate
+    alone = (air == 0.0) & (t > 14.0) & (speed > 0.05)
+    slope = np.polyfit(t[alone], speed[alone], 1)[0]
+    assert slope == pytest.approx(-1.5e6 / J, rel=1e-6)
+    still = t[np.argmax(speed < 0.004)]
+    assert f"stops the rotor at {still:.1f} s" in WORDS
+    # energy: what the air and friction did is the change of kinetic energy, with the generator before
+    with open_result(results / "turbine-emergency_stop.h5") as data:
+        total = data["signal[air]"] + data["signal[electric]"] + data["signal[friction]"]
+        work = float((total * data["speed[rotor]"]).integrate("time"))
+    assert work == pytest.approx(-0.5 * J * SPEED**2, rel=1e-3)
+
+
+def test_table_of_records() -> None:
+    rows = re.findall(r"^\| (\d+) \| `(\w+)` \| (\w+) \| ([^|]+) \| (.*) \|$", TEXT, re.MULTILINE)
+    assert rows == [(str(r.number), r.name, r.direction, r.unit, r.meaning) for r in RECORDS]
+
+
+def test_python_of_the_page(results: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(results)
+    found: dict[str, float] = {}
+    exec(part("python"), found)
+    assert found["torque"] == pytest.approx(5e6 / 0.944 / 122.91, rel=1e-6)
+    assert found["pitch"] == pytest.approx(
+        0.1312418 + (0.018 + 0.008 * 0.0125) * (122.91 - 122.9097), rel=1e-5
+    )
