@@ -135,7 +135,7 @@ def test_loads_of_teeth_and_blades_from_a_run(trains):
 
 
 def test_scenarios_stop_the_turbine(model):
-    """Loss of the grid at 10 s: the torque vanishes, the speed rises, the blades begin to feather at 8 deg/s."""
+    """Loss of the grid: the torque vanishes, the speed rises, the blades begin to feather at 8 deg/s."""
     changes = {
         "scenarios.grid_loss.inputs.connected.points": [[0.5, 1.0], [0.52, 0.0]],
         "scenarios.grid_loss.inputs.feathering.points": [[1.0, 0.0], [1.02, 1.57]],
@@ -146,7 +146,8 @@ def test_scenarios_stop_the_turbine(model):
     assert done.status == 1, done.sentence
     rows = np.concatenate(memory.rows)
     torque, speed, pitch = (
-        rows[:, system.layout.channel(c)] for c in ("signal[generator_torque]", "speed[hub]", "signal[pitch_1]")
+        rows[:, system.layout.channel(c)]
+        for c in ("signal[generator_torque]", "speed[hub]", "signal[pitch_1]")
     )
     assert torque[20] == pytest.approx(-4.02e6, rel=0.05) and torque[-1] == 0.0
     assert speed[-1] > 1.05 * speed[25]

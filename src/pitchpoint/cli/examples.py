@@ -93,7 +93,11 @@ def copy_example(name: str, directory: str | None, force: bool) -> None:
             )
     for one, folder in targets.items():
         _copy(examples_folder() / one, folder)
-    show(" and ".join(f"copied to {folder}" if folder == target else str(folder) for folder in targets.values()))
+    show(
+        " and ".join(
+            f"copied to {folder}" if folder == target else str(folder) for folder in targets.values()
+        )
+    )
     for path in sorted(target.glob("*.yaml")):
         if re.search("^title:", path.read_text(encoding="utf-8"), re.M):  # others are parts to be included
             show(f"  pitchpoint check {path}")

@@ -99,8 +99,8 @@ def fatigue_loads(
     Returns
     -------
     dict
-        `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by slope),
-        `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank: `pulses`,
+        `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by
+        slope), `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank: `pulses`,
         `largest` and `equivalent` force [N] per tooth, the `worst` tooth, `levels` and `exceeded`.
     """
     names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)
@@ -191,7 +191,7 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
             parts = [(w, a[flank]) for w, a in zip(weights, alone, strict=True) if flank in a]
             if not parts:
                 continue
-            count = sum(w * p.pulses for w, p in parts)
+            count = np.sum([w * p.pulses for w, p in parts], axis=0)
             mean = float(np.mean(count))
             total = sum(w * p.forces.size / teeth * p.equivalent**slope for w, p in parts)
             equivalent = (total / mean) ** (1.0 / slope)
