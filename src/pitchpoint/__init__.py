@@ -91,9 +91,9 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.mesh_response import solve_mesh_response
     from pitchpoint.solvers.modal import solve_modal
+    from pitchpoint.solvers.multiblade import solve_multiblade_modes
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
-    from pitchpoint.solvers.multiblade import solve_multiblade_modes
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
     from pitchpoint.solvers.rotor_transient import solve_rotor_transient
     from pitchpoint.solvers.state_space import state_space

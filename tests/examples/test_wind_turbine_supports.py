@@ -34,7 +34,7 @@ SECTION, E = tube(1.6, 1.4), 2.1e11
 
 
 def turbine(folder, *parts, p=None):
-    """The example with parts of the page and coarse blades; without wind and weight for a force p on the hub."""
+    """The example with parts of the page, coarse blades; without wind and weight for a force p on the hub."""
     data = YAML(typ="safe").load((FOLDER / "model.yaml").read_text(encoding="utf-8"))
     for part in parts:
         for section, entries in part.items():
@@ -84,7 +84,9 @@ def test_foundation(folder):
     value = {name: float(str(text).split()[0]) for name, text in stiffness.items()}
     assert moved[0] == pytest.approx(1e5 / value["radial"], rel=1e-6)
     assert tilt == pytest.approx(1e5 * 90.0 / value["tilt"], rel=1e-3)  # the hub rises
-    soft, clamped = (find_modes(turbine(folder, *part, p=SMALL), "parked", count=3).frequency for part in ([SOIL], []))
+    soft, clamped = (
+        find_modes(turbine(folder, *part, p=SMALL), "parked", count=3).frequency for part in ([SOIL], [])
+    )
     stiff = {"bushings": {"soil": {"stiffness": {n: v * 1e4 for n, v in value.items()}}}}
     hard = find_modes(turbine(folder, SOIL, stiff, p=SMALL), "parked", count=3).frequency
     assert (soft[:2] < 0.97 * clamped[:2]).all()
@@ -120,4 +122,6 @@ def test_the_turbine_runs_on_both(folder):
     frame = 7850.0 * SECTION.A * LENGTH
     mass = 1900e3 + 347460.0 + 240e3 + frame + 56780.0 + 3 * 17609.0
     thrust = value("rotor_thrust[rotor]") * np.sin(np.radians(5.0))
-    assert value("bushing_force[soil.fz]").mean() == pytest.approx(-(9.80665 * mass + thrust.mean()), rel=1e-3)
+    assert value("bushing_force[soil.fz]").mean() == pytest.approx(
+        -(9.80665 * mass + thrust.mean()), rel=1e-3
+    )

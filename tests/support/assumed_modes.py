@@ -49,7 +49,9 @@ class Part:
         value = {line[1]: float(line[0]) for line in lines}
         rows = np.array(words[start + 2 : end], dtype=float)
         self.x, self.step, self.length = (np.arange(nodes) + 0.5) / nodes, length / nodes, length
-        column = {name: np.interp(self.x, rows[:, 0], row) for name, row in zip(words[start], rows.T, strict=True)}
+        column = {
+            name: np.interp(self.x, rows[:, 0], row) for name, row in zip(words[start], rows.T, strict=True)
+        }
         blade = "BlFract" in column
         self.mass = self.step * (value["AdjBlMs"] * column["BMassDen"] if blade else column["TMassDen"])
         stiffness = [column[name] for name in (("FlpStff", "EdgStff") if blade else ("TwFAStif", "TwSSStif"))]
@@ -99,7 +101,9 @@ class Part:
     def at(self, q: np.ndarray, x: float) -> tuple[np.ndarray, np.ndarray]:
         """Place (3,) at a fraction of the length and axes of the section (3, 3), to first order in q."""
         points = np.r_[0.0, self.x, 1.0]
-        values = np.array([[np.interp(x, points, np.r_[0.0, f]) for f in one] for one in (*self.place, *self.slope)])
+        values = np.array(
+            [[np.interp(x, points, np.r_[0.0, f]) for f in one] for one in (*self.place, *self.slope)]
+        )
         n = len(self.place)
         aside, slope = q @ values[:n], q @ values[n:]
         return np.array([*aside, x * self.length]), inclined(-slope[1], slope[0])
@@ -179,7 +183,7 @@ class Turbine:
                 out = np.linalg.norm(place - self.top(np.zeros(self.count))[1].real) - HUB_RADIUS
                 point, turn = self.blade.at(self.bent(q, k), min(max(out / LENGTH, 0.0), 1.0))
                 R = hub @ ROOTS[k] @ turn @ ROOTS[k].T
-                r = apex + hub @ ROOTS[k] @ (point + [0.0, 0.0, HUB_RADIUS])
+                r = apex + hub @ ROOTS[k] @ np.add(point, [0.0, 0.0, HUB_RADIUS])
             elif part == "tower":
                 r, R = self.tower.at(q[: self.yaw], place[2] / HEIGHT)
             elif part == "hub":

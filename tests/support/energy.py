@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Energy of rigid bodies and beams of a system at a state, and the power of the internal damping, by NumPy."""
+"""Energy of rigid bodies and beams of a system at a state, and the power of internal damping, by NumPy."""
 
 from __future__ import annotations
 

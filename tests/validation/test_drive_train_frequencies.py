@@ -47,7 +47,9 @@ def test_locked_and_free_generator(stiffness, generator, ratio, locked, free, di
     rotor = stiffness / (math.tau * locked) ** 2
     text = TEXT.format(rotor=rotor, generator=generator, stiffness=stiffness, ratio=ratio, sense=sense)
     model = loads_model(text)
-    fixed, open_ended = (find_modes(compile_model(model, name), name).frequency for name in ("locked", "free"))
+    fixed, open_ended = (
+        find_modes(compile_model(model, name), name).frequency for name in ("locked", "free")
+    )
     assert fixed[0] == pytest.approx(locked, rel=1e-6)
     assert open_ended[0] == pytest.approx(0.0, abs=1e-4)
     assert open_ended[1] == pytest.approx(free, abs=0.5 * digit)

@@ -35,7 +35,10 @@ def imbalance(model, step: float) -> tuple[float, float]:
         state = run.state()
         row = evaluate.observe(copy, state)
         value = lambda name, row=row: float(row[layout.channel(name)])  # noqa: E731
-        q, v = ({n: x[layout.coordinate(f"{n}.spin")] for n in ("hub", "generator", "nacelle")} for x in (state.q, state.v))
+        q, v = (
+            {n: x[layout.coordinate(f"{n}.spin")] for n in ("hub", "generator", "nacelle")}
+            for x in (state.q, state.v)
+        )
         stored, lost = energy_of(copy, state, GRAVITY)
         stored += 0.5 * SHAFT * (q["hub"] - q["generator"]) ** 2 + 0.5 * YAW * q["nacelle"] ** 2
         lost += SHAFT_DAMPING * (v["hub"] - v["generator"]) ** 2 + YAW_DAMPING * v["nacelle"] ** 2

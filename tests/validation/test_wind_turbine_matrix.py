@@ -124,10 +124,10 @@ def test_the_tower_yields_to_the_thrust_as_in_openfast():
     """Tower top under 379.5 kN along the shaft at the hub, with the weight, which bends it upwind by 16 mm.
 
     Beams have the deflection of polynomials, 0.209 m. The modes of the files are stiffer: 0.198 m, or 0.559
-    um/N, against 0.568 um/N in OpenFAST between 3 and 11 m/s (welib, MIT,
-    NREL5MW_Oper_Onshore_Flexible_Discon.csv: 27.1 mm at 73.639 kN, 356.2 mm at 652.744 kN; its thrust has a
-    moment too, as wind shear lifts it above the hub). The older table NREL5MW_Oper.csv, 0.136 m at 379.5 kN, has 0.386 um/N:
-    a tower of 77.6 m from a fixed base at 10 m, as of the offshore turbine, has (77.6/87.6)^3 of the onshore one.
+    um/N, against 0.568 um/N in OpenFAST between 3 and 11 m/s, with the moments of the air (welib, MIT,
+    NREL5MW_Oper_Onshore_Flexible_Discon.csv: 27.1 mm at 73.639 kN, 356.2 mm at 652.744 kN), and 1.81 MN/m, 14
+    mm upwind without wind of D. Schlipf (SLOW, NREL5MWDefaultParameter). The older NREL5MW_Oper.csv, 0.136 m
+    at 379.5 kN, has 0.386 um/N, as is (77.6/87.6)^3 times the onshore one: that of a tower on a base at 10 m.
     """
     changes = {
         "wind_rotors.rotor": None,

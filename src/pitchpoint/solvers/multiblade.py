@@ -32,7 +32,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy.linalg
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
@@ -51,7 +50,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LEAST, LOWEST = 3, 0.03
-"""Least number of blades, and of the imaginary part over the absolute value of an eigenvalue that oscillates."""
+"""Least number of blades; least imaginary part over the absolute value of eigenvalues that oscillate."""
 ALIKE = 1e-3
 """Largest difference of motions, masses and angles of the blades, relative to the largest."""
 
@@ -128,6 +127,8 @@ def find_multiblade_modes(
     CompileError
         If there are fewer than three blades, they differ, or the model has closed loops.
     """
+    import scipy.linalg
+
     first = linearise(system, scenario)
     rotor = _rotor_of(first, hub, blades)
     alike = _alike(first, rotor)
@@ -166,10 +167,12 @@ def _rotor_of(linear: Linearised, hub: str, blades: Sequence[str]) -> _Rotor:
     names, table = list(system.layout.bodies), system.program["body"]
     beams = system.model.beams if system.model is not None else {}
     if unknown := [name for name in (hub, *blades) if name not in names and name not in beams]:
-        raise CompileError(f"{', '.join(unknown)}: no body or beam has this name; name hub and blades of the model")
+        raise CompileError(
+            f"{', '.join(unknown)}: no body or beam has this name; name hub and blades of the model"
+        )
     if len(blades) < LEAST:
         raise CompileError(
-            f"blades: {len(blades)} blades (limit {LEAST}); the matrices of a rotor with fewer remain periodic"
+            f"blades: {len(blades)} blades (limit {LEAST}); matrices of rotors with fewer remain periodic"
         )
     center = names.index(hub)
     branches = [_branch(system, center, _first_body(names, beams, name), name) for name in blades]
@@ -178,7 +181,9 @@ def _rotor_of(linear: Linearised, hub: str, blades: Sequence[str]) -> _Rotor:
     ]
     states = [_states_of(system, branch) for branch in branches]
     if len({len(own) for own in coordinates}) > 1 or len(set(sum(branches, []))) < sum(map(len, branches)):
-        raise CompileError("blades: are not equal branches of the hub; give blades of the same bodies and beams")
+        raise CompileError(
+            "blades: are not equal branches of the hub; give blades of the same bodies and beams"
+        )
     evaluate.residual(system, system.initial_state())
     frames = system.workspace.fr
     places = frames["r"] + np.einsum("bij,bj->bi", frames["S"], table["com"])
@@ -210,7 +215,9 @@ def _branch(system: System, center: int, at: int, name: str) -> list[int]:
     while at and table[at]["parent"] != center:
         at = int(table[at]["parent"])
     if not at:
-        raise CompileError(f"{name}: is not carried by {system.layout.bodies[center]}; name a blade of this hub")
+        raise CompileError(
+            f"{name}: is not carried by {system.layout.bodies[center]}; name a blade of this hub"
+        )
     branch = [at]
     for k in range(at + 1, len(table)):
         if table[k]["parent"] in branch and not table[k]["state"]:
@@ -237,6 +244,8 @@ def _change(one: Array, other: Array) -> float:
 
 def _alike(linear: Linearised, rotor: _Rotor) -> list[Array]:
     """Coordinates of every blade for unit coordinates of the first blade, with the same motions, as drawn."""
+    from scipy.linalg import block_diag
+
     system, drawn = linear.system, linear.system.initial_state()
     evaluate.residual(system, drawn)
     axis = system.workspace.fr["R"][rotor.hub][:, 2].copy()
@@ -262,11 +271,11 @@ def _alike(linear: Linearised, rotor: _Rotor) -> list[Array]:
                 f"blades: their {what} differ by {100.0 * worst:.2g} % (limit {100.0 * ALIKE:g} %); "
                 "give equal blades with equal angles between them"
             )
-    return [scipy.linalg.block_diag(Q, np.eye(len(own))) for Q, own in zip(found, rotor.states, strict=True)]
+    return [block_diag(Q, np.eye(len(own))) for Q, own in zip(found, rotor.states, strict=True)]
 
 
 def _transformed(linear: Linearised, rotor: _Rotor, alike: list[Array], speed: float) -> Array:
-    """M, D and K in multi-blade coordinates, which take the places of those of the blades, shape (3, nd, nd)."""
+    """M, D and K, shape (3, nd, nd), with multi-blade coordinates in the places of those of the blades."""
     nd = linear.system.sizes["nd"]
     T = np.zeros((3, nd, nd))
     T[0] = np.eye(nd)
@@ -333,7 +342,7 @@ def solve_multiblade_modes(
     blades: Sequence[str],
     azimuths: int = 6,
 ) -> xr.Dataset:
-    """Modes of a turning rotor in multi-blade coordinates; parameters and errors as in `find_multiblade_modes`.
+    """Modes of a turning rotor in multi-blade coordinates; arguments and errors of `find_multiblade_modes`.
 
     Returns
     -------
@@ -357,7 +366,7 @@ def solve_multiblade_modes(
         "forward": (found.blades[:, 1], "1", "amplitude of the blades in forward whirl"),
         "backward": (found.blades[:, 2], "1", "amplitude of the blades in backward whirl"),
     }
-    options = {"hub": hub, "blades": list(blades), "azimuths": azimuths, "speed": found.speed}
+    options: dict[str, Any] = {"hub": hub, "blades": list(blades), "azimuths": azimuths, "speed": found.speed}
     return xr.Dataset(
         {
             name: (("mode",), values, {"units": unit, "long_name": text})

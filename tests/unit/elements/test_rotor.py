@@ -77,8 +77,8 @@ def test_forces_are_those_of_the_momentum() -> None:
 
 
 def test_heavily_loaded_stations_have_the_thrust_of_buhl() -> None:
-    """C_T = 8/9 + (4 F - 40/9) a + (50/9 - 4 F) a^2 for a > 0.4 (Buhl 2005), which continues 4 a F (1 - a) with
-    its value and slope and ends at 2."""
+    """C_T = 8/9 + (4 F - 40/9) a + (50/9 - 4 F) a^2 for a > 0.4 (Buhl 2005), which continues 4 a F (1 - a)
+    with its value and slope and ends at 2."""
     rotor = report_rotor()
     rows = points(5000, 5, len(rotor.radius))
     assert evaluate_stations(rotor, RotorFlow(skewed_wake=False), rows) == OK

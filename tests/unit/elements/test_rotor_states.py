@@ -74,7 +74,7 @@ def test_step_of_the_point_of_separation() -> None:
 
 
 def test_steady_lift_is_a_mixture_of_attached_and_separated_flow() -> None:
-    """At the points of the tables between -20° and 20°, to the difference of sine and angle, 3.2 % at 0.44 rad."""
+    """At the points of the tables from -20° to 20°, to that of sine and angle: 3.2 % at 0.44 rad."""
     for polar in aerodyn().blade.polars[2:]:
         found = separation(polar)
         assert found is not None

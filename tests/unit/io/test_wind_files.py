@@ -194,8 +194,8 @@ PUBLIC = (
 
 
 def test_a_public_mann_box(tmp_path: Path) -> None:
-    """The value that openfast_toolbox prints in its test, of its column 3 from the right, the leftmost: second
-    plane, row 5. InflowWind, too, has the first column of the file at the left and the planes in the order of time."""
+    """The value in the test of openfast_toolbox, of the leftmost column: second plane, row 5. InflowWind has
+    the first column of the file at the left, too, and the planes in the order of time."""
     names = [tmp_path / f"{c}.bin" for c in "uvw"]
     for name in names:
         name.write_bytes(base64.b64decode("".join(PUBLIC)))

@@ -66,8 +66,8 @@ POINT = np.dtype(
     align=True,
 )
 COLUMNS = 11
-"""Columns of the rows of polars: those of `Polar.knots`, point of separation, lift of separated flow, each with
-its slope."""
+"""Columns of the rows of polars: those of `Polar.knots`, point of separation, lift of separated flow, each
+with its slope."""
 BATCH = np.dtype(
     [("stations", "i8"), ("n", "i8"), ("knots", "i8"), ("rows", "i8"), ("air", "i8")], align=True
 )

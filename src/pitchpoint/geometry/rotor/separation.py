@@ -42,9 +42,9 @@ def separation(polar: Polar) -> Separation | None:
     """Point of separation of a polar.
 
     c_l = c_lα (α - α_0) (1 + √f)²/4 of a flat plate in Kirchhoff flow, solved for f (Hansen 2008). c_lα is
-    the largest slope from the angle without lift, so that f does not exceed 1. The lift of separated flow makes
-    c_l a mixture, f c_l,att + (1 - f) c_l,sep: c_l,sep = c_l,att (1 + 3 √f)/(4 + 4 √f), half of the attached
-    lift where all flow is attached, and the lift of the table where f = 0.
+    the largest slope from the angle without lift, so that f does not exceed 1. The lift of separated flow
+    makes c_l a mixture, f c_l,att + (1 - f) c_l,sep: c_l,sep = c_l,att (1 + 3 √f)/(4 + 4 √f), half of the
+    attached lift where all flow is attached, and the lift of the table where f = 0.
 
     Parameters
     ----------
