@@ -35,6 +35,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.elements.kind import SIGNAL
+from pitchpoint.elements.registry import find
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.linear_system import Linearised, linearise
@@ -180,7 +182,8 @@ def _rotor_of(linear: Linearised, hub: str, blades: Sequence[str]) -> _Rotor:
         [int(table[b]["dof"]) + c for b in branch for c in range(table[b]["n"])] for branch in branches
     ]
     states = [_states_of(system, branch) for branch in branches]
-    if len({len(own) for own in coordinates}) > 1 or len(set(sum(branches, []))) < sum(map(len, branches)):
+    numbers = {(len(own), len(more)) for own, more in zip(coordinates, states, strict=True)}
+    if len(numbers) > 1 or len({body for branch in branches for body in branch}) < sum(map(len, branches)):
         raise CompileError(
             "blades: are not equal branches of the hub; give blades of the same bodies and beams"
         )
@@ -194,14 +197,16 @@ def _rotor_of(linear: Linearised, hub: str, blades: Sequence[str]) -> _Rotor:
 
 
 def _states_of(system: System, branch: list[int]) -> list[int]:
-    """Coordinates whose rates are the states of the air at the stations of a blade."""
-    table = system.program["body"]
-    return [
-        int(table[row[f"l{n}"]]["spin"])
-        for row in system.records.get("blade_station", ())
-        if row["inflow"] != 0 and row["j"] in branch
-        for n in range(1, 6)
-    ]
+    """Coordinates whose rates are states of elements on a blade, such as those of the air, not of control."""
+    table, found = system.program["body"], []
+    for name, bank in system.records.items():
+        kind = find(name)
+        fields = dict.fromkeys(field for pair in kind.pairs if kind.role != SIGNAL for field in pair)
+        for record in bank:
+            ends = [int(record[field]) for field in fields]
+            if not set(ends).isdisjoint(branch):
+                found += [int(table[b]["spin"]) for b in ends if table[b]["state"]]
+    return list(dict.fromkeys(found))
 
 
 def _first_body(names: list[str], beams: Mapping[str, Any], name: str) -> int:
