@@ -12,8 +12,7 @@ isotropic rotor: M T'' z + ... gives
     M_z = T^T M T,   D_z = T^T (D T + 2 M T'),   K_z = T^T (K T + D T' + M T''),   T' = Omega dT/dpsi.
 
 Weight, tilt and wind shear make them periodic; the mean over some azimuths neglects their harmonics, as is
-usual (Bir 2008, Hansen 2003). The coordinates of a blade are compared with those of the first one by the
-motions of its bodies in axes that are turned with the blade.
+usual (Bir 2008).
 
 References
 ----------
@@ -27,7 +26,7 @@ from __future__ import annotations
 
 import math
 import time as clock
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -35,13 +34,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.elements.kind import SIGNAL
-from pitchpoint.elements.registry import find
-from pitchpoint.solvers.body_shapes import body_motions
-from pitchpoint.solvers.eigen import ratio_of
+from pitchpoint.solvers.blade_branches import ALIKE, BladedHub, bladed_hub, equal_coordinates
+from pitchpoint.solvers.eigen import best_match, ratio_of
 from pitchpoint.solvers.linear_system import Linearised, linearise
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
-from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -51,10 +47,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-LEAST, LOWEST = 3, 0.03
-"""Least number of blades; least imaginary part over the absolute value of eigenvalues that oscillate."""
-ALIKE = 1e-3
-"""Largest difference of motions, masses and angles of the blades, relative to the largest."""
+LOWEST = 0.03
+"""Least imaginary part over the absolute value of eigenvalues that oscillate."""
 
 
 @dataclass(frozen=True)
@@ -81,22 +75,6 @@ class MultibladeModes:
     speed: float
 
 
-@dataclass(frozen=True)
-class _Rotor:
-    """Body of the hub; bodies, coordinates and states of each blade, azimuths relative to the first [rad]."""
-
-    hub: int
-    bodies: list[list[int]]
-    coordinates: list[list[int]]
-    states: list[list[int]]
-    angles: Array
-
-    @property
-    def columns(self) -> list[list[int]]:
-        """Coordinates of each blade, states last."""
-        return [one + two for one, two in zip(self.coordinates, self.states, strict=True)]
-
-
 def find_multiblade_modes(
     system: System,
     scenario: Scenario | str | None = None,
@@ -110,7 +88,7 @@ def find_multiblade_modes(
     Parameters
     ----------
     system
-        The compiled model, a tree of bodies.
+        The compiled model. Blades are branches of the hub without closed loops.
     scenario
         Gives the speed of the hub; default: the one the system was compiled with.
     hub
@@ -127,159 +105,96 @@ def find_multiblade_modes(
     Raises
     ------
     CompileError
-        If there are fewer than three blades, they differ, or the model has closed loops.
+        If there are fewer than three blades, they differ, or closed loops connect them.
     """
-    import scipy.linalg
 
     first = linearise(system, scenario)
-    rotor = _rotor_of(first, hub, blades)
-    alike = _alike(first, rotor)
+    rotor = bladed_hub(first.system, hub, blades)
+    alike = equal_coordinates(first.system, rotor)
     spin = first.system.spin(hub)
     speed = float(first.state.v[spin])
-    kept = _kept(first)
-    total = np.zeros((3, len(kept), len(kept)))
+    basis = _basis(first, rotor)
+    total = np.zeros((3, *2 * basis.shape[1:]))
     linear = first
     for step in range(azimuths):
         if step:
             start = first.state.copy()
             start.q[spin] += step * math.tau / (azimuths * len(blades))
             linear = linearise(system, scenario, start=start)
-        total += _transformed(linear, rotor, alike, speed)[:, kept[:, None], kept] / azimuths
-    n, (M, D, K) = len(kept), total
-    pencil = np.block([[np.zeros((n, n)), np.eye(n)], [-K, -D]])
-    values, vectors = scipy.linalg.eig(pencil, scipy.linalg.block_diag(np.eye(n), M))
-    chosen = np.flatnonzero(np.isfinite(values) & (values.imag > LOWEST * np.abs(values)))
-    chosen = chosen[np.argsort(values[chosen].imag)]
-    shapes = np.zeros((len(chosen), first.system.sizes["nd"]), dtype=np.complex128)
-    shapes[:, kept] = vectors[:n, chosen].T
-    size = np.zeros(first.system.sizes["nd"])
-    size[kept] = np.sqrt(np.abs(np.diag(M)))
+        total += basis.T @ _transformed(linear, rotor, alike, speed) @ basis / azimuths
+    values, z = _modes(total, len(first.states))
+    size = np.sqrt(np.abs(np.diag(basis @ total[0] @ basis.T)))
     return MultibladeModes(
-        eigenvalue=values[chosen],
-        frequency=values[chosen].imag / math.tau,
-        damping_ratio=ratio_of(values[chosen]),
-        blades=_whirl(shapes * size, rotor, speed),
+        eigenvalue=values,
+        frequency=values.imag / math.tau,
+        damping_ratio=ratio_of(values),
+        blades=_whirl(z @ basis.T * size, rotor, speed),
         speed=speed,
     )
 
 
-def _rotor_of(linear: Linearised, hub: str, blades: Sequence[str]) -> _Rotor:
-    """Bodies and coordinates of the blades, and their azimuths, as drawn."""
-    system = linear.system
-    names, table = list(system.layout.bodies), system.program["body"]
-    beams = system.model.beams if system.model is not None else {}
-    if unknown := [name for name in (hub, *blades) if name not in names and name not in beams]:
+def _modes(matrices: Array, states: int) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues that oscillate and their shapes, by frequency; not those of the states, the last columns.
+
+    Eigenvalues of states are real in turning axes, but turn with the rotor in those that do not. Those of the
+    motion are most similar, in shape and value, to the eigenvalues at constant states.
+    """
+    values, z = _oscillating(matrices, states)
+    if states:
+        M = matrices[0]
+        n = len(M) - states
+        held, shapes = _oscillating(matrices[:, :n, :n], 0)
+        moved = z[:, :n]
+        overlap = np.abs(shapes.conj() @ M[:n, :n] @ moved.T) ** 2
+        for one, by in ((shapes, 1), (moved, 0)):
+            square = np.einsum("ik,kl,il->i", one.conj(), M[:n, :n], one).real
+            overlap /= np.expand_dims(np.maximum(square, 1e-300), by)
+        likeness = overlap / (1.0 + np.abs(np.log(values / held[:, None])))
+        own = best_match(likeness)
+        values, z = values[own], z[own]
+    order = np.argsort(values.imag)
+    return values[order], z[order]
+
+
+def _oscillating(matrices: Array, states: int) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues with a positive imaginary part and their shapes, shape (m, n), states last."""
+    M, D, K = matrices
+    n = len(M) - states
+    rates = -np.linalg.solve(np.hstack([M[:, :n], D[:, n:]]), np.hstack([K[:, :n], D[:, :n], K[:, n:]]))
+    values, vectors = np.linalg.eig(np.vstack([np.eye(n, 2 * n + states, n), rates]))
+    chosen = values.imag > LOWEST * np.abs(values)
+    shapes = np.vstack([vectors[:n], vectors[2 * n :]])
+    return values[chosen], shapes[:, chosen].T
+
+
+def _basis(linear: Linearised, rotor: BladedHub) -> Array:
+    """Free directions, then states, as columns, shape (nd, n); unit columns for coordinates of blades.
+
+    Constraints of other parts, such as a gearbox of rigid ratio, are the same in multi-blade coordinates.
+    """
+    free = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()
+    states, nd = list(linear.states), len(free)
+    own = np.setdiff1d(np.concatenate(rotor.columns), states)
+    used = own[np.abs(free[own]).max(axis=1) > 0.0]
+    if len(used) == np.count_nonzero(free[own]):  # each in a column of its own
+        rest = free[:, np.abs(free[own]).max(axis=0) == 0.0]
+        mixed = free.shape[1] - rest.shape[1] != len(used)
+    else:
+        left, sizes, _ = np.linalg.svd(free, full_matrices=False)
+        span = left[:, sizes > ALIKE * sizes.max()]
+        mixed = bool(np.abs(span[used] @ span[used].T - np.eye(len(used))).max() > ALIKE)
+        rest = span - np.eye(nd)[:, used] @ span[used]
+        left, sizes, _ = np.linalg.svd(rest, full_matrices=False)
+        rest = left[:, sizes > ALIKE]
+    if mixed:
         raise CompileError(
-            f"{', '.join(unknown)}: no body or beam has this name; name hub and blades of the model"
+            "blades: closed loops or ratios connect their coordinates with others; give blades that are "
+            "branches of the hub without loops"
         )
-    if len(blades) < LEAST:
-        raise CompileError(
-            f"blades: {len(blades)} blades (limit {LEAST}); matrices of rotors with fewer remain periodic"
-        )
-    center = names.index(hub)
-    branches = [_branch(system, center, _first_body(names, beams, name), name) for name in blades]
-    coordinates = [
-        [int(table[b]["dof"]) + c for b in branch for c in range(table[b]["n"])] for branch in branches
-    ]
-    states = [_states_of(system, branch) for branch in branches]
-    numbers = {(len(own), len(more)) for own, more in zip(coordinates, states, strict=True)}
-    if len(numbers) > 1 or len({body for branch in branches for body in branch}) < sum(map(len, branches)):
-        raise CompileError(
-            "blades: are not equal branches of the hub; give blades of the same bodies and beams"
-        )
-    evaluate.residual(system, system.initial_state())
-    frames = system.workspace.fr
-    places = frames["r"] + np.einsum("bij,bj->bi", frames["S"], table["com"])
-    arms = np.array([places[branch].mean(axis=0) for branch in branches]) - frames["r"][center]
-    x, y = (arms @ frames["R"][center][:, :2]).T
-    angles = np.arctan2(y, x)
-    return _Rotor(center, branches, coordinates, states, angles - angles[0])
+    return np.hstack([np.eye(nd)[:, used], rest, np.eye(nd)[:, states]])
 
 
-def _states_of(system: System, branch: list[int]) -> list[int]:
-    """Coordinates whose rates are states of elements on a blade, such as those of the air, not of control."""
-    table, found = system.program["body"], []
-    for name, bank in system.records.items():
-        kind = find(name)
-        fields = dict.fromkeys(field for pair in kind.pairs if kind.role != SIGNAL for field in pair)
-        for record in bank:
-            ends = [int(record[field]) for field in fields]
-            if not set(ends).isdisjoint(branch):
-                found += [int(table[b]["spin"]) for b in ends if table[b]["state"]]
-    return list(dict.fromkeys(found))
-
-
-def _first_body(names: list[str], beams: Mapping[str, Any], name: str) -> int:
-    """Body of a blade, the one at the first end of a beam."""
-    return names.index(beams[name].ends[0].partition(".")[0] if name in beams else name)
-
-
-def _branch(system: System, center: int, at: int, name: str) -> list[int]:
-    """All bodies of the branch of the hub that carries a body."""
-    table = system.program["body"]
-    while at and table[at]["parent"] != center:
-        at = int(table[at]["parent"])
-    if not at:
-        raise CompileError(
-            f"{name}: is not carried by {system.layout.bodies[center]}; name a blade of this hub"
-        )
-    branch = [at]
-    for k in range(at + 1, len(table)):
-        if table[k]["parent"] in branch and not table[k]["state"]:
-            branch.append(k)
-    return branch
-
-
-def _kept(linear: Linearised) -> NDArray[np.int64]:
-    """Coordinates that are free."""
-    basis = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()
-    rows, columns = np.nonzero(basis)
-    if len(rows) != basis.shape[1] or not np.allclose(basis[rows, columns], 1.0):
-        raise CompileError(
-            "the model has closed loops or ratios, whose coordinates cannot be combined over the blades; "
-            "give a model that is a tree of bodies"
-        )
-    return rows[np.argsort(rows)]
-
-
-def _change(one: Array, other: Array) -> float:
-    """Largest difference over the largest value."""
-    return float(np.abs(one - other).max() / np.abs(other).max())
-
-
-def _alike(linear: Linearised, rotor: _Rotor) -> list[Array]:
-    """Coordinates of every blade for unit coordinates of the first blade, with the same motions, as drawn."""
-    from scipy.linalg import block_diag
-
-    system, drawn = linear.system, linear.system.initial_state()
-    evaluate.residual(system, drawn)
-    axis = system.workspace.fr["R"][rotor.hub][:, 2].copy()
-    own = []
-    for branch, at, angle in zip(rotor.bodies, rotor.coordinates, rotor.angles, strict=True):
-        unit = np.zeros((len(at), system.sizes["nd"]))
-        unit[np.arange(len(at)), at] = 1.0
-        moved = body_motions(system, drawn, unit)[:, branch]
-        back = rotation(axis, -angle)
-        turned = np.concatenate([moved[..., :3] @ back.T, moved[..., 3:] @ back.T], axis=-1)
-        own.append(turned.reshape(len(at), -1).T)
-    found = [np.linalg.lstsq(X, own[0], rcond=None)[0] for X in own]
-    M = evaluate.matrix(system, drawn, 1.0, 0.0, 0.0)
-    masses = [Q.T @ M[np.ix_(at, at)] @ Q for Q, at in zip(found, rotor.coordinates, strict=True)]
-    steps = np.diff(np.sort(np.mod(rotor.angles + ALIKE, math.tau)))
-    for what, worst in (
-        ("motions", max(_change(X @ Q, own[0]) for X, Q in zip(own, found, strict=True))),
-        ("masses", max(_change(mass, masses[0]) for mass in masses)),
-        ("angles between them", float(np.abs(steps * len(own) / math.tau - 1.0).max())),
-    ):
-        if worst > ALIKE:
-            raise CompileError(
-                f"blades: their {what} differ by {100.0 * worst:.2g} % (limit {100.0 * ALIKE:g} %); "
-                "give equal blades with equal angles between them"
-            )
-    return [block_diag(Q, np.eye(len(own))) for Q, own in zip(found, rotor.states, strict=True)]
-
-
-def _transformed(linear: Linearised, rotor: _Rotor, alike: list[Array], speed: float) -> Array:
+def _transformed(linear: Linearised, rotor: BladedHub, alike: list[Array], speed: float) -> Array:
     """M, D and K, shape (3, nd, nd), with multi-blade coordinates in the places of those of the blades."""
     nd = linear.system.sizes["nd"]
     T = np.zeros((3, nd, nd))
@@ -324,13 +239,7 @@ def harmonics(psi: float, k: int, count: int) -> list[tuple[float, float, float]
     return out
 
 
-def rotation(axis: Array, angle: float) -> Array:
-    """Rotation matrix about a unit vector, shape (3, 3)."""
-    S = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
-    return np.asarray(np.eye(3) + math.sin(angle) * S + (1.0 - math.cos(angle)) * S @ S)
-
-
-def _whirl(shapes: NDArray[np.complex128], rotor: _Rotor, speed: float) -> Array:
+def _whirl(shapes: NDArray[np.complex128], rotor: BladedHub, speed: float) -> Array:
     """Amplitudes of the blades, collective, forward and backward, over the largest one, shape (n, 3)."""
     collective, c, s, *others = (shapes[:, own] for own in rotor.coordinates)
     turn = 1j if speed >= 0.0 else -1j

@@ -16,7 +16,7 @@ from pitchpoint.system.compile import compile_model
 HUB_INERTIA, BLADE_INERTIA, SEAT, HINGE = 2.0, 1.0, 300.0, 60.0
 
 
-def rotor(count, speed, heavier=1.0, more=""):
+def rotor(count, speed, heavier=1.0, more="", parts="joints:\n", roped=False):
     """Rods of 1 m on hinges at the centre of a hub that turns on a body that tilts in all directions."""
     blades, hinges, springs, markers = "", "", "", []
     for k in range(count):
@@ -25,7 +25,8 @@ def rotor(count, speed, heavier=1.0, more=""):
         mass = 3.0 * BLADE_INERTIA * (heavier if k == 0 else 1.0)
         blades += (
             f"  blade_{k}: {{mass: {mass} kg, center_of_mass: [0.5 m, 0, 0], inertia_tensor: "
-            f"[1e-9, {mass / 12}, {mass / 12}, 0, 0, 0], position: [0, 0, 0], axes: {axes}}}\n"
+            f"[1e-9, {mass / 12}, {mass / 12}, 0, 0, 0], position: [0, 0, 0], axes: {axes}"
+            f"{', markers: {tip: {position: [1 m, 0, 0]}}' if roped else ''}}}\n"
         )
         hinges += (
             f"  hinge_{k}: {{type: revolute, bodies: [hub, blade_{k}], position: [0, 0, 0], axes: {axes}}}\n"
@@ -34,10 +35,12 @@ def rotor(count, speed, heavier=1.0, more=""):
             f"  spring_{k}: {{ends: [hub.at_{k}, blade_{k}], stiffness: {{torsion: {HINGE} N m/rad}}}}\n"
         )
         markers.append(f"at_{k}: {{position: [0, 0, 0], axes: {axes}}}")
+    if roped:
+        markers.append("top: {position: [0, 0, 1 m]}")
     text = (
         f"bodies:\n  nacelle: {{mass: 1 kg, inertia_tensor: {3 * [HUB_INERTIA] + 3 * [0.0]},"
         f" position: [0, 0, 0]}}\n  hub: {{inertia: 1e-6 kg m^2, position: [0, 0, 0], markers: "
-        f"{{{', '.join(markers)}}}}}\n{blades}joints:\n"
+        f"{{{', '.join(markers)}}}}}\n{blades}{parts}"
         "  mount: {type: universal, bodies: [ground, nacelle], position: [0, 0, 0]}\n"
         "  bearing: {type: revolute, bodies: [nacelle, hub], position: [0, 0, 0]}\n"
         f"{hinges}bushings:\n  seat: {{ends: [ground, nacelle], stiffness: {{tilt: {SEAT} N m/rad}}}}\n"
@@ -115,7 +118,33 @@ def test_a_missing_blade_is_told():
         find_multiblade_modes(rotor(4, 5.0), hub="hub", blades=names(3))
 
 
-def test_ratios_are_refused():
+def test_ratios_between_blades_are_refused():
     more = "ratios: {pair: {terms: {blade_0: 1, blade_1: -1}}}\n"
     with pytest.raises(CompileError, match="closed loops or ratios"):
         find_multiblade_modes(rotor(3, 5.0, more=more), hub="hub", blades=names(3))
+
+
+def test_a_gearbox_of_the_support_has_its_own_modes():
+    """A wheel of 1 kg m^2 on a spring with a motor of 0.5 kg m^2 at twice its speed: w^2 = k/(J + 4 J_m)."""
+    more = (
+        "  wheel: {inertia: 1, position: [0, 0, 1]}\n  motor: {inertia: 0.5, position: [1, 0, 1]}\n"
+        "ratios: {teeth: {terms: {wheel: 2, motor: -1}}}\n"
+        "torsion_springs: {rod: {bodies: [wheel], stiffness: 48}}\njoints:\n"
+    )
+    found = find_multiblade_modes(rotor(3, 5.0, parts=more), hub="hub", blades=names(3), azimuths=2)
+    alone = find_multiblade_modes(rotor(3, 5.0), hub="hub", blades=names(3), azimuths=2)
+    expected = np.sort([*alone.eigenvalue.imag, 4.0])
+    np.testing.assert_allclose(found.eigenvalue.imag, expected, rtol=1e-9)
+
+
+def test_states_of_elements_on_the_blades():
+    """Maxwell elements from the tips of the blades to a point 1 m above the hub, at 45 deg: with K = k/2, C =
+    c/2 the collective mode has (I s^2 + k_h + I Omega^2) (K + C s) + K C s = 0. Relaxation is not a mode."""
+    springs = [f"rope_{k}: {{ends: [hub.top, blade_{k}.tip], stiffness: 80, damping: 10}}" for k in range(3)]
+    system = rotor(3, 5.0, roped=True, more=f"maxwells: {{{', '.join(springs)}}}\n")
+    found = find_multiblade_modes(system, hub="hub", blades=names(3), azimuths=2)
+    s = np.poly1d([1.0, 0.0])
+    roots = ((BLADE_INERTIA * s * s + HINGE + BLADE_INERTIA * 25.0) * (40.0 + 5.0 * s) + 200.0 * s).roots
+    assert len(found.eigenvalue) == 5
+    collective = found.eigenvalue[np.argmax(found.blades[:, 0])]
+    assert collective == pytest.approx(roots[roots.imag > 0.0][0], rel=1e-6)
