@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.components.beam import IN_FILE, SHAPES
+from pitchpoint.model.components.beam import FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -67,13 +67,17 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
 
 def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     given = part.lists
-    if part.elastodyn is not None:
-        for name in set(given) & set(IN_FILE):
-            report.problem((*at, name), "is in the file too", remedy="remove it, or remove elastodyn")
-        if given and ("position" in given) != (len(given) > 1):
+    files = [name for name in FILES if getattr(part, name) is not None]
+    if len(files) > 1:
+        report.problem((*at, files[1]), f"is given together with {files[0]}", remedy="give one file")
+        return
+    if files:
+        for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
+            report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
+        if files[0] == "elastodyn" and given and ("position" in given) != (len(given) > 1):
             report.problem(at, "has lists and positions that do not belong together", remedy="give both")
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
-        report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
+        report.problem(at, f"has no {', '.join(missing)}", remedy=f"give these lists, or {', '.join(FILES)}")
         return
     try:
         plain = dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position))

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.tower import Tower
 from pitchpoint.model.openfast.airfoil import read_airfoil
-from pitchpoint.model.openfast.text import InputText, Line, read_input
+from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
 
 _COLUMNS = ("BlSpn", "BlCrvAC", "BlSwpAC", "BlCrvAng", "BlTwist", "BlChord", "BlAFID")
 _MOST_AIRFOILS = 1000
@@ -73,16 +72,16 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
     polars = []
     for name in airfoils:
         try:
-            polars.append(read_airfoil(_beside(text.path, name), columns=columns))
+            polars.append(read_airfoil(beside(text.path, name), columns=columns))
         except ModelError as error:
-            problems += _in_file(error, name)
+            problems += in_file(error, name)
     if problems or line is None:
         raise ModelError(problems, str(text.path))
     name = line.tokens[0]
     try:
-        blade = read_aerodyn_blade(_beside(text.path, name), polars)
+        blade = read_aerodyn_blade(beside(text.path, name), polars)
     except ModelError as error:
-        raise ModelError(_in_file(error, name), str(text.path)) from None
+        raise ModelError(in_file(error, name), str(text.path)) from None
     return AeroDynInput(blade, flow, tuple(notes))
 
 
@@ -145,16 +144,6 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
         )
     except ModelError as error:
         raise ModelError(error.problems, str(text.path)) from None
-
-
-def _beside(path: Path, name: str) -> Path:
-    """File named in another one; separators of Windows are accepted."""
-    return path.parent / name.replace("\\", "/")
-
-
-def _in_file(error: ModelError, name: str) -> list[Message]:
-    """Problems of a file that another one names."""
-    return [p.changed(where=f"{name}: {p.where}".rstrip(": "), file=None) for p in error.problems]
 
 
 def _airfoil_files(text: InputText) -> list[str]:

@@ -110,6 +110,11 @@ class InputText:
             self.problem(name, "is not finite", token[:40], None, line.number)
         return value
 
+    @staticmethod
+    def is_number(token: str) -> bool:
+        """Whether a token is a number."""
+        return _NUMBER.fullmatch(token) is not None
+
     def rows(self, after: Line, count: int, width: int, name: str) -> list[list[float]]:
         """Rows of numbers after a line; titles and units in between are skipped.
 
@@ -153,6 +158,16 @@ class InputText:
                 "complete the file or correct the number",
             )
         return out
+
+
+def beside(path: Path, name: str) -> Path:
+    """File named in another one; separators of Windows are accepted."""
+    return path.parent / name.replace("\\", "/")
+
+
+def in_file(error: ModelError, name: str) -> list[Message]:
+    """Problems of a file that another one names."""
+    return [p.changed(where=f"{name}: {p.where}".rstrip(": "), file=None) for p in error.problems]
 
 
 def read_input(path: str | os.PathLike[str]) -> InputText:

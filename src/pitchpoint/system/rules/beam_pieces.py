@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elements of a beam: one section for all, or the mean properties of a table, with offset axes and masses."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.openfast.beamdyn import read_beamdyn
+from pitchpoint.model.openfast.elastodyn import read_elastodyn
+from pitchpoint.model.windio.beam import read_windio_beam
+from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
+from pitchpoint.system.rules.structure_files import change_time
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam as BeamPart
+    from pitchpoint.model.components.beam import BeamProperties
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+LENGTH_ERROR = 0.01
+"""Largest difference of the length of a beam from that of its file, relative."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One element of a beam.
+
+    Parameters
+    ----------
+    beam
+        Stiffness, and mass unless it is apart.
+    axes
+        Section axes 1, 2 and beam axis as columns, in the axes of the beam.
+    ends
+        Offsets of the curved axis of the beam at both ends from the line between its ends [m].
+    elastic
+        Elastic centre along the axes 1 and 2 [m].
+    mass
+        Element with the mass alone; None if it is that of `beam`.
+    center
+        Centre of mass along the axes 1 and 2 [m].
+    """
+
+    beam: Beam
+    axes: Array = field(default_factory=lambda: np.eye(3))
+    ends: Array = field(default_factory=lambda: np.zeros((2, 3)))
+    elastic: tuple[float, float] = (0.0, 0.0)
+    mass: Beam | None = None
+    center: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def parts(self) -> list[tuple[str, Beam, Array]]:
+        """Elements by the end of their name, and the offsets of both nodes: one, or stiffness and mass."""
+        found = [("", self.beam, self.ends + self.axes @ np.array([*self.elastic, 0.0]))]
+        if self.mass is not None:
+            found.append((".mass", self.mass, self.ends + self.axes @ np.array([*self.center, 0.0])))
+        return found
+
+
+def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
+    """Elements of a beam, all of one length along the line between its ends.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        Name of the beam.
+    length
+        Length of the line between its ends [m].
+    """
+    part = model.beams[name]
+    if part.properties is None:
+        data = part.material_data
+        beam = Beam(
+            section=section_of(part, data.poisson_ratio),
+            length=length / part.pieces,
+            E=data.youngs_modulus,
+            G=data.shear_modulus,
+            rho=data.density,
+        )
+        return [Piece(beam)] * part.pieces
+    table = table_of(model, name, length)
+    ends = np.linspace(0.0, 1.0, part.pieces + 1)
+    line = np.column_stack([table.offset(ends), length * ends])
+    places = np.column_stack([table.offset(ends), np.zeros(ends.size)])
+    return [
+        _tapered(table.mean(a, b, length), line[k + 1] - line[k], places[k : k + 2])
+        for k, (a, b) in enumerate(itertools.pairwise(ends))
+    ]
+
+
+def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
+    """Element with given stiffnesses along a way; without a radius of gyration its rotary inertia is that
+    of a homogeneous section."""
+    length, stiff = float(np.linalg.norm(way)), mean["axial"]
+    section = Section(
+        A=1.0,
+        I_1=mean["bending_1"] / stiff,
+        I_2=mean["bending_2"] / stiff,
+        J=mean["torsion"] / stiff,
+        kappa_1=mean["shear_1"] / stiff,
+        kappa_2=mean["shear_2"] / stiff,
+    )
+    beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"])
+    axes = _along(way / length) @ about_z(mean["twist"])
+    elastic, center = ((mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("elastic", "center"))
+    gyration = mean["gyration"]
+    if elastic == center == (0.0, 0.0) and gyration == 0.0:
+        return Piece(beam, axes, ends)
+    if gyration > 0.0:
+        half = 0.5 * gyration**2
+        section = replace(section, I_1=half, I_2=half, J=2.0 * half)
+    mass = Beam(
+        section=replace(section, kappa_1=0.0, kappa_2=0.0), length=length, E=0.0, G=0.0, rho=mean["mass"]
+    )
+    return Piece(replace(beam, rho=0.0), axes, ends, elastic, mass, center)
+
+
+def about_z(angle: float) -> Array:
+    """Rotation about the z axis, shape (3, 3)."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _along(direction: Array) -> Array:
+    """Smallest rotation of the z axis to a direction, shape (3, 3)."""
+    x, y, z = direction
+    cross = np.array([[0.0, 0.0, x], [0.0, 0.0, y], [-x, -y, 0.0]])
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + z))
+
+
+def table_of(model: Model, name: str, length: float) -> BeamTable:
+    """Properties of a beam over its length, from its lists or from its file.
+
+    Raises
+    ------
+    ModelError
+        With every problem of the file, or if the file has another length.
+    """
+    given = model.beams[name].properties
+    at = f"beams.{name}.properties"
+    assert given is not None
+    try:
+        table = _table(given)
+    except ModelError as error:
+        raise ModelError(
+            [p.changed(where=f"{at}: {p.where}".rstrip(": ")) for p in error.problems], model.file
+        ) from None
+    if table.length > 0.0 and abs(length / table.length - 1.0) > LENGTH_ERROR:
+        problem = Message(
+            f"beams.{name}",
+            "is the distance of its ends",
+            f"{length:.6g} m",
+            f"{table.length:.6g} m as in the file, to {100 * LENGTH_ERROR:g} %",
+            "place the ends of the beam at both ends of the pitch axis or of the tower",
+        )
+        raise ModelError([problem], model.file)
+    return table
+
+
+def _table(given: BeamProperties) -> BeamTable:
+    if given.elastodyn is not None:
+        table = _elastodyn(given.elastodyn, change_time(given.elastodyn))
+        own = {k: v for k, v in given.lists.items() if k != "position"}
+        return replace(table, **{k: np.interp(table.position, given.position, v) for k, v in own.items()})
+    if given.beamdyn is not None:
+        return _beamdyn(given.beamdyn, change_time(given.beamdyn))
+    if given.windio is not None:
+        return _windio(given.windio, str(given.component), change_time(given.windio))
+    return BeamTable(**given.lists)  # type: ignore[arg-type]
+
+
+@functools.lru_cache(maxsize=16)
+def _elastodyn(path: str, stamp: int) -> BeamTable:
+    return read_elastodyn(path)
+
+
+@functools.lru_cache(maxsize=16)
+def _beamdyn(path: str, stamp: int) -> BeamTable:
+    return read_beamdyn(path)
+
+
+@functools.lru_cache(maxsize=16)
+def _windio(path: str, component: str, stamp: int) -> BeamTable:
+    return read_windio_beam(path, component)
+
+
+def section_of(part: BeamPart, nu: float) -> Section:
+    """Cross-section of a beam from its shape or its section properties; nu is Poisson's ratio [-]."""
+    s = part.section
+    assert s is not None
+    if s.diameter is not None:
+        return tube(s.diameter, s.bore, nu)
+    if s.width is not None and s.height is not None:
+        return rectangle(s.width, s.height, nu)
+    assert s.area is not None and s.torsion is not None  # a model has no other sections
+    return Section(
+        A=s.area,
+        I_1=s.bending[0],
+        I_2=s.bending[1],
+        J=s.torsion,
+        kappa_1=s.shear[0],
+        kappa_2=s.shear[1],
+    )
