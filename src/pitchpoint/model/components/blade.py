@@ -43,7 +43,7 @@ LISTS = ("angle", "lift", "drag", "moment")
 
 @dataclass(frozen=True, kw_only=True)
 class BladeStations(Component):
-    """Stations of a blade from the root to the tip, where its loads vanish, with linear loads between them."""
+    """Stations of a blade from the root to the tip; loads are linear between them and vanish at both ends."""
 
     radius: tuple[float, ...] = quantities(
         "length",

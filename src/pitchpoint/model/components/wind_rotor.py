@@ -110,6 +110,4 @@ class WindRotor(Component):
         (0.0, 0.0),
         length=(2, 2),
     )
-    tower_flow: bool = boolean(
-        "potential flow around the tower of the windIO file", False, later=True
-    )
+    tower_flow: bool = boolean("potential flow around the tower of the windIO file", False, later=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Airfoils of a windIO file: relative thickness, aerodynamic centre, and polars of several Reynolds numbers."""
+"""Airfoils of a windIO file: relative thickness, aerodynamic centre, polars by Reynolds number."""
 
 from __future__ import annotations
 
@@ -117,6 +117,9 @@ def _polar(file: Ontology, at: tuple[Any, ...], name: str) -> Polar | None:
         for k, sign in ((0, -1.0), (-1, 1.0)):
             if abs(grid[k] - sign * math.pi) < _HALF_TURN:
                 grid[k] = sign * math.pi
+        if grid[0] > -math.pi or grid[-1] < math.pi:
+            ends = f"{math.degrees(grid[0]):g} to {math.degrees(grid[-1]):g} deg"
+            file.problem((*at, key), f"is the range of the polar of {name}", ends, "-180 to 180 deg")
         curves.append((grid, values))
     if len(file.problems) > before:
         return None
@@ -125,13 +128,8 @@ def _polar(file: Ontology, at: tuple[Any, ...], name: str) -> Polar | None:
         alpha = np.array([alpha[0], 0.5 * (alpha[0] + alpha[1]), alpha[1]])
     lift, drag, moment = (np.interp(alpha, grid, values) for grid, values in curves)
     try:
-        polar = Polar(name=name, alpha=alpha, lift=lift, drag=drag, moment=moment)
+        return Polar(name=name, alpha=alpha, lift=lift, drag=drag, moment=moment)
     except GeometryError as error:
         p = error.problem
         file.problem(at, f"{p.text}: airfoil {name}", p.value, p.limit)
         return None
-    if not polar.complete:
-        ends = f"{math.degrees(alpha[0]):g} to {math.degrees(alpha[-1]):g} deg"
-        file.problem(at, f"is the range of the polar of {name}", ends, "-180 to 180 deg")
-        return None
-    return polar

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 
 import numpy as np
@@ -24,10 +25,10 @@ _ENTRIES = [f"K{i + 1}{j + 1}" for i in range(6) for j in range(i, 6)]
 def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable:
     """Beam properties of the blade or the tower of a turbine in the ontology windIO, version 1 or 2.
 
-    A blade has the matrices of its elastic properties (`six_x_six` of version 1), a tower the tube of its outer
-    diameter, wall thickness and material, with the outfitting factor in its mass. Axis 1 is flapwise without
-    twist, or fore-aft. Damping, the coupling of bending and torsion, and the distance of the shear centre
-    of blades are not used.
+    A blade has the matrices of its elastic properties (`six_x_six` of version 1). A tower has the tube of its
+    outer diameter, wall thickness and material, with the outfitting factor in its mass. Axis 1 is flapwise
+    without twist, or fore-aft. Not used: damping, and of blades the coupling of bending and torsion and the
+    distance of the shear centre.
 
     Parameters
     ----------
@@ -90,11 +91,12 @@ def _grid(file: Ontology, blade: tuple[str, ...]) -> FloatArray:
 
 def _rows(file: Ontology, at: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
     """Grid and matrices, shape (n, 6, 6), of 21 values for each station."""
+    file.get(*at)
+    file.stop()
     grid = file.numbers(*at, "grid")
     count = len(file.entries(*at, "values"))
     rows = [file.numbers(*at, "values", k) for k in range(count)]
-    if file.problems:
-        file.stop()
+    file.stop()
     wrong = next((k for k, row in enumerate(rows) if row.size != len(_ENTRIES)), None)
     if wrong is not None:
         file.problem((*at, "values", wrong), "is the number of values", str(rows[wrong].size), "21")
@@ -106,6 +108,8 @@ def _rows(file: Ontology, at: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
 
 def _entries(file: Ontology, at: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
     """Grid and stiffness matrices, shape (n, 6, 6), of lists for each entry."""
+    file.get(*at)
+    file.stop()
     columns = []
     grid = file.numbers(*at, "grid")
     for name in _ENTRIES:
@@ -158,11 +162,10 @@ def _tower(file: Ontology) -> BeamTable:
         file.stop()
     own = _grid(file, at if new else outer)
     grid = np.unique(np.concatenate([own, diameter[0], *(wall[0] for wall in walls)]))
-    grid = np.unique(np.concatenate([np.linspace(a, b, _BETWEEN + 1) for a, b in zip(grid, grid[1:])]))
+    grid = np.unique(np.concatenate([np.linspace(a, b, _BETWEEN + 1) for a, b in itertools.pairwise(grid)]))
     outside = np.interp(grid, *diameter)
-    columns = {
-        name: np.zeros(grid.size) for name in ("mass", "bending_1", "torsion", "axial", "shear_1", "polar")
-    }
+    columns = {name: np.zeros(grid.size) for name in ("mass", "bending_1", "torsion", "axial", "shear_1")}
+    polar = np.zeros(grid.size)
     for wall, (E, G, rho) in zip(walls, materials, strict=True):
         thickness = np.interp(grid, *wall)
         bore = outside - 2.0 * thickness
@@ -172,22 +175,17 @@ def _tower(file: Ontology) -> BeamTable:
             file.problem((*inner, "layers"), text, f"{thickness[k]:.6g} m", limit)
             file.stop()
         area, second = 0.25 * np.pi * (outside**2 - bore**2), np.pi / 64.0 * (outside**4 - bore**4)
-        for name, value in zip(
-            columns,
-            (
-                factor * rho * area,
-                E * second,
-                2.0 * G * second,
-                E * area,
-                0.5 * G * area,
-                2.0 * factor * rho * second,
-            ),
-            strict=True,
+        for name, value in (
+            ("mass", factor * rho * area),
+            ("bending_1", E * second),
+            ("torsion", 2.0 * G * second),
+            ("axial", E * area),
+            ("shear_1", 0.5 * G * area),
         ):
             columns[name] += value
+        polar += 2.0 * factor * rho * second
         outside = bore
     z = np.interp(grid, own, axis[2])
-    polar = columns.pop("polar")
     return BeamTable(
         position=np.r_[0.0, (z[1:-1] - z[0]) / (z[-1] - z[0]), 1.0],
         **columns,

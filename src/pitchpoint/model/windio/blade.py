@@ -82,7 +82,7 @@ def read_blade(file: Ontology, hub_radius: float) -> Blade:
 
 
 def reference_axis(file: Ontology, at: tuple[Any, ...], grid: FloatArray | None = None) -> FloatArray:
-    """Points of a reference axis, shape (3, n) [m]; at the given shares of its length or at all of its own."""
+    """Points of a reference axis, shape (3, n) [m]; at given shares of its length or all of its own."""
     curves = [file.curve(*at, "reference_axis", c) for c in "xyz"]
     where = np.unique(np.concatenate([curve[0] for curve in curves])) if grid is None else grid
     points = np.array([smooth(curve, where) for curve in curves])
@@ -102,6 +102,7 @@ def _shape(file: Ontology) -> Shape:
         behind = smooth(file.curve(*at, "section_offset_y"), grid)
     else:
         behind = chord * smooth(file.curve(*at, "pitch_axis"), grid)
+    file.stop()
     for k in np.flatnonzero(chord <= 0.0)[:1]:
         file.problem((*at, "chord", "values", int(k)), "is out of range", f"{chord[k]:g}", "> 0")
     file.stop()
@@ -153,9 +154,8 @@ def _reynolds(file: Ontology, shape: Shape, hub_radius: float) -> FloatArray:
     elif file.has("control", "torque", "VS_maxspd"):
         speed = file.number("control", "torque", "VS_maxspd", positive=True)
     else:
-        file.problem(
-            ("control", "rated_rotor_speed"), "is missing; it selects the polars of several Reynolds numbers"
-        )
+        remedy = "add it: it selects the polars of several Reynolds numbers"
+        file.problem(("control", "rated_rotor_speed"), "is missing", remedy=remedy)
         return np.ones(shape.grid.size)
     return np.asarray(speed * (hub_radius + shape.axis[2]) * shape.chord / VISCOSITY)
 

@@ -54,11 +54,18 @@ class Ontology:
         """Angle of the file in rad."""
         return np.radians(value) if self.version == 2 else value
 
-    def problem(self, place: Place, text: str, value: str | None = None, limit: str | None = None) -> None:
+    def problem(
+        self,
+        place: Place,
+        text: str,
+        value: str | None = None,
+        limit: str | None = None,
+        remedy: str | None = None,
+    ) -> None:
         """Add a problem at the line of a value, or of the nearest value around it."""
         known = next((place[:n] for n in range(len(place), -1, -1) if place[:n] in self.lines), ())
         line = FileLine(self.lines.get(known, 1), self.path.name)
-        self.problems.append(Message(dotted(place), text, value, limit, line=line))
+        self.problems.append(Message(dotted(place), text, value, limit, remedy, line))
 
     def stop(self) -> None:
         """Raise the problems found, if any."""
@@ -75,8 +82,7 @@ class Ontology:
         if found is None:
             around = self._find(place[:-1])
             near = nearest(str(place[-1]), [str(k) for k in around]) if isinstance(around, Mapping) else []
-            limit = f"did you mean {near[0]}?" if near else None
-            self.problem(place, f"is missing{f'; {limit}' if limit else ''}")
+            self.problem(place, "is missing", remedy=f"did you mean {near[0]}?" if near else None)
         return found
 
     def _find(self, place: Any) -> Any:
@@ -126,6 +132,8 @@ class Ontology:
     def curve(self, *place: Any, values: str = "values", unit: bool = True) -> tuple[FloatArray, FloatArray]:
         """Grid, increasing and with `unit` from 0 to 1, and values of a distribution, both of shape (n,)."""
         before = len(self.problems)
+        if self.get(*place) is None:
+            return BAD, BAD
         grid, found = self.numbers(*place, "grid"), self.numbers(*place, values)
         if len(self.problems) > before:
             return BAD, BAD
