@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """WT-IEA15: the IEA 15 MW rotor from its windIO file against its report, its AeroDyn file and CCBlade.
 
-Source: E. Gaertner et al., Definition of the IEA 15-Megawatt Offshore Reference Wind Turbine, NREL/TP-5000-75698
-(2020), and its repository IEAWindTask37/IEA-15-240-RWT (Apache License 2.0), file
-Documentation/IEA-15-240-RWT_tabular.xlsx, sheet Rotor Performance. WISDEM computed the sheet; the exponent of the
-shear is that of the windIO file, 0.12. Its rotor diameter is 241.94 m, that of the shape 240.8 m.
+Source: E. Gaertner et al., Definition of the IEA 15-Megawatt Offshore Reference Wind Turbine,
+NREL/TP-5000-75698 (2020), and its repository IEAWindTask37/IEA-15-240-RWT (Apache License 2.0), file
+Documentation/IEA-15-240-RWT_tabular.xlsx, sheet Rotor Performance. WISDEM computed the sheet; the exponent of
+the shear is that of the windIO file, 0.12. Its rotor diameter is 241.94 m, that of the shape 240.8 m.
 """
 
 from __future__ import annotations
