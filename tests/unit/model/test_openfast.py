@@ -60,7 +60,7 @@ def test_files_of_version_4(copy: Path) -> None:
             "main",
             "Airfoils/DU40_A17.dat",
             "Airfoils/DU41.dat",
-            "DU41.dat: No such file or directory cannot be",
+            "DU41.dat (AeroDyn.dat, line 52): cannot be read: No such file",
         ),
         ("main", "2   WakeMod", "3   WakeMod", "3 is the free vortex wake, which is not available"),
         ("main", "ADBlFile(1)", "ADBlFile(4)", "ADBlFile(1) (AeroDyn.dat): is missing"),

@@ -190,7 +190,7 @@ def test_beams_of_files(tmp_path):
         assert loads_model(dump_model(model)) == model
         assert least < find_modes(compile_model(model), count=1).frequency[0] < most
         with pytest.raises(
-            ModelError, match=rf"its ends \(limit {length:g} m as in the f"
+            ModelError, match=rf"the ends \(limit {length:g} m as in the f"
         ):
             compile_model(mast(given, 1.02 * length))
 

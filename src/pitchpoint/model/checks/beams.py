@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.components.beam import FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
@@ -19,6 +19,9 @@ from pitchpoint.model.reading.reader import Reader
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam, BeamProperties, BeamSection
     from pitchpoint.model.parts import Parts
+
+LENGTH_ERROR = 0.01
+"""Largest difference of the length of a beam from that of its file, relative."""
 
 
 def check_beams(parts: Parts, report: Reader) -> None:
@@ -33,6 +36,22 @@ def check_beams(parts: Parts, report: Reader) -> None:
             _properties(beam.properties, (*at, "properties"), report)
         if (*at, "ends") not in report.tainted:
             _place(parts, beam, at, report)
+
+
+def _length(beam: Beam, length: float, at: Place, report: Reader) -> None:
+    """Length of a beam from the places of its ends, and of its file."""
+    properties = (*at, "properties")
+    if beam.properties is None or any(properties == t[: len(properties)] for t in report.tainted):
+        return
+    own = beam_table_of(beam.properties).length
+    if own > 0.0 and abs(length / own - 1.0) > LENGTH_ERROR:
+        report.problem(
+            (*at, "ends"),
+            "is the distance of the ends",
+            value=f"{length:.6g} m",
+            limit=f"{own:.6g} m as in the file, to {100 * LENGTH_ERROR:g} %",
+            remedy="place the ends of the beam at both ends of the pitch axis or of the tower",
+        )
 
 
 def _section(section: BeamSection, at: Place, report: Reader) -> None:
@@ -79,15 +98,14 @@ def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
         report.problem(at, f"has no {', '.join(missing)}", remedy=f"give these lists, or {', '.join(FILES)}")
         return
+    if any((*at, name) in report.tainted for name in (*FILES, *given)):
+        return
     try:
-        plain = dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position))
-        lists: dict[str, Any] = {**plain, "position": [0.0, 1.0], **given}
-        BeamTable(**lists)
+        beam_table_of(part)
     except ModelError as error:
         for p in error.problems:
             key = p.where.partition("[")[0]
-            if key in given:
-                report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
+            report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
@@ -108,6 +126,7 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
             remedy="correct the positions of the bodies or markers, so that the beam has a length",
         )
         return
+    _length(beam, length, at, report)
     if beam.axis is not None:
         _axis(beam, way / length, at, report)
 

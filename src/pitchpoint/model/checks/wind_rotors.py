@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.model.blade_stations import blade_of
 from pitchpoint.model.checks.references import known
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.rotor_input import rotor_input
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
@@ -36,8 +36,8 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
     for name, rotor in parts.wind_rotors.items():
         at = ("wind_rotors", name)
         if at not in report.tainted:
-            _blades(rotor, at, report)
             _stations(rotor, at, report)
+            _blades(rotor, at, report)
             _wind(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
         if scenario.wind is not None:
@@ -63,22 +63,19 @@ def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:
 
 
 def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
-    """Hub radius, and the blade if it is given by lists."""
-    if rotor.windio is not None:
-        return
-    if rotor.tower_flow:
+    """Hub radius, and the blade of the files or lists."""
+    if rotor.tower_flow and rotor.windio is None:
         report.problem((*at, "tower_flow"), "is the tower of a windIO file", remedy="give windio")
-    if rotor.hub_radius is None:
+    if rotor.hub_radius is None and rotor.windio is None:
         report.problem(at, "has no hub_radius", remedy="give the distance of the blade roots from the axis")
         return
-    place = (*at, "blade")
-    if rotor.blade is None or any(place == tainted[: len(place)] for tainted in report.tainted):
+    if any(at == tainted[: len(at)] for tainted in report.tainted):
         return
     try:
-        blade_of(rotor.blade, rotor.hub_radius)
+        rotor_input(rotor)
     except ModelError as error:
         for problem in error.problems:
-            report.hand_on(place, problem)
+            report.hand_on(at, problem)
 
 
 def _wind(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:

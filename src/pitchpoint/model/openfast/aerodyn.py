@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
@@ -74,14 +74,15 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
         try:
             polars.append(read_airfoil(beside(text.path, name), columns=columns))
         except ModelError as error:
-            problems += in_file(error, name)
+            problems += in_file(error, name, _line_of(text, name))
     if problems or line is None:
         raise ModelError(problems, str(text.path))
     name = line.tokens[0]
     try:
         blade = read_aerodyn_blade(beside(text.path, name), polars)
     except ModelError as error:
-        raise ModelError(in_file(error, name), str(text.path)) from None
+        at = FileLine(line.number, text.path.name)
+        raise ModelError(in_file(error, name, at), str(text.path)) from None
     return AeroDynInput(blade, flow, tuple(notes))
 
 
@@ -165,6 +166,11 @@ def _airfoil_files(text: InputText) -> list[str]:
     if len(names) < count:
         text.problem("AFNames", "names follow", str(len(names)), f"{count}, see NumAFfiles", first.number)
     return names
+
+
+def _line_of(text: InputText, name: str) -> FileLine:
+    """Line that begins with the name of a file."""
+    return FileLine(next(line.number for line in text.lines if line.tokens[0] == name), text.path.name)
 
 
 def _is_name(line: Line) -> bool:

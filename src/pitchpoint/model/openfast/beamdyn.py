@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import FileLine, ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.geometry.section_matrix import section_properties
 from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
@@ -52,7 +52,8 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
     try:
         place, sections = _stations(read_input(beside(Path(path), name)))
     except ModelError as error:
-        raise ModelError(in_file(error, name), str(text.path)) from None
+        at = FileLine(named.number, text.path.name)
+        raise ModelError(in_file(error, name, at), str(text.path)) from None
     arc = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(points[:, :3], axis=0), axis=1))]
     return beam_table(place, sections, points[:, :3], -np.radians(points[:, 3]), arc)
 

@@ -165,9 +165,14 @@ def beside(path: Path, name: str) -> Path:
     return path.parent / name.replace("\\", "/")
 
 
-def in_file(error: ModelError, name: str) -> list[Message]:
-    """Problems of a file that another one names."""
-    return [p.changed(where=f"{name}: {p.where}".rstrip(": "), file=None) for p in error.problems]
+def in_file(error: ModelError, name: str, line: FileLine | None = None) -> list[Message]:
+    """Problems of a file that another one names, those of the file as a whole at the line that names it."""
+    return [
+        p.changed(
+            where=f"{name}: {p.where}".rstrip(": "), file=None, line=p.line or (None if p.where else line)
+        )
+        for p in error.problems
+    ]
 
 
 def read_input(path: str | os.PathLike[str]) -> InputText:
@@ -192,7 +197,7 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
     except OSError as error:
         reason = error.strerror or "failed"
         raise ModelError(
-            [Message("", "cannot be read", reason, remedy="check the name")], str(path)
+            [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
         ) from None
     if b"\0" in data:
         raise ModelError(

@@ -187,7 +187,7 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     except OSError as error:
         reason = error.strerror or "failed"
         raise ModelError(
-            [Message("", "cannot be read", reason, remedy="check the name")], str(path)
+            [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
         ) from None
     data, lines = _contents(str(file), stamp)
     return Ontology(file, data, lines)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 import itertools
 import math
 from collections.abc import Mapping
@@ -13,22 +12,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, ModelError
-from pitchpoint.geometry.beam_table import BeamTable
-from pitchpoint.model.openfast.beamdyn import read_beamdyn
-from pitchpoint.model.openfast.elastodyn import read_elastodyn
-from pitchpoint.model.windio.beam import read_windio_beam
+from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
-from pitchpoint.system.rules.structure_files import change_time
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam as BeamPart
-    from pitchpoint.model.components.beam import BeamProperties
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
-LENGTH_ERROR = 0.01
-"""Largest difference of the length of a beam from that of its file, relative."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +81,7 @@ def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
             rho=data.density,
         )
         return [Piece(beam)] * part.pieces
-    table = table_of(model, name, length)
+    table = beam_table_of(part.properties)
     ends = np.linspace(0.0, 1.0, part.pieces + 1)
     line = np.column_stack([table.offset(ends), length * ends])
     places = np.column_stack([table.offset(ends), np.zeros(ends.size)])
@@ -138,62 +129,6 @@ def _along(direction: Array) -> Array:
     x, y, z = direction
     cross = np.array([[0.0, 0.0, x], [0.0, 0.0, y], [-x, -y, 0.0]])
     return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + z))
-
-
-def table_of(model: Model, name: str, length: float) -> BeamTable:
-    """Properties of a beam over its length, from its lists or from its file.
-
-    Raises
-    ------
-    ModelError
-        With every problem of the file, or if the file has another length.
-    """
-    given = model.beams[name].properties
-    at = f"beams.{name}.properties"
-    assert given is not None
-    try:
-        table = _table(given)
-    except ModelError as error:
-        raise ModelError(
-            [p.changed(where=f"{at}: {p.where}".rstrip(": ")) for p in error.problems], model.file
-        ) from None
-    if table.length > 0.0 and abs(length / table.length - 1.0) > LENGTH_ERROR:
-        problem = Message(
-            f"beams.{name}",
-            "is the distance of its ends",
-            f"{length:.6g} m",
-            f"{table.length:.6g} m as in the file, to {100 * LENGTH_ERROR:g} %",
-            "place the ends of the beam at both ends of the pitch axis or of the tower",
-        )
-        raise ModelError([problem], model.file)
-    return table
-
-
-def _table(given: BeamProperties) -> BeamTable:
-    if given.elastodyn is not None:
-        table = _elastodyn(given.elastodyn, change_time(given.elastodyn))
-        own = {k: v for k, v in given.lists.items() if k != "position"}
-        return replace(table, **{k: np.interp(table.position, given.position, v) for k, v in own.items()})
-    if given.beamdyn is not None:
-        return _beamdyn(given.beamdyn, change_time(given.beamdyn))
-    if given.windio is not None:
-        return _windio(given.windio, str(given.component), change_time(given.windio))
-    return BeamTable(**given.lists)  # type: ignore[arg-type]
-
-
-@functools.lru_cache(maxsize=16)
-def _elastodyn(path: str, stamp: int) -> BeamTable:
-    return read_elastodyn(path)
-
-
-@functools.lru_cache(maxsize=16)
-def _beamdyn(path: str, stamp: int) -> BeamTable:
-    return read_beamdyn(path)
-
-
-@functools.lru_cache(maxsize=16)
-def _windio(path: str, component: str, stamp: int) -> BeamTable:
-    return read_windio_beam(path, component)
 
 
 def section_of(part: BeamPart, nu: float) -> Section:

@@ -16,15 +16,15 @@ from pitchpoint.elements.rotor.record import air_record, polar_rows, station_rec
 from pitchpoint.elements.rotor.station import RECORD, STATES
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.rotor.blade import Rotor
+from pitchpoint.model.files import change_time
 from pitchpoint.model.frames import axes_of, beam_frame, beam_length, place_of
+from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.wind.box import WindBox
 from pitchpoint.model.wind.file_errors import WindFileError
 from pitchpoint.model.wind.turbsim import read_turbsim
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.beam import beam_nodes
 from pitchpoint.system.rules.places import Places
-from pitchpoint.system.rules.structure_files import change_time
-from pitchpoint.system.rules.wind_rotor_files import rotor_input
 from pitchpoint.system.wind import WindField
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def state_names(model: Model) -> list[str]:
     found = []
     for name, part in model.wind_rotors.items():
         if part.inflow == "dynamic":
-            n = rotor_input(part, f"wind_rotors.{name}", model.file).rotor.blade.span.size
+            n = rotor_input(part).rotor.blade.span.size
             found += [
                 f"{name}.{b + 1}.{k + 1}.{WORDS[field]}"
                 for b in range(part.blades)
@@ -76,7 +76,7 @@ def state_names(model: Model) -> list[str]:
 def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArray[np.void]:
     """Records of one rotor."""
     model, at = places.model, f"wind_rotors.{name}"
-    given = rotor_input(part, at, model.file)
+    given = rotor_input(part)
     rotor, flow = given.rotor, given.flow
     row = np.zeros(1, RECORD)
     row["air"] = air_record(flow)
@@ -124,8 +124,8 @@ def blades_of(model: Model, name: str) -> tuple[Rotor, list[list[Station]]]:
     name
         Name of the rotor.
     """
-    part, at = model.wind_rotors[name], f"wind_rotors.{name}"
-    rotor = rotor_input(part, at, model.file).rotor
+    part = model.wind_rotors[name]
+    rotor = rotor_input(part).rotor
     return rotor, [_stations(model, part, rotor, k) for k in range(part.blades)]
 
 

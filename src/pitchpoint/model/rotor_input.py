@@ -11,9 +11,9 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.model.blade_stations import blade_of
+from pitchpoint.model.files import at_key, change_time
 from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
 from pitchpoint.model.windio.rotor import WindIORotor, read_windio_rotor
-from pitchpoint.system.rules.structure_files import change_time
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
@@ -29,38 +29,35 @@ class RotorInput:
     flow: RotorFlow
 
 
-def rotor_input(part: WindRotor, at: str, file: str | None) -> RotorInput:
+def rotor_input(part: WindRotor) -> RotorInput:
     """Geometry and air of a rotor.
 
     Parameters
     ----------
     part
         The rotor.
-    at
-        Its path, for messages.
-    file
-        Model file.
 
     Raises
     ------
     ModelError
-        With every problem of the files.
+        With every problem of its files or lists, at the key of the rotor.
     """
-    try:
-        if part.windio is not None:
-            found = _windio(part)
-        elif part.blade is not None:
-            assert part.hub_radius is not None  # checked with the model
+    if part.windio is not None:
+        found = _windio(part)
+    elif part.blade is not None:
+        assert part.hub_radius is not None  # checked before
+        try:
             blade = blade_of(part.blade, part.hub_radius)
-            found = RotorInput(_rotor(part, Rotor(blade=blade, hub_radius=part.hub_radius)), RotorFlow())
-        else:
-            assert part.aerodyn is not None and part.hub_radius is not None
+        except ModelError as error:
+            raise ModelError([p.changed(where=f"blade.{p.where}") for p in error.problems]) from None
+        found = RotorInput(_rotor(part, Rotor(blade=blade, hub_radius=part.hub_radius)), RotorFlow())
+    else:
+        assert part.aerodyn is not None and part.hub_radius is not None
+        try:
             given = _aerodyn(part.aerodyn, change_time(part.aerodyn))
-            found = RotorInput(_rotor(part, Rotor(blade=given.blade, hub_radius=part.hub_radius)), given.flow)
-    except ModelError as error:
-        key = next(name for name in ("aerodyn", "windio", "blade") if getattr(part, name) is not None)
-        problems = [p.changed(where=f"{at}.{key}: {p.where}", file=None) for p in error.problems]
-        raise ModelError(problems, file) from None
+        except ModelError as error:
+            raise at_key(error, "aerodyn") from None
+        found = RotorInput(_rotor(part, Rotor(blade=given.blade, hub_radius=part.hub_radius)), given.flow)
     return found if part.density is None else replace(found, flow=replace(found.flow, density=part.density))
 
 
@@ -68,19 +65,26 @@ def _rotor(part: WindRotor, rotor: Rotor) -> Rotor:
     """Rotor with the values of the model."""
     own = {"hub_radius": part.hub_radius, "precone": part.precone}
     given = {name: value for name, value in own.items() if value is not None}
-    return replace(rotor, blades=part.blades, tilt=0.0, overhang=0.0, **given)
+    try:
+        return replace(rotor, blades=part.blades, tilt=0.0, overhang=0.0, **given)
+    except ModelError as error:
+        raise ModelError([p.changed(where=p.where.rpartition(".")[2]) for p in error.problems]) from None
 
 
 def _windio(part: WindRotor) -> RotorInput:
     assert part.windio is not None
-    given = _ontology(part.windio, change_time(part.windio))
+    try:
+        given = _ontology(part.windio, change_time(part.windio))
+    except ModelError as error:
+        raise at_key(error, "windio") from None
     if given.rotor.blades != part.blades:
         limit = f"{given.rotor.blades} as in the file"
         raise ModelError([Message("blades", "is the number of blades", str(part.blades), limit)])
     flow = RotorFlow()
     if part.tower_flow:
         if given.tower is None:
-            raise ModelError([Message("components.tower", "is missing", remedy="give tower_flow: false")])
+            text = "has no tower in the windIO file"
+            raise ModelError([Message("tower_flow", text, remedy="give tower_flow: false")])
         flow = RotorFlow(tower=given.tower, sectors=TOWER_SECTORS)
     return RotorInput(_rotor(part, given.rotor), flow)
 
