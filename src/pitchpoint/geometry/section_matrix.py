@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness and mass matrices of a section of a blade as properties of a beam about its principal axes."""
+"""Stiffness and mass matrices of a section of a blade as properties of a beam about its principal axes.
+
+Source of the matrices: Q. Wang, M. A. Sprague, J. Jonkman, N. Johnson, B. Jonkman, BeamDyn: a high-fidelity wind
+turbine blade solver in the FAST modular framework, Wind Energy 20 (2017) 1439-1462.
+"""
 
 from __future__ import annotations
 
@@ -87,7 +91,17 @@ def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float
 
 
 def symmetric(upper: ArrayLike) -> FloatArray:
-    """Symmetric matrix (6, 6) from its 21 values, row by row from the diagonal.
+    """Symmetric matrix from its 21 values, row by row from the diagonal.
+
+    Parameters
+    ----------
+    upper
+        Values, shape (21,).
+
+    Returns
+    -------
+    ndarray, shape (6, 6)
+        The matrix.
 
     Examples
     --------

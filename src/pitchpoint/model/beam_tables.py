@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import functools
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -42,8 +42,12 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
         table = _contents(key, path, given.component or "", change_time(path))
     except ModelError as error:
         raise at_key(error, key) from None
-    own = {name: values for name, values in given.lists.items() if name != "position"}
-    return replace(table, **{k: np.interp(table.position, given.position, v) for k, v in own.items()})
+    own: dict[str, Any] = {
+        name: np.interp(table.position, given.position, values)
+        for name, values in given.lists.items()
+        if name != "position"
+    }
+    return replace(table, **own)
 
 
 @functools.lru_cache(maxsize=16)

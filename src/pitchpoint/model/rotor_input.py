@@ -63,10 +63,12 @@ def rotor_input(part: WindRotor) -> RotorInput:
 
 def _rotor(part: WindRotor, rotor: Rotor) -> Rotor:
     """Rotor with the values of the model."""
-    own = {"hub_radius": part.hub_radius, "precone": part.precone}
-    given = {name: value for name, value in own.items() if value is not None}
+    hub_radius = rotor.hub_radius if part.hub_radius is None else part.hub_radius
+    precone = rotor.precone if part.precone is None else part.precone
     try:
-        return replace(rotor, blades=part.blades, tilt=0.0, overhang=0.0, **given)
+        return replace(
+            rotor, blades=part.blades, hub_radius=hub_radius, precone=precone, tilt=0.0, overhang=0.0
+        )
     except ModelError as error:
         raise ModelError([p.changed(where=p.where.rpartition(".")[2]) for p in error.problems]) from None
 

@@ -189,9 +189,7 @@ def test_beams_of_files(tmp_path):
         model = mast(given, length)
         assert loads_model(dump_model(model)) == model
         assert least < find_modes(compile_model(model), count=1).frequency[0] < most
-        with pytest.raises(
-            ModelError, match=rf"the ends \(limit {length:g} m as in the f"
-        ):
+        with pytest.raises(ModelError, match=rf"the ends \(limit {length:g} m as in the f"):
             compile_model(mast(given, 1.02 * length))
 
 

@@ -104,7 +104,9 @@ def _key_points(text: InputText) -> FloatArray | None:
     """Rows of x, y, z [m] and initial twist [deg] of the first member."""
     if (members := text.count("member_total")) > 1:
         line = text.find("member_total")
-        text.problem("member_total", "is the number of members", str(members), "1", line and line.number)
+        text.problem(
+            "member_total", "is the number of members", str(members), "1", line.number if line else None
+        )
     count = text.count("kp_total")
     title = next((ln for ln in text.lines if ln.tokens[0].lower() == "kp_xr"), None)
     if title is None:
@@ -126,7 +128,7 @@ def _stations(text: InputText) -> tuple[FloatArray, list[dict[str, float]]]:
             "is out of range",
             str(count),
             f"2 to {_MOST_STATIONS}",
-            line and line.number,
+            line.number if line else None,
             "give a blade file of BeamDyn",
         )
         text.stop()

@@ -107,7 +107,7 @@ def _airfoil(file: Ontology, at: tuple[Any, ...], name: str) -> Airfoil | None:
 def _polar(file: Ontology, at: tuple[Any, ...], name: str) -> Polar | None:
     """Polar of one Reynolds number; None with a problem."""
     before = len(file.problems)
-    curves = []
+    curves: list[tuple[FloatArray, FloatArray]] = []
     for key in _NAMES[2 if file.has(*at, _NAMES[2][0]) else 1]:
         if key.endswith("m") and not file.has(*at, key):
             curves.append((curves[0][0], np.zeros(curves[0][0].size)))

@@ -54,19 +54,17 @@ def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable:
 
 
 def _blade(file: Ontology) -> BeamTable:
-    blade = ("components", "blade")
+    blade: tuple[str, ...] = ("components", "blade")
     if file.version == 2:
         at = (*blade, "structure", "elastic_properties")
         place, stiffness = _entries(file, (*at, "stiffness_matrix"))
         mass = _masses(file, (*at, "inertia_matrix"), place)
-        shape = (*blade, "outer_shape")
+        shape: tuple[str, ...] = (*blade, "outer_shape")
     else:
         at = (*blade, "elastic_properties_mb", "six_x_six")
         place, stiffness = _rows(file, (*at, "stiff_matrix"))
-        own, values = _rows(file, (*at, "inertia_matrix"))
-        mass = _between(place, own, values)
-        shape = at
-        blade = at
+        mass = _between(place, *_rows(file, (*at, "inertia_matrix")))
+        shape = blade = at
     twist = file.curve(*shape, "twist")
     axis = reference_axis(file, blade)
     file.stop()
@@ -101,7 +99,7 @@ def _rows(file: Ontology, at: tuple[str, ...]) -> tuple[FloatArray, FloatArray]:
     if wrong is not None:
         file.problem((*at, "values", wrong), "is the number of values", str(rows[wrong].size), "21")
     elif grid.size != count or count < 2 or (np.diff(grid) <= 0.0).any():
-        file.problem((*at, "grid"), "is no increasing grid with one row of values for each point")
+        file.problem((*at, "grid"), "does not increase, or has not one row of values for each point")
     file.stop()
     return grid, np.array([symmetric(row) for row in rows])
 
