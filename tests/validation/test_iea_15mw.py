@@ -127,3 +127,11 @@ def test_stations_of_the_aerodyn_file_of_the_same_blade() -> None:
     assert rotor.blades == 3 and rotor.hub_radius == pytest.approx(3.97)
     assert np.degrees([rotor.precone, rotor.tilt]) == pytest.approx([4.0, 6.0], abs=1e-4)
     assert turbine().tower is not None and turbine().tower.radius_at(20.0) == 5.0
+
+
+def test_numbers_of_the_page() -> None:
+    """docs/howto/rotor_performance.md: 5.49 MW and 1.231 MN."""
+    flow = RotorFlow(shear_exponent=0.12, skewed_wake=False)
+    found = solve_rotor_performance(turbine().rotor, 7.5009, 5.329 * RPM, flow=flow)
+    assert float(found.rotor_power[0]) / 1e6 == pytest.approx(5.49, abs=5e-3)
+    assert float(found.rotor_thrust[0]) / 1e6 == pytest.approx(1.231, abs=5e-4)

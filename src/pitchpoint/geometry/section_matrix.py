@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Stiffness and mass matrices of a section of a blade as properties of a beam about its principal axes.
 
-Source of the matrices: Q. Wang, M. A. Sprague, J. Jonkman, N. Johnson, B. Jonkman, BeamDyn: a high-fidelity wind
-turbine blade solver in the FAST modular framework, Wind Energy 20 (2017) 1439-1462.
+Source of the matrices: Q. Wang, M. A. Sprague, J. Jonkman, N. Johnson, B. Jonkman, BeamDyn: a high-fidelity
+wind turbine blade solver in the FAST modular framework, Wind Energy 20 (2017) 1439-1462.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from pitchpoint.solvers.rotor_performance import solve_rotor_performance
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.beamdyn import matrices, write_beamdyn
-from tests.support.rotors import AERODYN, AIRFOILS, aerodyn
+from tests.support.rotors import AERODYN, AIRFOILS, FOLDER, aerodyn
 from tests.support.windio import VERSION_1
 
 SPEED, TURNS = 8.0, 0.95
@@ -224,3 +224,12 @@ def test_offset_of_a_beam_is_its_prebend():
     assert masses == pytest.approx([6.0, 3.0 * longer])
     first = [find_modes(compile_model(model), count=2).frequency for model in (straight, bent)]
     assert (np.asarray(first[1]) < np.asarray(first[0])).all()
+
+
+def test_blade_of_the_page(tmp_path):
+    """The blade as lists of docs/howto/wind_turbine.md."""
+    page = (FOLDER.parents[2] / "docs" / "howto" / "wind_turbine.md").read_text(encoding="utf-8")
+    block = next(b for b in page.split("```yaml\n")[1:] if "aspect_ratio" in b).partition("```")[0]
+    block = block.replace("DU30_A17.dat", str(AIRFOILS / "DU30_A17.dat"))
+    thrust, torque = loads(loads_model(HUB[: HUB.index("wind_rotors")] + block))
+    assert 0.0 < torque < 50.0 * thrust
