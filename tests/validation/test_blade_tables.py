@@ -87,6 +87,7 @@ def test_offset_and_turned_sections(tmp_path):
     path = write_beamdyn(tmp_path, K, M)
     table = read_beamdyn(path)
     np.testing.assert_allclose(table.elastic_1, 0.3 * s, rtol=1e-6)
+    np.testing.assert_allclose(table.shear_center_2, 0.3 * c, rtol=1e-6)
     np.testing.assert_allclose(table.center_2, 1.5 * c, rtol=1e-6)
     np.testing.assert_allclose(table.torsion, stiffness[:, 5, 5], rtol=1e-6)
     full = frequencies(axis_of(), K, M)
@@ -107,14 +108,13 @@ IEA_BLADE = [0.50651, 0.69293, 1.48003, 2.13884, 2.93137, 4.08552]
 
 
 def test_blade_of_the_iea_15mw_from_windio():
-    """To 1 %: between the 26 stations the matrices are linear there, the properties here, and the coupling of
-    bending and torsion, which is not used, changes the frequencies by up to 0.5 %. Mass 66.9 t."""
+    """To 0.8 %, the error of 34 pieces; with 100 pieces the first five are equal to 0.1 %. Mass 66.9 t."""
     table = read_windio_beam(IEA, "blade")
     assert table.length == pytest.approx(117.0)
     assert np.trapezoid(table.mass, table.position) * table.length == pytest.approx(66_912.0, rel=1e-3)
     assert table.offset_1[-1] == pytest.approx(-4.0)
     ours = found(f"windio: {IEA}, component: blade", 117.0)
-    np.testing.assert_allclose(ours, IEA_BLADE, rtol=1e-2)
+    np.testing.assert_allclose(ours, IEA_BLADE, rtol=8e-3)
 
 
 def test_tower_of_the_iea_15mw_from_windio():

@@ -18,7 +18,7 @@ _NEEDED = ("mass", "bending_1", "bending_2")
 _COLUMNS = (
     *_NEEDED,
     *("torsion", "axial", "twist", "center_1", "center_2", "gyration", "elastic_1", "elastic_2"),
-    *("shear_1", "shear_2", "offset_1", "offset_2"),
+    *("shear_center_1", "shear_center_2", "shear_1", "shear_2", "offset_1", "offset_2"),
 )
 _POSITIVE = ("bending_1", "bending_2", "torsion", "axial", "shear_1", "shear_2")
 _NOT_NEGATIVE = ("mass", "gyration")
@@ -51,6 +51,9 @@ class BeamTable:
     elastic_1, elastic_2
         Elastic centre, where a tensile force does not bend, along the twisted axes, shape (n,) [m]; empty for
         zero.
+    shear_center_1, shear_center_2
+        Shear centre, where a transverse force does not twist, along the twisted axes, shape (n,) [m]; empty:
+        the elastic centre.
     shear_1, shear_2
         Shear stiffness along the twisted axes, shape (n,) [N]; empty: no shear deflection.
     offset_1, offset_2
@@ -83,6 +86,8 @@ class BeamTable:
     gyration: FloatArray = ()  # type: ignore[assignment]
     elastic_1: FloatArray = ()  # type: ignore[assignment]
     elastic_2: FloatArray = ()  # type: ignore[assignment]
+    shear_center_1: FloatArray = ()  # type: ignore[assignment]
+    shear_center_2: FloatArray = ()  # type: ignore[assignment]
     shear_1: FloatArray = ()  # type: ignore[assignment]
     shear_2: FloatArray = ()  # type: ignore[assignment]
     offset_1: FloatArray = ()  # type: ignore[assignment]
@@ -146,6 +151,8 @@ class BeamTable:
         given = np.asarray(getattr(self, name))
         if given.size:
             return given
+        if name.startswith("shear_center"):
+            return self._values(name.replace("shear_center", "elastic"), length)
         larger = np.maximum(self.bending_1, self.bending_2)
         if name == "torsion":
             return STIFF_TORSION * larger

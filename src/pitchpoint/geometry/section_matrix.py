@@ -21,9 +21,9 @@ def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float
 
     The order of strains and forces is that of BeamDyn and windIO: along axes 1 and 2 and the beam, then
     rotations about them. With the elastic centre at (x, y): K_34 = E A y, K_35 = -E A x; bending is that
-    about the elastic centre, torsion that about the shear centre. The coupling of bending and torsion
-    K_46, K_56 and of shear and bending, and the distance of the shear centre, are not properties of a beam
-    of `BeamTable`.
+    about the elastic centre, torsion that about the shear centre (x_s, y_s), (K_16, K_26) = K_s (-y_s, x_s)
+    with the shear stiffness K_s. The coupling of bending and torsion, K_46 and K_56, and of shear and bending
+    are not properties of a beam of `BeamTable`.
 
     Parameters
     ----------
@@ -67,7 +67,9 @@ def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float
     rotation = np.array([[c, s], [-s, c]])  # components along the principal axes
     bending = rotation @ np.array([[one, product], [product, two]]) @ rotation.T
     shear = K[:2, :2]
-    torsion = K[5, 5] - K[:2, 5] @ np.linalg.solve(shear, K[:2, 5])
+    across = np.linalg.solve(shear, K[:2, 5])
+    torsion = K[5, 5] - K[:2, 5] @ across
+    shear_center = rotation @ np.array([across[1], -across[0]])
     along = rotation @ shear @ rotation.T
     m = M[0, 0]
     center = np.array([M[1, 5], -M[0, 5]]) / m if m > 0.0 else np.zeros(2)
@@ -85,6 +87,8 @@ def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float
         "gyration": math.sqrt(max(polar, 0.0) / m) if m > 0.0 else 0.0,
         "elastic_1": float(own[0]),
         "elastic_2": float(own[1]),
+        "shear_center_1": float(shear_center[0]),
+        "shear_center_2": float(shear_center[1]),
         "shear_1": float(along[0, 0]),
         "shear_2": float(along[1, 1]),
     }

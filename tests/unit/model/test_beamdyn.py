@@ -62,7 +62,9 @@ def test_torsion_is_that_about_the_shear_centre():
     K = np.diag([1e8, 2e8, 1e10, 1e9, 1e9, 5e7 + 1e8 * 0.01 + 2e8 * 0.04])
     K[0, 5] = K[5, 0] = -1e8 * 0.1
     K[1, 5] = K[5, 1] = 2e8 * 0.2
-    assert section_properties(K, np.eye(6))["torsion"] == pytest.approx(5e7)
+    found = section_properties(K, np.eye(6))
+    assert found["torsion"] == pytest.approx(5e7)
+    assert (found["shear_center_1"], found["shear_center_2"]) == pytest.approx((0.2, 0.1))
 
 
 def test_matrices_that_are_no_section():

@@ -13,6 +13,7 @@ from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.windio.rotor import read_windio_rotor
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.rotor_performance import solve_rotor_performance
 from pitchpoint.system import evaluate
@@ -209,6 +210,25 @@ def test_wrong_files_of_beams_are_told(tmp_path, properties, words):
     file.write_text(VERSION_1, encoding="utf-8")
     with pytest.raises(ModelError, match=words):
         compile_model(mast(properties.replace("FILE", str(file)), 76.0))
+
+
+def test_forces_beside_the_shear_centre_twist_and_beside_the_elastic_centre_bend():
+    """Force along x at y = 0, shear centre at y = 0.1 m: twist F e L/(G J). Tension at x = 0, elastic centre
+    at x = 0.05 m: deflection N e L^2/(2 E I) to this side. Neither force does what the other one does."""
+    plain = "position: [0, 1], mass: [3, 3], bending_1: [20, 20], bending_2: [20, 20], torsion: [5, 5]"
+    centres = ", axial: [1e4, 1e4], shear_1: [1e6, 1e6], shear_2: [1e6, 1e6]"
+    centres += ", elastic_1: [0.05 m, 0.05 m], shear_center_1: [0, 0], shear_center_2: [0.1 m, 0.1 m]"
+    moved = {}
+    for name, force in (("across", "[1e-3 N, 0, 0]"), ("along", "[0, 0, 1e-3 N]")):
+        model = mast(plain + centres, 2.0)
+        model = loads_model(dump_model(model) + f"loads: {{push: {{body: tip, force: {force}}}}}\n")
+        system = compile_model(model)
+        rest = find_equilibrium(system).state
+        moved[name] = {c: rest.q[system.layout.coordinate(f"tip.{c}")] for c in ("x", "y", "spin")}
+    assert moved["across"]["spin"] == pytest.approx(1e-3 * 0.1 * 2.0 / 5.0, rel=1e-3)
+    assert moved["along"]["x"] == pytest.approx(1e-3 * 0.05 * 2.0**2 / (2.0 * 20.0), rel=1e-3)
+    assert abs(moved["along"]["spin"]) < 1e-3 * moved["across"]["spin"]
+    assert moved["across"]["x"] == pytest.approx(1e-3 * 8.0 / 60.0 + 0.1 * moved["across"]["spin"], rel=1e-3)
 
 
 def test_offset_of_a_beam_is_its_prebend():

@@ -137,6 +137,20 @@ class BeamProperties(Component):
     elastic_2: tuple[float, ...] = quantities(
         "length", "position of the elastic centre along the twisted axis 2", (), display="0", later=True
     )
+    shear_center_1: tuple[float, ...] = quantities(
+        "length",
+        "position of the shear centre, where a transverse force does not twist, along the twisted axis 1",
+        (),
+        display="that of the elastic centre",
+        later=True,
+    )
+    shear_center_2: tuple[float, ...] = quantities(
+        "length",
+        "position of the shear centre along the twisted axis 2",
+        (),
+        display="that of the elastic centre",
+        later=True,
+    )
     shear_1: tuple[float, ...] = quantities(
         "force",
         "shear stiffness in the direction of the twisted axis 1",
@@ -176,7 +190,7 @@ class BeamProperties(Component):
 
 OPTIONAL = (
     *("torsion", "axial", "twist", "center_1", "center_2", "gyration", "elastic_1", "elastic_2"),
-    *("shear_1", "shear_2", "offset_1", "offset_2"),
+    *("shear_center_1", "shear_center_2", "shear_1", "shear_2", "offset_1", "offset_2"),
 )
 """Lists of `BeamProperties` that have defaults."""
 FILES = ("elastodyn", "beamdyn", "windio")

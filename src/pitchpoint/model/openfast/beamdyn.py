@@ -34,7 +34,7 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
     -------
     BeamTable
         Axis 1 is flapwise without twist, downwind; the line of the beam is the z axis of the root. Not used:
-        damping, the coupling of bending and torsion, and the distance of the shear centre.
+        damping, and the coupling of bending and torsion.
 
     Raises
     ------

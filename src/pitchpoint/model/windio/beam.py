@@ -27,8 +27,7 @@ def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable:
 
     A blade has the matrices of its elastic properties (`six_x_six` of version 1). A tower has the tube of its
     outer diameter, wall thickness and material, with the outfitting factor in its mass. Axis 1 is flapwise
-    without twist, or fore-aft. Not used: damping, and of blades the coupling of bending and torsion and the
-    distance of the shear centre.
+    without twist, or fore-aft. Not used: damping, and the coupling of bending and torsion.
 
     Parameters
     ----------

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+THIN = 1e-12
+"""Area of an element whose axial stiffness is apart, relative to that of the section."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,10 @@ class Piece:
         Section axes 1, 2 and beam axis as columns, in the axes of the beam.
     ends
         Offsets of the curved axis of the beam at both ends from the line between its ends [m].
+    line
+        Shear centre along the axes 1 and 2 [m], where the element is.
+    axial
+        Element with the axial stiffness alone, at the elastic centre; None if it is that of `beam`.
     elastic
         Elastic centre along the axes 1 and 2 [m].
     mass
@@ -45,17 +51,25 @@ class Piece:
     beam: Beam
     axes: Array = field(default_factory=lambda: np.eye(3))
     ends: Array = field(default_factory=lambda: np.zeros((2, 3)))
+    line: tuple[float, float] = (0.0, 0.0)
+    axial: Beam | None = None
     elastic: tuple[float, float] = (0.0, 0.0)
     mass: Beam | None = None
     center: tuple[float, float] = (0.0, 0.0)
 
     @property
     def parts(self) -> list[tuple[str, Beam, Array]]:
-        """Elements by the end of their name, and the offsets of both nodes: one, or stiffness and mass."""
-        found = [("", self.beam, self.ends + self.axes @ np.array([*self.elastic, 0.0]))]
-        if self.mass is not None:
-            found.append((".mass", self.mass, self.ends + self.axes @ np.array([*self.center, 0.0])))
-        return found
+        """Elements by the end of their name, and the offsets of both nodes: one, or several lines."""
+        every = (
+            ("", self.beam, self.line),
+            (".axial", self.axial, self.elastic),
+            (".mass", self.mass, self.center),
+        )
+        return [
+            (word, beam, self.ends + self.axes @ np.array([*place, 0.0]))
+            for word, beam, place in every
+            if beam is not None
+        ]
 
 
 def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
@@ -95,27 +109,36 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
     """Element with given stiffnesses along a way; without a radius of gyration its rotary inertia is that
     of a homogeneous section."""
     length, stiff = float(np.linalg.norm(way)), mean["axial"]
+    line, elastic, center = (
+        (mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("shear_center", "elastic", "center")
+    )
+    apart = line != elastic
+    area = THIN if apart else 1.0
     section = Section(
-        A=1.0,
+        A=area,
         I_1=mean["bending_1"] / stiff,
         I_2=mean["bending_2"] / stiff,
         J=mean["torsion"] / stiff,
-        kappa_1=mean["shear_1"] / stiff,
-        kappa_2=mean["shear_2"] / stiff,
+        kappa_1=mean["shear_1"] / (area * stiff),
+        kappa_2=mean["shear_2"] / (area * stiff),
     )
     beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"])
     axes = _along(way / length) @ about_z(mean["twist"])
-    elastic, center = ((mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("elastic", "center"))
     gyration = mean["gyration"]
-    if elastic == center == (0.0, 0.0) and gyration == 0.0:
+    if line == elastic == center == (0.0, 0.0) and gyration == 0.0:
         return Piece(beam, axes, ends)
-    if gyration > 0.0:
-        half = 0.5 * gyration**2
-        section = replace(section, I_1=half, I_2=half, J=2.0 * half)
-    mass = Beam(
-        section=replace(section, kappa_1=0.0, kappa_2=0.0), length=length, E=0.0, G=0.0, rho=mean["mass"]
+    second = (section.I_1, section.I_2) if gyration == 0.0 else (0.5 * gyration**2,) * 2
+    whole = Section(A=1.0, I_1=second[0], I_2=second[1], J=0.0, kappa_1=0.0, kappa_2=0.0)
+    return Piece(
+        replace(beam, rho=0.0),
+        axes,
+        ends,
+        line,
+        Beam(section=replace(whole, I_1=0.0, I_2=0.0), length=length, E=stiff, G=0.0) if apart else None,
+        elastic,
+        Beam(section=whole, length=length, E=0.0, G=0.0, rho=mean["mass"]),
+        center,
     )
-    return Piece(replace(beam, rho=0.0), axes, ends, elastic, mass, center)
 
 
 def about_z(angle: float) -> Array:
