@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
@@ -19,7 +21,7 @@ from pitchpoint.solvers.rotor_performance import solve_rotor_performance
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.beamdyn import matrices, write_beamdyn
-from tests.support.rotors import AERODYN, AIRFOILS, FOLDER, aerodyn
+from tests.support.rotors import AERODYN, AIRFOILS, BLADE, FOLDER, aerodyn
 from tests.support.windio import VERSION_1
 
 SPEED, TURNS = 8.0, 0.95
@@ -253,3 +255,25 @@ def test_blade_of_the_page(tmp_path):
     block = block.replace("DU30_A17.dat", str(AIRFOILS / "DU30_A17.dat"))
     thrust, torque = loads(loads_model(HUB[: HUB.index("wind_rotors")] + block))
     assert 0.0 < torque < 50.0 * thrust
+
+
+def test_exit_codes(tmp_path, capsys):
+    """Code 2 and one sentence with file and line: `check` of a rotor whose blade file is missing or whose
+    windIO file is cut off, and a run with a box of turbulence that is cut off."""
+    shutil.copytree(FOLDER, tmp_path / "nrel")
+    (tmp_path / "nrel" / "5MW_Baseline" / BLADE.name).unlink()
+    path = tmp_path / "model.yaml"
+    path.write_text(HUB + "    hub_radius: 1.5 m\n    aerodyn: nrel/onshore/AeroDyn.dat\n", encoding="utf-8")
+    assert run_command(["check", str(path)]) == 2
+    assert f"{BLADE.name} (AeroDyn.dat, line 60): cannot be read" in capsys.readouterr().err
+    (tmp_path / "cut.yaml").write_text(VERSION_1[:1500], encoding="utf-8")
+    path.write_text(HUB + "    windio: cut.yaml\n", encoding="utf-8")
+    assert run_command(["check", str(path)]) == 2
+    assert "(cut.yaml, line" in capsys.readouterr().err
+    (tmp_path / "small.yaml").write_text(VERSION_1, encoding="utf-8")
+    (tmp_path / "box.bts").write_bytes(bytes(40))
+    text = HUB.replace("{speed: 8 m/s, height: 90 m, profile: uniform}", "{box: box.bts}")
+    text += "    windio: small.yaml\nscenarios:\n  run: {speed: {hub: 9 rpm}, duration: 1 s, step: 20 ms}\n"
+    path.write_text(text, encoding="utf-8")
+    assert run_command(["run", str(path)]) == 2
+    assert "box.bts: header: 40 bytes are there: the file is cut off" in capsys.readouterr().err
