@@ -15,7 +15,8 @@ from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.io.fmu.model import FmuModel
-    from pitchpoint.solvers.exported_run import ExportedRun, Place
+    from pitchpoint.solvers.exported_run import ExportedRun
+    from pitchpoint.solvers.input_places import Place
 
 
 @click.command()
@@ -82,7 +83,7 @@ def export(
         emit_json({key: value for each, _ in written for key, value in each.items()})
         return
     if not quiet:
-        rows = [[p.name, f"{p.start:.6g} {p.unit}", p.text] for p in (*run.inputs, *tunable)]
+        rows = [[p.name, f"{p.start:.6g} {p.unit}", p.text] for p in (*run.inputs, *run.drives, *tunable)]
         if rows:
             table("inputs and parameters", ["name", "start", "meaning"], rows)
     for _, sentence in written:

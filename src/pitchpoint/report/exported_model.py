@@ -12,11 +12,13 @@ from pitchpoint.core.compiler import machine_code
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.fmi.fmu_file import own_platform
 from pitchpoint.io.fmu.model import (
+    ACCELERATION,
     INDICATOR,
     INPUT,
     OUTPUT,
     PARAMETER,
     SLOPE,
+    SPEED,
     STATE,
     TIME,
     FmuModel,
@@ -26,7 +28,8 @@ from pitchpoint.io.fmu.model import (
 from pitchpoint.io.fmu.web import web_assembly
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.target import check_target, write_file
-from pitchpoint.solvers.exported_run import ExportedRun, Place, export_run
+from pitchpoint.solvers.exported_run import ExportedRun, export_run
+from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system.compile import compile_model
 from pitchpoint.viz.live_page import live_page
@@ -132,6 +135,8 @@ def fmu_model(
         *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
         *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
         *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
+        *(Variable(SPEED, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.drives),
+        *_accelerations(run),
         Variable(TIME, "time", "s", "time"),
         *_state_variables(run),
     ]
@@ -151,6 +156,15 @@ def fmu_model(
     )
 
 
+def _accelerations(run: ExportedRun) -> list[Variable]:
+    """Derivatives of the speeds of drives as inputs, if the unit is for model exchange."""
+    text = "derivative of the prescribed speed, for model exchange"
+    return [
+        Variable(ACCELERATION, f"{p.name.rpartition('.')[0]}.acceleration", f"{p.unit}^2", text, words=p.words)
+        for p in (run.drives if run.numbers["exchange"] else ())
+    ]
+
+
 def _state_variables(run: ExportedRun) -> list[Variable]:
     """States of the model exchange, their derivatives, and the event indicators."""
     n = len(run.states)
@@ -158,10 +172,11 @@ def _state_variables(run: ExportedRun) -> list[Variable]:
     rates = [(f"rate[{name}]", f"{unit}/s") for name, unit in run.states]
     slopes = [unit for _, unit in rates] + [f"{unit}/s^2" for _, unit in run.states]
     both = [*places, *rates]
+    values = [*run.state.q.tolist(), *run.state.v.tolist()]
     texts = ["joint coordinate"] * n + ["rate of a joint coordinate"] * n
     events = run.system.layout.events
     return [
-        *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
+        *(Variable(STATE, name, unit, texts[k], k, values[k]) for k, (name, unit) in enumerate(both)),
         *(
             Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k)
             for k, (name, _) in enumerate(both)

@@ -19,8 +19,9 @@ from pitchpoint.core.errors import Message, ModelError, SolverError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers.exported_run import Place, export_run, load_places, started
+from pitchpoint.solvers.exported_run import export_run, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.input_places import Place, constant_drives, drive_places, lead, load_places
 from pitchpoint.solvers.sampled_control import begin_anew
 from pitchpoint.solvers.time import Loop, scenario_of
 from pitchpoint.solvers.tunable import tunable_places
@@ -131,7 +132,13 @@ class Stepper:
         places = self._places(model, scenario, inputs)
         self._arrays = arrays_of(self._system)
         at, _ = offsets(self._arrays)
+        drives = drive_places(self._system, at)
+        drives_at = constant_drives(self._system)
+        self._drives = {name: self._system.records[kind][k] for name, (kind, k) in drives_at.items()}
+        every = sum(len(self._system.records[kind]) for kind in self._system.kinds(DRIVE))
+        self._ends = every > len(drives)  # some drives are defined up to the end of the scenario
         self._words = {p.name: [(word_at(self._arrays, at, o), s) for o, s in p.words] for p in places}
+        places += drives
         self._base = {name: [float(word[0]) for word, _ in words] for name, words in self._words.items()}
         self._start = {p.name: p.start for p in places}
         self._values = dict(self._start)
@@ -196,6 +203,8 @@ class Stepper:
             if float(value) == self._values[name]:
                 continue
             self._values[name] = float(value)
+            if name in self._drives:  # it changes in the next communication step
+                continue
             change = float(value) - self._start[name]
             for (word, slope), base in zip(self._words[name], self._base[name], strict=True):
                 word[0] = base + slope * change
@@ -219,7 +228,8 @@ class Stepper:
         """
         loop = self._loop
         n = self._division(step)
-        if self._jumped:
+        moved = [lead(r, self._values[k], self.t, step) for k, r in self._drives.items()]
+        if self._jumped or any(moved):
             self._jumped, status = False, self._restart()
             if status != OK:
                 self._fail(status)
@@ -244,7 +254,7 @@ class Stepper:
             limit = f"> 0, < {MOST * loop.h:.3g} s"
             raise ModelError([Message("communication step", "is out of range", shown, limit)])
         end = loop.t_end - run.t
-        if self._system.kinds(DRIVE) and step > end + SAME * step + 1e-12 * abs(loop.t_end):
+        if self._ends and step > end + SAME * step + 1e-12 * abs(loop.t_end):
             text = "is longer than the rest of the scenario, for which its drives are defined"
             message = Message("communication step", text, shown, f"{end:.9g} s", "increase its duration")
             raise ModelError([message])

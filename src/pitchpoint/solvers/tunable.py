@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.numbers import number_at
-from pitchpoint.solvers.exported_run import ExportedRun, Place
+from pitchpoint.solvers.exported_run import ExportedRun
+from pitchpoint.solvers.input_places import Place
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.image import arrays_of, word_at

@@ -68,7 +68,7 @@ def test_the_printed_table(tmp_path, capsys):
 @pytest.mark.parametrize(
     "text, arguments, words",
     [
-        (CONTROLLED, (), "controllers.loop: is a Python function or a library"),
+        (CONTROLLED, (), "controllers.loop: is a Python function"),
         (LAW, (), "loads.output (line 18): has a law in Python"),
         (ADAMS.replace("adams", "runge_kutta"), (), "method of the scenario: runge_kutta cannot be exported"),
         (ADAMS, ("--parameter", "gears.g1.nothing"), "gears.g1.nothing: is not a number of the model"),

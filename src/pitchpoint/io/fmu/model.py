@@ -12,9 +12,9 @@ from functools import cached_property
 
 from pitchpoint.core.compiler.memory_image import MemoryImage
 
-OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR = range(7)
+OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR, SPEED, ACCELERATION = range(9)
 """Kinds of variables, as in `glue/instance.h`."""
-CAUSALITIES = ("output", "input", "parameter", "local", "local", "independent", "local")
+CAUSALITIES = ("output", "input", "parameter", "local", "local", "independent", "local", "input", "input")
 
 
 @dataclass(frozen=True)
@@ -30,9 +30,10 @@ class Variable:
     first
         OUTPUT: index of the channel; STATE, SLOPE, INDICATOR: index of the state or indicator.
     start
-        Start value of an INPUT, PARAMETER or STATE.
+        Start value of a variable that can be set.
     words
-        INPUT and PARAMETER: offset of each word of the memory, and its change per unit.
+        INPUT and PARAMETER: offset of each word of the memory, and its change per unit. SPEED and ACCELERATION:
+        offset of the record of the drive.
     """
 
     kind: int
@@ -46,7 +47,7 @@ class Variable:
     @property
     def is_set(self) -> bool:
         """Whether the importing program sets it."""
-        return self.kind in (INPUT, PARAMETER)
+        return self.kind in (INPUT, PARAMETER, SPEED, ACCELERATION)
 
     @property
     def is_fixed(self) -> bool:
@@ -77,7 +78,7 @@ class FmuModel:
     stop, sample
         End and communication step of the default experiment [s].
     shafts
-        Input of every torque about a spin axis, and its body.
+        Name of every shaft with a torque or a drive, and its torque, angle and speed.
     """
 
     name: str
@@ -91,7 +92,7 @@ class FmuModel:
     indicators: tuple[int, ...]
     stop: float
     sample: float
-    shafts: tuple[tuple[str, str], ...] = ()
+    shafts: tuple[tuple[str, str, str, str], ...] = ()
 
     @cached_property
     def token(self) -> str:

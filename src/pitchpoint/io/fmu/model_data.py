@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from importlib.resources import files
 
 from pitchpoint.core.status import sentence
-from pitchpoint.io.fmu.model import FmuModel
+from pitchpoint.io.fmu.model import SPEED, FmuModel
 
 STATUSES = 18
 """Number of statuses of `core.status` whose sentences are part of an FMU."""
@@ -39,6 +39,7 @@ def data_text(model: FmuModel) -> str:
         "n_code": len(model.code),
         "n_variables": len(model.variables),
         "n_indicators": len(model.indicators),
+        "n_drives": len(model.of_kind(SPEED)),
     }
     integers, reals = number_names()
     values = [f"i64 {({**model.numbers, **counts})[n]}" for n in integers]

@@ -1,11 +1,11 @@
-; 7a2d660b3951ee29059c9ecac201ed9f533b0d45894f21308d3cd81eb3a7de98
+; fc0ec5211e7580e8d29438c53a998b75447ed34913b7a29fb0f4467301be5f15
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double }
 %struct.Place = type { i64, double, double }
 %struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
-%struct.Clock = type { double, double, i64, i64, i64, i64 }
+%struct.Clock = type { double, double, i64, i64, i64, i64, i64 }
 %struct.Recorder = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64 }
 
 @.str = private unnamed_addr constant [4 x i8] c"3.0\00", align 1
@@ -49,6 +49,8 @@
 @.str.36 = private unnamed_addr constant [26 x i8] c"no memory for an instance\00", align 1
 @.str.38 = private unnamed_addr constant [29 x i8] c"the start time is not finite\00", align 1
 @.str.39 = private unnamed_addr constant [95 x i8] c"the start time must be that of the model description: drives prescribe positions over the time\00", align 1
+@pp_variables = external local_unnamed_addr constant [0 x %struct.Variable], align 8
+@pp_places = external constant [0 x %struct.Place], align 8
 @.str.40 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
 @.str.41 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
 @pp_entries = external local_unnamed_addr constant [0 x ptr], align 8
@@ -57,38 +59,37 @@
 @pp_sentences = external local_unnamed_addr constant [0 x ptr], align 8
 @.str.43 = private unnamed_addr constant [3 x i8] c"; \00", align 1
 @pp_image = external constant [0 x i64], align 8
-@pp_variables = external local_unnamed_addr constant [0 x %struct.Variable], align 8
 @pp_code = external local_unnamed_addr constant [0 x i32], align 4
 @pp_moved = external local_unnamed_addr constant [0 x i32], align 4
 @.str.44 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
 @.str.45 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
 @pp_indicators = external local_unnamed_addr constant [0 x i32], align 4
-@.str.46 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
-@.str.47 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
-@pp_places = external constant [0 x %struct.Place], align 8
-@.str.48 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.49 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.50 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.51 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.52 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.53 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.54 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.55 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.56 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.57 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.58 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.59 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.60 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.61 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.62 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.63 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.64 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.65 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.66 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.67 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.68 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.69 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.70 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.46 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
+@.str.47 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
+@.str.48 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
+@.str.49 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.50 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.51 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.52 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.53 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.54 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.55 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.56 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.57 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.58 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.59 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.60 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.61 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.62 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.63 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.64 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.65 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.66 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.67 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.68 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.69 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.70 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.71 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -99,7 +100,7 @@ define i32 @fmi3SetDebugLogging(ptr readnone %0, i1 zeroext %1, i64 %2, ptr read
 }
 
 define ptr @fmi3InstantiateCoSimulation(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, i1 zeroext %5, i1 zeroext %6, ptr readnone %7, i64 %8, ptr %9, ptr %10, ptr readnone %11) local_unnamed_addr #1 {
-  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #14
+  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #15
   ret ptr %13
 }
 
@@ -114,12 +115,12 @@ define internal fastcc ptr @instantiate(ptr %0, ptr %1, ptr %2, ptr %3, i32 %4) 
   store ptr null, ptr %9, align 8
   %10 = getelementptr inbounds i8, ptr %6, i64 32
   store ptr %2, ptr %10, align 8
-  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #14
+  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #15
   ret ptr %11
 }
 
 define ptr @fmi3InstantiateModelExchange(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, ptr %5, ptr %6) local_unnamed_addr #1 {
-  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #14
+  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #15
   ret ptr %8
 }
 
@@ -128,7 +129,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
   br i1 %11, label %13, label %12
 
 12:
-  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #16
+  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #17
   br label %13
 
 13:
@@ -136,7 +137,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
 }
 
 define void @fmi3FreeInstance(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @free_instance(ptr %0) #14
+  tail call fastcc void @free_instance(ptr %0) #15
   ret void
 }
 
@@ -147,7 +148,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 
 4:
   call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %2, ptr align 8 dereferenceable(40) %0, i64 40, i1 false)
-  call fastcc void @release(ptr %2, ptr %0) #14
+  call fastcc void @release(ptr %2, ptr %0) #15
   br label %5
 
 5:
@@ -155,107 +156,91 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #1 {
-  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #14
+  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #15
   ret i32 %7
 }
 
 define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #14
+  %3 = tail call fastcc i32 @finite_number(double %1) #15
   %4 = icmp eq i32 %3, 0
-  br i1 %4, label %5, label %6
+  br i1 %4, label %38, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.38) #14
-  br label %18
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %7 = icmp ne i64 %6, 0
+  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %9 = fcmp une double %1, %8
+  %10 = select i1 %7, i1 %9, i1 false
+  br i1 %10, label %38, label %11
 
-6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
-  %8 = icmp ne i64 %7, 0
-  %9 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
-  %10 = fcmp une double %1, %9
-  %11 = select i1 %8, i1 %10, i1 false
-  br i1 %11, label %12, label %13
+11:
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %1, ptr %12, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %13, align 8
+  %14 = fcmp oeq double %1, %8
+  br i1 %14, label %40, label %15
 
-12:
-  tail call fastcc void @fail(ptr %0, ptr @.str.39) #14
-  br label %18
+15:
+  %16 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %16, align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %18 = icmp ne i64 %17, 0
+  %19 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %20 = icmp sgt i64 %19, 0
+  %21 = select i1 %18, i1 %20, i1 false
+  br i1 %21, label %22, label %40
 
-13:
-  %14 = getelementptr inbounds i8, ptr %0, i64 48
-  store double %1, ptr %14, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 64
-  store i64 0, ptr %15, align 8
-  br i1 %10, label %16, label %18
+22:
+  %23 = phi i64 [ %36, %35 ], [ 0, %15 ]
+  %24 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %23
+  %25 = load i64, ptr %24, align 8
+  %26 = icmp eq i64 %25, 7
+  br i1 %26, label %27, label %35
 
-16:
-  %17 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %17, align 8
-  br label %18
+27:
+  %28 = tail call fastcc ptr @drive_of(ptr %0, i64 %23) #15
+  %29 = getelementptr inbounds i8, ptr %28, i64 96
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr inbounds i8, ptr %28, i64 104
+  %32 = load double, ptr %31, align 8
+  %33 = fmul double %8, %32
+  %34 = fadd double %30, %33
+  tail call fastcc void @turn_on(ptr %0, ptr %28, double %34, double %32, double 0.000000e+00) #15
+  br label %35
 
-18:
-  %19 = phi i32 [ 3, %12 ], [ 3, %5 ], [ 0, %16 ], [ 0, %13 ]
-  ret i32 %19
+35:
+  %36 = add nuw nsw i64 %23, 1
+  %37 = icmp slt i64 %36, %19
+  br i1 %37, label %22, label %40
+
+38:
+  %39 = phi ptr [ @.str.38, %2 ], [ @.str.39, %5 ]
+  tail call fastcc void @fail(ptr %0, ptr %39) #15
+  br label %40
+
+40:
+  %41 = phi i32 [ 0, %15 ], [ 3, %38 ], [ 0, %11 ], [ 0, %35 ]
+  ret i32 %41
 }
 
 define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
-  %2 = tail call fastcc i32 @refresh(ptr %0) #14
+  %2 = tail call fastcc i32 @end_start(ptr %0) #15
   ret i32 %2
 }
 
-define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 72
-  %3 = load i64, ptr %2, align 8
-  switch i64 %3, label %15 [
-    i64 0, label %29
-    i64 2, label %4
-  ]
+define internal fastcc i32 @end_start(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i32 @refresh(ptr %0) #15
+  %3 = icmp eq i32 %2, 0
+  br i1 %3, label %4, label %6
 
 4:
-  %5 = getelementptr inbounds i8, ptr %0, i64 88
-  %6 = load i64, ptr %5, align 8
-  %7 = icmp eq i64 %6, 0
-  br i1 %7, label %10, label %8
+  %5 = getelementptr inbounds i8, ptr %0, i64 96
+  store i64 1, ptr %5, align 8
+  br label %6
 
-8:
-  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
-  br label %12
-
-10:
-  %11 = tail call fastcc i64 @restart(ptr %0) #14
-  br label %12
-
-12:
-  %13 = phi i64 [ %11, %10 ], [ %9, %8 ]
-  %14 = icmp eq i64 %13, 1
-  br i1 %14, label %15, label %26
-
-15:
-  %16 = getelementptr inbounds i8, ptr %0, i64 104
-  %17 = load ptr, ptr %16, align 8
-  %18 = tail call fastcc i64 @address(ptr %17) #14
-  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #14
-  %20 = icmp eq i64 %19, 1
-  br i1 %20, label %21, label %26
-
-21:
-  %22 = load ptr, ptr %16, align 8
-  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
-  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #14
-  %25 = icmp eq i32 %24, 0
-  br i1 %25, label %26, label %28
-
-26:
-  %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %27, ptr @.str.41) #14
-  br label %29
-
-28:
-  store i64 0, ptr %2, align 8
-  br label %29
-
-29:
-  %30 = phi i32 [ 0, %28 ], [ 3, %26 ], [ 0, %1 ]
-  ret i32 %30
+6:
+  ret i32 %2
 }
 
 define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
@@ -263,32 +248,32 @@ define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
 }
 
 define i32 @fmi3Reset(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @begin(ptr %0) #14
+  tail call fastcc void @begin(ptr %0) #15
   ret i32 0
 }
 
 define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #14
+  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #15
   %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %3 = icmp sgt i64 %2, 0
   br i1 %3, label %4, label %26
 
 4:
-  %5 = getelementptr inbounds i8, ptr %0, i64 96
+  %5 = getelementptr inbounds i8, ptr %0, i64 104
   %6 = and i64 %2, 3
   %7 = icmp ult i64 %2, 4
   br i1 %7, label %12, label %8
 
 8:
   %9 = and i64 %2, 9223372036854775804
-  br label %32
+  br label %33
 
 10:
   %11 = icmp eq i64 %6, 0
   br i1 %11, label %26, label %12
 
 12:
-  %13 = phi i64 [ 0, %4 ], [ %58, %10 ]
+  %13 = phi i64 [ 0, %4 ], [ %59, %10 ]
   %14 = icmp ne i64 %6, 0
   tail call void @llvm.assume(i1 %14)
   br label %15
@@ -309,7 +294,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -317,51 +302,53 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
   store i64 1, ptr %30, align 8
   %31 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 0, ptr %31, align 8
+  %32 = getelementptr inbounds i8, ptr %0, i64 96
+  store i64 0, ptr %32, align 8
   ret void
 
-32:
-  %33 = phi i64 [ 0, %8 ], [ %58, %32 ]
-  %34 = phi i64 [ 0, %8 ], [ %59, %32 ]
-  %35 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %33
-  %36 = getelementptr inbounds i8, ptr %35, i64 24
-  %37 = load double, ptr %36, align 8
-  %38 = load ptr, ptr %5, align 8
-  %39 = getelementptr inbounds double, ptr %38, i64 %33
-  store double %37, ptr %39, align 8
-  %40 = or i64 %33, 1
-  %41 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %40
-  %42 = getelementptr inbounds i8, ptr %41, i64 24
-  %43 = load double, ptr %42, align 8
-  %44 = load ptr, ptr %5, align 8
-  %45 = getelementptr inbounds double, ptr %44, i64 %40
-  store double %43, ptr %45, align 8
-  %46 = or i64 %33, 2
-  %47 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %46
-  %48 = getelementptr inbounds i8, ptr %47, i64 24
-  %49 = load double, ptr %48, align 8
-  %50 = load ptr, ptr %5, align 8
-  %51 = getelementptr inbounds double, ptr %50, i64 %46
-  store double %49, ptr %51, align 8
-  %52 = or i64 %33, 3
-  %53 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %52
-  %54 = getelementptr inbounds i8, ptr %53, i64 24
-  %55 = load double, ptr %54, align 8
-  %56 = load ptr, ptr %5, align 8
-  %57 = getelementptr inbounds double, ptr %56, i64 %52
-  store double %55, ptr %57, align 8
-  %58 = add nuw nsw i64 %33, 4
-  %59 = add i64 %34, 4
-  %60 = icmp eq i64 %59, %9
-  br i1 %60, label %10, label %32
+33:
+  %34 = phi i64 [ 0, %8 ], [ %59, %33 ]
+  %35 = phi i64 [ 0, %8 ], [ %60, %33 ]
+  %36 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %34
+  %37 = getelementptr inbounds i8, ptr %36, i64 24
+  %38 = load double, ptr %37, align 8
+  %39 = load ptr, ptr %5, align 8
+  %40 = getelementptr inbounds double, ptr %39, i64 %34
+  store double %38, ptr %40, align 8
+  %41 = or i64 %34, 1
+  %42 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %41
+  %43 = getelementptr inbounds i8, ptr %42, i64 24
+  %44 = load double, ptr %43, align 8
+  %45 = load ptr, ptr %5, align 8
+  %46 = getelementptr inbounds double, ptr %45, i64 %41
+  store double %44, ptr %46, align 8
+  %47 = or i64 %34, 2
+  %48 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %47
+  %49 = getelementptr inbounds i8, ptr %48, i64 24
+  %50 = load double, ptr %49, align 8
+  %51 = load ptr, ptr %5, align 8
+  %52 = getelementptr inbounds double, ptr %51, i64 %47
+  store double %50, ptr %52, align 8
+  %53 = or i64 %34, 3
+  %54 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %53
+  %55 = getelementptr inbounds i8, ptr %54, i64 24
+  %56 = load double, ptr %55, align 8
+  %57 = load ptr, ptr %5, align 8
+  %58 = getelementptr inbounds double, ptr %57, i64 %53
+  store double %56, ptr %58, align 8
+  %59 = add nuw nsw i64 %34, 4
+  %60 = add i64 %35, 4
+  %61 = icmp eq i64 %60, %9
+  br i1 %61, label %10, label %33
 }
 
 define i32 @fmi3GetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #14
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
   br label %10
 
 10:
@@ -374,7 +361,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.44) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #15
   br label %6
 
 6:
@@ -384,130 +371,126 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 
 define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = icmp eq i64 %2, 0
-  br i1 %5, label %78, label %6
+  br i1 %5, label %72, label %6
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 120
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 96
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %14 = getelementptr inbounds i8, ptr %0, i64 104
-  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  br label %16
+  %8 = getelementptr inbounds i8, ptr %0, i64 128
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 104
+  %11 = getelementptr inbounds i8, ptr %0, i64 112
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  br label %15
 
-16:
-  %17 = phi i64 [ 0, %6 ], [ %76, %73 ]
-  %18 = getelementptr inbounds i32, ptr %1, i64 %17
-  %19 = load i32, ptr %18, align 4
-  %20 = zext i32 %19 to i64
-  %21 = icmp sgt i64 %7, %20
-  br i1 %21, label %23, label %22
+15:
+  %16 = phi i64 [ 0, %6 ], [ %70, %67 ]
+  %17 = getelementptr inbounds i32, ptr %1, i64 %16
+  %18 = load i32, ptr %17, align 4
+  %19 = zext i32 %18 to i64
+  %20 = icmp sgt i64 %7, %19
+  br i1 %20, label %22, label %21
+
+21:
+  tail call fastcc void @fail(ptr %0, ptr @.str.45) #15
+  br label %72
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.45) #14
-  br label %78
-
-23:
-  %24 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %20
-  %25 = load i64, ptr %24, align 8
-  switch i64 %25, label %47 [
-    i64 5, label %26
-    i64 1, label %28
-    i64 2, label %28
-    i64 6, label %32
+  %23 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %19
+  %24 = load i64, ptr %23, align 8
+  switch i64 %24, label %46 [
+    i64 5, label %25
+    i64 1, label %27
+    i64 2, label %27
+    i64 7, label %27
+    i64 8, label %27
+    i64 6, label %31
   ]
 
-26:
-  %27 = tail call fastcc double @now(ptr %0) #14
-  br label %73
+25:
+  %26 = tail call fastcc double @now(ptr %0) #15
+  br label %67
 
-28:
-  %29 = load ptr, ptr %10, align 8
-  %30 = getelementptr inbounds double, ptr %29, i64 %20
-  %31 = load double, ptr %30, align 8
-  br label %73
+27:
+  %28 = load ptr, ptr %10, align 8
+  %29 = getelementptr inbounds double, ptr %28, i64 %19
+  %30 = load double, ptr %29, align 8
+  br label %67
 
-32:
-  %33 = load ptr, ptr %8, align 8
-  %34 = getelementptr inbounds i8, ptr %33, i64 %9
-  %35 = tail call fastcc i64 @address(ptr %34) #14
-  %36 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %35) #14
-  %37 = icmp eq i64 %36, 1
-  br i1 %37, label %38, label %78
+31:
+  %32 = load ptr, ptr %8, align 8
+  %33 = getelementptr inbounds i8, ptr %32, i64 %9
+  %34 = tail call fastcc i64 @address(ptr %33) #15
+  %35 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %34) #15
+  %36 = icmp eq i64 %35, 1
+  br i1 %36, label %37, label %72
 
-38:
-  %39 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
-  %40 = getelementptr inbounds i8, ptr %24, i64 8
-  %41 = load i64, ptr %40, align 8
-  %42 = getelementptr inbounds i32, ptr @pp_indicators, i64 %41
-  %43 = load i32, ptr %42, align 4
-  %44 = zext i32 %43 to i64
-  %45 = getelementptr inbounds double, ptr %39, i64 %44
-  %46 = load double, ptr %45, align 8
-  br label %73
+37:
+  %38 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %39 = getelementptr inbounds i8, ptr %23, i64 8
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr inbounds i32, ptr @pp_indicators, i64 %40
+  %42 = load i32, ptr %41, align 4
+  %43 = zext i32 %42 to i64
+  %44 = getelementptr inbounds double, ptr %38, i64 %43
+  %45 = load double, ptr %44, align 8
+  br label %67
 
-47:
-  %48 = tail call fastcc i32 @refresh(ptr %0) #14
-  %49 = icmp eq i32 %48, 0
-  br i1 %49, label %50, label %78
+46:
+  %47 = tail call fastcc i32 @refresh(ptr %0) #15
+  %48 = icmp eq i32 %47, 0
+  br i1 %48, label %49, label %72
 
-50:
-  %51 = getelementptr inbounds i8, ptr %24, i64 8
-  %52 = load i64, ptr %51, align 8
-  switch i64 %25, label %65 [
-    i64 0, label %53
-    i64 3, label %57
+49:
+  %50 = getelementptr inbounds i8, ptr %23, i64 8
+  %51 = load i64, ptr %50, align 8
+  switch i64 %24, label %59 [
+    i64 0, label %52
+    i64 3, label %56
   ]
 
-53:
-  %54 = load ptr, ptr %14, align 8
-  %55 = getelementptr inbounds double, ptr %54, i64 %52
-  %56 = load double, ptr %55, align 8
-  br label %73
+52:
+  %53 = load ptr, ptr %11, align 8
+  %54 = getelementptr inbounds double, ptr %53, i64 %51
+  %55 = load double, ptr %54, align 8
+  br label %67
 
-57:
-  %58 = icmp slt i64 %52, %11
-  %59 = select i1 %58, i64 %12, i64 %13
-  %60 = tail call fastcc ptr @reals(ptr %0, i64 %59) #14
-  %61 = select i1 %58, i64 0, i64 %11
-  %62 = sub nsw i64 %52, %61
-  %63 = getelementptr inbounds double, ptr %60, i64 %62
-  %64 = load double, ptr %63, align 8
-  br label %73
+56:
+  %57 = tail call fastcc ptr @state_at(ptr %0, i64 %51) #15
+  %58 = load double, ptr %57, align 8
+  br label %67
 
-65:
-  %66 = icmp slt i64 %52, %11
-  %67 = select i1 %66, i64 %13, i64 %15
-  %68 = tail call fastcc ptr @reals(ptr %0, i64 %67) #14
-  %69 = select i1 %66, i64 0, i64 %11
-  %70 = sub nsw i64 %52, %69
-  %71 = getelementptr inbounds double, ptr %68, i64 %70
-  %72 = load double, ptr %71, align 8
-  br label %73
+59:
+  %60 = icmp slt i64 %51, %12
+  %61 = select i1 %60, i64 %13, i64 %14
+  %62 = tail call fastcc ptr @reals(ptr %0, i64 %61) #15
+  %63 = select i1 %60, i64 0, i64 %12
+  %64 = sub nsw i64 %51, %63
+  %65 = getelementptr inbounds double, ptr %62, i64 %64
+  %66 = load double, ptr %65, align 8
+  br label %67
 
-73:
-  %74 = phi double [ %27, %26 ], [ %31, %28 ], [ %46, %38 ], [ %64, %57 ], [ %72, %65 ], [ %56, %53 ]
-  %75 = getelementptr inbounds double, ptr %3, i64 %17
-  store double %74, ptr %75, align 8
-  %76 = add nuw i64 %17, 1
-  %77 = icmp eq i64 %76, %2
-  br i1 %77, label %78, label %16
+67:
+  %68 = phi double [ %26, %25 ], [ %30, %27 ], [ %45, %37 ], [ %58, %56 ], [ %66, %59 ], [ %55, %52 ]
+  %69 = getelementptr inbounds double, ptr %3, i64 %16
+  store double %68, ptr %69, align 8
+  %70 = add nuw i64 %16, 1
+  %71 = icmp eq i64 %70, %2
+  br i1 %71, label %72, label %15
 
-78:
-  %79 = phi i32 [ 3, %22 ], [ 0, %4 ], [ %48, %47 ], [ 0, %73 ], [ 2, %32 ]
-  ret i32 %79
+72:
+  %73 = phi i32 [ 3, %21 ], [ 0, %4 ], [ %47, %46 ], [ 0, %67 ], [ 2, %31 ]
+  ret i32 %73
 }
 
 define i32 @fmi3SetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #14
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
   br label %10
 
 10:
@@ -517,109 +500,156 @@ define i32 @fmi3SetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed
 
 define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = icmp eq i64 %2, 0
-  br i1 %5, label %74, label %6
+  br i1 %5, label %99, label %6
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  br label %14
+  %8 = getelementptr inbounds i8, ptr %0, i64 96
+  br label %16
 
-8:
-  %9 = add nuw i64 %15, 1
-  %10 = icmp eq i64 %9, %2
-  br i1 %10, label %11, label %14
+9:
+  %10 = add nuw i64 %17, 1
+  %11 = icmp eq i64 %10, %2
+  br i1 %11, label %12, label %16
 
-11:
-  %12 = getelementptr inbounds i8, ptr %0, i64 96
-  %13 = getelementptr inbounds i8, ptr %0, i64 72
-  br label %30
+12:
+  %13 = getelementptr inbounds i8, ptr %0, i64 104
+  %14 = getelementptr inbounds i8, ptr %0, i64 88
+  %15 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %33
 
-14:
-  %15 = phi i64 [ 0, %6 ], [ %9, %8 ]
-  %16 = getelementptr inbounds i32, ptr %1, i64 %15
-  %17 = load i32, ptr %16, align 4
-  %18 = zext i32 %17 to i64
-  %19 = icmp sgt i64 %7, %18
-  br i1 %19, label %20, label %72
+16:
+  %17 = phi i64 [ 0, %6 ], [ %10, %9 ]
+  %18 = getelementptr inbounds i32, ptr %1, i64 %17
+  %19 = load i32, ptr %18, align 4
+  %20 = zext i32 %19 to i64
+  %21 = icmp sgt i64 %7, %20
+  br i1 %21, label %22, label %97
 
-20:
-  %21 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
-  %22 = load i64, ptr %21, align 8
-  %23 = add i64 %22, -3
-  %24 = icmp ult i64 %23, -2
-  br i1 %24, label %72, label %25
+22:
+  %23 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %20
+  %24 = load i64, ptr %23, align 8
+  switch i64 %24, label %28 [
+    i64 3, label %25
+    i64 6, label %97
+    i64 5, label %97
+    i64 4, label %97
+    i64 0, label %97
+  ]
 
 25:
-  %26 = getelementptr inbounds double, ptr %3, i64 %15
-  %27 = load double, ptr %26, align 8
-  %28 = tail call fastcc i32 @finite_number(double %27) #14
-  %29 = icmp eq i32 %28, 0
-  br i1 %29, label %72, label %8
+  %26 = load i64, ptr %8, align 8
+  %27 = icmp eq i64 %26, 0
+  br i1 %27, label %28, label %97
 
-30:
-  %31 = phi i64 [ 0, %11 ], [ %70, %69 ]
-  %32 = getelementptr inbounds i32, ptr %1, i64 %31
-  %33 = load i32, ptr %32, align 4
-  %34 = zext i32 %33 to i64
-  %35 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %34
-  %36 = load ptr, ptr %12, align 8
-  %37 = getelementptr inbounds double, ptr %36, i64 %34
-  %38 = load double, ptr %37, align 8
-  %39 = getelementptr inbounds double, ptr %3, i64 %31
-  %40 = load double, ptr %39, align 8
-  %41 = fcmp oeq double %38, %40
-  br i1 %41, label %69, label %42
+28:
+  %29 = getelementptr inbounds double, ptr %3, i64 %17
+  %30 = load double, ptr %29, align 8
+  %31 = tail call fastcc i32 @finite_number(double %30) #15
+  %32 = icmp eq i32 %31, 0
+  br i1 %32, label %97, label %9
 
-42:
-  store double %40, ptr %37, align 8
-  %43 = getelementptr inbounds i8, ptr %35, i64 8
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %44
-  %46 = getelementptr inbounds i8, ptr %35, i64 16
-  %47 = load i64, ptr %46, align 8
-  %48 = mul nsw i64 %47, 24
-  %49 = getelementptr inbounds i8, ptr %45, i64 %48
-  %50 = icmp sgt i64 %47, 0
-  br i1 %50, label %51, label %54
+33:
+  %34 = phi i64 [ 0, %12 ], [ %95, %94 ]
+  %35 = getelementptr inbounds i32, ptr %1, i64 %34
+  %36 = load i32, ptr %35, align 4
+  %37 = zext i32 %36 to i64
+  %38 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %37
+  %39 = load i64, ptr %38, align 8
+  %40 = icmp eq i64 %39, 3
+  br i1 %40, label %41, label %54
+
+41:
+  %42 = getelementptr inbounds i8, ptr %38, i64 8
+  %43 = load i64, ptr %42, align 8
+  %44 = tail call fastcc ptr @state_at(ptr %0, i64 %43) #15
+  %45 = load double, ptr %44, align 8
+  %46 = getelementptr inbounds double, ptr %3, i64 %34
+  %47 = load double, ptr %46, align 8
+  %48 = fcmp une double %45, %47
+  br i1 %48, label %49, label %51
+
+49:
+  store i64 2, ptr %15, align 8
+  %50 = load double, ptr %46, align 8
+  br label %51
 
 51:
-  %52 = getelementptr inbounds i8, ptr %35, i64 24
-  %53 = load double, ptr %52, align 8
-  br label %55
+  %52 = phi double [ %50, %49 ], [ %47, %41 ]
+  %53 = tail call fastcc ptr @state_at(ptr %0, i64 %43) #15
+  store double %52, ptr %53, align 8
+  br label %94
 
 54:
-  store i64 2, ptr %13, align 8
-  br label %69
+  %55 = load ptr, ptr %13, align 8
+  %56 = getelementptr inbounds double, ptr %55, i64 %37
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %3, i64 %34
+  %59 = load double, ptr %58, align 8
+  %60 = fcmp oeq double %57, %59
+  br i1 %60, label %94, label %61
 
-55:
-  %56 = phi ptr [ %45, %51 ], [ %67, %55 ]
-  %57 = getelementptr inbounds i8, ptr %56, i64 8
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds i8, ptr %56, i64 16
-  %60 = load double, ptr %59, align 8
-  %61 = load double, ptr %39, align 8
-  %62 = fsub double %61, %53
-  %63 = fmul double %60, %62
-  %64 = fadd double %58, %63
-  %65 = load i64, ptr %56, align 8
-  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #14
-  store double %64, ptr %66, align 8
-  %67 = getelementptr inbounds i8, ptr %56, i64 24
-  %68 = icmp ult ptr %67, %49
-  br i1 %68, label %55, label %54
+61:
+  store double %59, ptr %56, align 8
+  %62 = add i64 %39, -1
+  %63 = icmp ult i64 %62, 2
+  br i1 %63, label %64, label %90
 
-69:
-  %70 = add nuw i64 %31, 1
-  %71 = icmp eq i64 %70, %2
-  br i1 %71, label %74, label %30
+64:
+  %65 = getelementptr inbounds i8, ptr %38, i64 8
+  %66 = load i64, ptr %65, align 8
+  %67 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %66
+  %68 = getelementptr inbounds i8, ptr %38, i64 16
+  %69 = load i64, ptr %68, align 8
+  %70 = mul nsw i64 %69, 24
+  %71 = getelementptr inbounds i8, ptr %67, i64 %70
+  %72 = icmp sgt i64 %69, 0
+  br i1 %72, label %73, label %93
 
-72:
-  %73 = phi ptr [ @.str.46, %20 ], [ @.str.46, %14 ], [ @.str.47, %25 ]
-  tail call fastcc void @fail(ptr %0, ptr %73) #14
-  br label %74
+73:
+  %74 = getelementptr inbounds i8, ptr %38, i64 24
+  %75 = load double, ptr %74, align 8
+  br label %76
 
-74:
-  %75 = phi i32 [ 0, %4 ], [ 3, %72 ], [ 0, %69 ]
-  ret i32 %75
+76:
+  %77 = phi ptr [ %67, %73 ], [ %88, %76 ]
+  %78 = getelementptr inbounds i8, ptr %77, i64 8
+  %79 = load double, ptr %78, align 8
+  %80 = getelementptr inbounds i8, ptr %77, i64 16
+  %81 = load double, ptr %80, align 8
+  %82 = load double, ptr %58, align 8
+  %83 = fsub double %82, %75
+  %84 = fmul double %81, %83
+  %85 = fadd double %79, %84
+  %86 = load i64, ptr %77, align 8
+  %87 = tail call fastcc ptr @reals(ptr %0, i64 %86) #15
+  store double %85, ptr %87, align 8
+  %88 = getelementptr inbounds i8, ptr %77, i64 24
+  %89 = icmp ult ptr %88, %71
+  br i1 %89, label %76, label %93
+
+90:
+  %91 = load i64, ptr %14, align 8
+  %92 = icmp eq i64 %91, 0
+  br i1 %92, label %94, label %93
+
+93:
+  store i64 2, ptr %15, align 8
+  br label %94
+
+94:
+  %95 = add nuw i64 %34, 1
+  %96 = icmp eq i64 %95, %2
+  br i1 %96, label %99, label %33
+
+97:
+  %98 = phi ptr [ @.str.47, %22 ], [ @.str.46, %25 ], [ @.str.47, %16 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.48, %28 ]
+  tail call fastcc void @fail(ptr %0, ptr %98) #15
+  br label %99
+
+99:
+  %100 = phi i32 [ 3, %97 ], [ 0, %4 ], [ 0, %94 ]
+  ret i32 %100
 }
 
 define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4) local_unnamed_addr #1 {
@@ -627,7 +657,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
   br label %8
 
 8:
@@ -636,7 +666,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
 }
 
 define internal fastcc void @fail(ptr %0, ptr %1) unnamed_addr #1 {
-  tail call fastcc void @say(ptr %0, ptr %1) #14
+  tail call fastcc void @say(ptr %0, ptr %1) #15
   ret void
 }
 
@@ -645,7 +675,7 @@ define i32 @fmi3SetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
   br label %8
 
 8:
@@ -658,7 +688,7 @@ define i32 @fmi3GetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
   br label %8
 
 8:
@@ -671,7 +701,7 @@ define i32 @fmi3SetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
   br label %8
 
 8:
@@ -684,7 +714,7 @@ define i32 @fmi3GetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
   br label %8
 
 8:
@@ -697,7 +727,7 @@ define i32 @fmi3SetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
   br label %8
 
 8:
@@ -710,7 +740,7 @@ define i32 @fmi3GetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
   br label %8
 
 8:
@@ -723,7 +753,7 @@ define i32 @fmi3SetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
   br label %8
 
 8:
@@ -736,7 +766,7 @@ define i32 @fmi3GetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
   br label %8
 
 8:
@@ -749,7 +779,7 @@ define i32 @fmi3SetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
   br label %8
 
 8:
@@ -762,7 +792,7 @@ define i32 @fmi3GetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #15
   br label %8
 
 8:
@@ -775,7 +805,7 @@ define i32 @fmi3SetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #15
   br label %8
 
 8:
@@ -788,7 +818,7 @@ define i32 @fmi3GetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #15
   br label %8
 
 8:
@@ -801,7 +831,7 @@ define i32 @fmi3SetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #15
   br label %8
 
 8:
@@ -814,7 +844,7 @@ define i32 @fmi3GetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #15
   br label %8
 
 8:
@@ -827,7 +857,7 @@ define i32 @fmi3SetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #15
   br label %8
 
 8:
@@ -840,7 +870,7 @@ define i32 @fmi3GetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #15
   br label %8
 
 8:
@@ -853,7 +883,7 @@ define i32 @fmi3SetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #15
   br label %8
 
 8:
@@ -866,7 +896,7 @@ define i32 @fmi3GetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #15
   br label %8
 
 8:
@@ -879,7 +909,7 @@ define i32 @fmi3SetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #15
   br label %8
 
 8:
@@ -892,7 +922,7 @@ define i32 @fmi3GetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #15
   br label %8
 
 8:
@@ -905,7 +935,7 @@ define i32 @fmi3SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #15
   br label %8
 
 8:
@@ -918,7 +948,7 @@ define i32 @fmi3GetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #15
   br label %9
 
 9:
@@ -931,7 +961,7 @@ define i32 @fmi3SetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #15
   br label %9
 
 9:
@@ -944,7 +974,7 @@ define i32 @fmi3GetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #15
   br label %7
 
 7:
@@ -957,7 +987,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #15
   br label %7
 
 7:
@@ -966,7 +996,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
 }
 
 define i32 @fmi3GetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #14
+  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #15
   ret i32 %3
 }
 
@@ -980,8 +1010,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %7, label %11
 
 7:
-  %8 = tail call fastcc i64 @state_size() #14
-  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #14
+  %8 = tail call fastcc i64 @state_size() #15
+  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #15
   store ptr %9, ptr %1, align 8
   %10 = icmp eq ptr %9, null
   br i1 %10, label %96, label %11
@@ -1003,24 +1033,24 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %19, label %20, label %45
 
 20:
-  %21 = tail call fastcc i64 @numbers_of_state() #14
+  %21 = tail call fastcc i64 @numbers_of_state() #15
   %22 = shl i64 %21, 3
   %23 = getelementptr inbounds i8, ptr %12, i64 40
   %24 = getelementptr inbounds i8, ptr %0, i64 48
-  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 48) #16
-  %26 = getelementptr inbounds i8, ptr %12, i64 88
-  %27 = getelementptr inbounds i8, ptr %0, i64 96
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 56) #17
+  %26 = getelementptr inbounds i8, ptr %12, i64 96
+  %27 = getelementptr inbounds i8, ptr %0, i64 104
   %28 = load ptr, ptr %27, align 8
-  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #16
+  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #17
   %30 = getelementptr inbounds i8, ptr %26, i64 %22
-  %31 = getelementptr inbounds i8, ptr %0, i64 120
+  %31 = getelementptr inbounds i8, ptr %0, i64 128
   %32 = load ptr, ptr %31, align 8
   %33 = load i64, ptr @pp_numbers, align 8
-  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #16
+  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #17
   %35 = load ptr, ptr %31, align 8
-  %36 = tail call fastcc i64 @address(ptr %35) #14
+  %36 = tail call fastcc i64 @address(ptr %35) #15
   %37 = sub nsw i64 0, %36
-  tail call fastcc void @move(ptr %30, i64 %37) #14
+  tail call fastcc void @move(ptr %30, i64 %37) #15
   %38 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %39 = icmp sgt i64 %38, 0
   br i1 %39, label %40, label %114
@@ -1104,8 +1134,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.48, %2 ], [ @.str.49, %7 ]
-  tail call fastcc void @fail(ptr %0, ptr %97) #14
+  %97 = phi ptr [ @.str.49, %2 ], [ @.str.50, %7 ]
+  tail call fastcc void @fail(ptr %0, ptr %97) #15
   br label %114
 
 98:
@@ -1138,7 +1168,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #14
+  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #15
   ret i32 %3
 }
 
@@ -1147,23 +1177,23 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.50) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #15
   br label %18
 
 5:
-  %6 = tail call fastcc i64 @numbers_of_state() #14
+  %6 = tail call fastcc i64 @numbers_of_state() #15
   %7 = shl i64 %6, 3
   %8 = getelementptr inbounds i8, ptr %0, i64 48
   %9 = getelementptr inbounds i8, ptr %0, i64 88
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %1, i64 40
-  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 48) #16
-  %13 = getelementptr inbounds i8, ptr %0, i64 96
+  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 56) #17
+  %13 = getelementptr inbounds i8, ptr %0, i64 104
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %1, i64 88
-  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #16
+  %15 = getelementptr inbounds i8, ptr %1, i64 96
+  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #17
   %17 = getelementptr inbounds i8, ptr %15, i64 %7
-  tail call fastcc void @relocate(ptr %0, ptr %17) #14
+  tail call fastcc void @relocate(ptr %0, ptr %17) #15
   store i64 %10, ptr %9, align 8
   br label %18
 
@@ -1173,7 +1203,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3FreeFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  tail call fastcc void @drop_state(ptr %0, ptr %1) #14
+  tail call fastcc void @drop_state(ptr %0, ptr %1) #15
   ret i32 0
 }
 
@@ -1187,7 +1217,7 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @release(ptr %0, ptr %5) #14
+  tail call fastcc void @release(ptr %0, ptr %5) #15
   store ptr null, ptr %1, align 8
   br label %8
 
@@ -1196,22 +1226,22 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
-  %4 = tail call fastcc i64 @state_size() #14
+  %4 = tail call fastcc i64 @state_size() #15
   store i64 %4, ptr %2, align 8
   ret i32 0
 }
 
 define internal fastcc i64 @state_size() unnamed_addr #0 {
-  %1 = tail call fastcc i64 @numbers_of_state() #14
+  %1 = tail call fastcc i64 @numbers_of_state() #15
   %2 = shl i64 %1, 3
-  %3 = add i64 %2, 88
+  %3 = add i64 %2, 96
   %4 = load i64, ptr @pp_numbers, align 8
   %5 = add i64 %3, %4
   ret i64 %5
 }
 
 define i32 @fmi3SerializeFMUState(ptr %0, ptr %1, ptr %2, i64 %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #14
+  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #15
   ret i32 %5
 }
 
@@ -1220,16 +1250,16 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %5, label %9, label %6
 
 6:
-  %7 = tail call fastcc i64 @state_size() #14
+  %7 = tail call fastcc i64 @state_size() #15
   %8 = icmp ult i64 %3, %7
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.51) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #15
   br label %12
 
 10:
-  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #16
+  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #17
   br label %12
 
 12:
@@ -1238,17 +1268,17 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
 }
 
 define i32 @fmi3DeserializeFMUState(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #14
+  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #15
   ret i32 %5
 }
 
 define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = tail call fastcc i64 @state_size() #14
+  %5 = tail call fastcc i64 @state_size() #15
   %6 = icmp eq i64 %2, %5
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.52) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.53) #15
   br label %40
 
 8:
@@ -1283,7 +1313,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.54) #15
   br label %40
 
 30:
@@ -1292,18 +1322,18 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %32, label %33, label %37
 
 33:
-  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #14
+  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #15
   store ptr %34, ptr %3, align 8
   %35 = icmp eq ptr %34, null
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.49) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.50) #15
   br label %40
 
 37:
   %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
-  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #16
+  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #17
   br label %40
 
 40:
@@ -1312,17 +1342,17 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 }
 
 define i32 @fmi3GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, ptr %7, i64 %8) local_unnamed_addr #1 {
-  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #14
+  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #15
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %17, label %12
 
 12:
-  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #14
+  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #15
   %14 = icmp eq i32 %13, 0
   br i1 %14, label %17, label %15
 
 15:
-  %16 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %7) #14
+  %16 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %7) #15
   br label %17
 
 17:
@@ -1346,264 +1376,267 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #14
-  br label %162
+  tail call fastcc void @fail(ptr %0, ptr @.str.55) #15
+  br label %160
 
 17:
-  %18 = phi double [ 1.000000e+300, %12 ], [ %51, %50 ]
+  %18 = phi double [ 1.000000e+300, %12 ], [ %49, %48 ]
   %19 = icmp eq i64 %2, 0
-  br i1 %19, label %162, label %20
+  br i1 %19, label %160, label %20
 
 20:
   %21 = and i64 %2, 7
   %22 = icmp ult i64 %2, 8
-  br i1 %22, label %56, label %23
+  br i1 %22, label %54, label %23
 
 23:
   %24 = and i64 %2, -8
-  br label %68
+  br label %66
 
 25:
-  %26 = phi double [ 1.000000e+300, %14 ], [ %51, %50 ]
-  %27 = phi i64 [ 0, %14 ], [ %52, %50 ]
+  %26 = phi double [ 1.000000e+300, %14 ], [ %49, %48 ]
+  %27 = phi i64 [ 0, %14 ], [ %50, %48 ]
   %28 = getelementptr inbounds i32, ptr %3, i64 %27
   %29 = load i32, ptr %28, align 4
   %30 = zext i32 %29 to i64
   %31 = icmp sgt i64 %15, %30
-  br i1 %31, label %32, label %37
+  br i1 %31, label %32, label %35
 
 32:
   %33 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %30
   %34 = load i64, ptr %33, align 8
-  %35 = add i64 %34, -1
-  %36 = icmp ult i64 %35, 3
-  br i1 %36, label %38, label %37
+  switch i64 %34, label %36 [
+    i64 6, label %35
+    i64 5, label %35
+    i64 4, label %35
+    i64 0, label %35
+  ]
 
-37:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #14
-  br label %162
+35:
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #15
+  br label %160
 
-38:
-  %39 = getelementptr inbounds double, ptr %5, i64 %27
-  %40 = load double, ptr %39, align 8
-  %41 = tail call fastcc i32 @finite_number(double %40) #14
-  %42 = icmp eq i32 %41, 0
-  br i1 %42, label %43, label %44
+36:
+  %37 = getelementptr inbounds double, ptr %5, i64 %27
+  %38 = load double, ptr %37, align 8
+  %39 = tail call fastcc i32 @finite_number(double %38) #15
+  %40 = icmp eq i32 %39, 0
+  br i1 %40, label %41, label %42
 
-43:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #14
-  br label %162
+41:
+  tail call fastcc void @fail(ptr %0, ptr @.str.57) #15
+  br label %160
+
+42:
+  %43 = fcmp une double %38, 0.000000e+00
+  br i1 %43, label %44, label %48
 
 44:
-  %45 = fcmp une double %40, 0.000000e+00
-  br i1 %45, label %46, label %50
+  %45 = tail call fastcc double @change_of(ptr %0, i32 %29, double %38) #15
+  %46 = fcmp olt double %45, %26
+  br i1 %46, label %47, label %48
 
-46:
-  %47 = tail call fastcc double @change_of(ptr %0, i32 %29, double %40) #14
-  %48 = fcmp olt double %47, %26
-  br i1 %48, label %49, label %50
+47:
+  br label %48
 
-49:
-  br label %50
+48:
+  %49 = phi double [ %26, %42 ], [ %26, %44 ], [ %45, %47 ]
+  %50 = add nuw i64 %27, 1
+  %51 = icmp eq i64 %50, %4
+  br i1 %51, label %17, label %25
 
-50:
-  %51 = phi double [ %26, %44 ], [ %26, %46 ], [ %47, %49 ]
-  %52 = add nuw i64 %27, 1
-  %53 = icmp eq i64 %52, %4
-  br i1 %53, label %17, label %25
+52:
+  %53 = icmp eq i64 %21, 0
+  br i1 %53, label %64, label %54
 
 54:
-  %55 = icmp eq i64 %21, 0
-  br i1 %55, label %66, label %56
+  %55 = phi i64 [ 0, %20 ], [ %84, %52 ]
+  %56 = icmp ne i64 %21, 0
+  tail call void @llvm.assume(i1 %56)
+  br label %57
 
-56:
-  %57 = phi i64 [ 0, %20 ], [ %86, %54 ]
-  %58 = icmp ne i64 %21, 0
-  tail call void @llvm.assume(i1 %58)
-  br label %59
+57:
+  %58 = phi i64 [ %61, %57 ], [ %55, %54 ]
+  %59 = phi i64 [ %62, %57 ], [ 0, %54 ]
+  %60 = getelementptr inbounds double, ptr %6, i64 %58
+  store double 0.000000e+00, ptr %60, align 8
+  %61 = add nuw i64 %58, 1
+  %62 = add i64 %59, 1
+  %63 = icmp eq i64 %62, %21
+  br i1 %63, label %64, label %57
 
-59:
-  %60 = phi i64 [ %63, %59 ], [ %57, %56 ]
-  %61 = phi i64 [ %64, %59 ], [ 0, %56 ]
-  %62 = getelementptr inbounds double, ptr %6, i64 %60
-  store double 0.000000e+00, ptr %62, align 8
-  %63 = add nuw i64 %60, 1
-  %64 = add i64 %61, 1
-  %65 = icmp eq i64 %64, %21
-  br i1 %65, label %66, label %59
+64:
+  %65 = fcmp une double %18, 1.000000e+300
+  br i1 %65, label %87, label %160
 
 66:
-  %67 = fcmp une double %18, 1.000000e+300
-  br i1 %67, label %89, label %162
-
-68:
-  %69 = phi i64 [ 0, %23 ], [ %86, %68 ]
-  %70 = phi i64 [ 0, %23 ], [ %87, %68 ]
-  %71 = getelementptr inbounds double, ptr %6, i64 %69
+  %67 = phi i64 [ 0, %23 ], [ %84, %66 ]
+  %68 = phi i64 [ 0, %23 ], [ %85, %66 ]
+  %69 = getelementptr inbounds double, ptr %6, i64 %67
+  store double 0.000000e+00, ptr %69, align 8
+  %70 = getelementptr inbounds double, ptr %6, i64 %67
+  %71 = getelementptr inbounds i8, ptr %70, i64 8
   store double 0.000000e+00, ptr %71, align 8
-  %72 = getelementptr inbounds double, ptr %6, i64 %69
-  %73 = getelementptr inbounds i8, ptr %72, i64 8
+  %72 = getelementptr inbounds double, ptr %6, i64 %67
+  %73 = getelementptr inbounds i8, ptr %72, i64 16
   store double 0.000000e+00, ptr %73, align 8
-  %74 = getelementptr inbounds double, ptr %6, i64 %69
-  %75 = getelementptr inbounds i8, ptr %74, i64 16
+  %74 = getelementptr inbounds double, ptr %6, i64 %67
+  %75 = getelementptr inbounds i8, ptr %74, i64 24
   store double 0.000000e+00, ptr %75, align 8
-  %76 = getelementptr inbounds double, ptr %6, i64 %69
-  %77 = getelementptr inbounds i8, ptr %76, i64 24
+  %76 = getelementptr inbounds double, ptr %6, i64 %67
+  %77 = getelementptr inbounds i8, ptr %76, i64 32
   store double 0.000000e+00, ptr %77, align 8
-  %78 = getelementptr inbounds double, ptr %6, i64 %69
-  %79 = getelementptr inbounds i8, ptr %78, i64 32
+  %78 = getelementptr inbounds double, ptr %6, i64 %67
+  %79 = getelementptr inbounds i8, ptr %78, i64 40
   store double 0.000000e+00, ptr %79, align 8
-  %80 = getelementptr inbounds double, ptr %6, i64 %69
-  %81 = getelementptr inbounds i8, ptr %80, i64 40
+  %80 = getelementptr inbounds double, ptr %6, i64 %67
+  %81 = getelementptr inbounds i8, ptr %80, i64 48
   store double 0.000000e+00, ptr %81, align 8
-  %82 = getelementptr inbounds double, ptr %6, i64 %69
-  %83 = getelementptr inbounds i8, ptr %82, i64 48
+  %82 = getelementptr inbounds double, ptr %6, i64 %67
+  %83 = getelementptr inbounds i8, ptr %82, i64 56
   store double 0.000000e+00, ptr %83, align 8
-  %84 = getelementptr inbounds double, ptr %6, i64 %69
-  %85 = getelementptr inbounds i8, ptr %84, i64 56
-  store double 0.000000e+00, ptr %85, align 8
-  %86 = add nuw i64 %69, 8
-  %87 = add i64 %70, 8
-  %88 = icmp eq i64 %87, %24
-  br i1 %88, label %54, label %68
+  %84 = add nuw i64 %67, 8
+  %85 = add i64 %68, 8
+  %86 = icmp eq i64 %85, %24
+  br i1 %86, label %52, label %66
 
-89:
+87:
   store ptr null, ptr %8, align 8
-  %90 = shl i64 %2, 3
-  %91 = tail call fastcc ptr @allocate(ptr %0, i64 %90) #14
-  %92 = icmp eq ptr %91, null
-  br i1 %92, label %93, label %94
+  %88 = shl i64 %2, 3
+  %89 = tail call fastcc ptr @allocate(ptr %0, i64 %88) #15
+  %90 = icmp eq ptr %89, null
+  br i1 %90, label %91, label %92
 
-93:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #14
-  br label %131
+91:
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #15
+  br label %129
 
-94:
-  %95 = call fastcc i32 @keep_state(ptr %0, ptr %8) #14
-  %96 = icmp eq i32 %95, 0
-  br i1 %96, label %97, label %131
+92:
+  %93 = call fastcc i32 @keep_state(ptr %0, ptr %8) #15
+  %94 = icmp eq i32 %93, 0
+  br i1 %94, label %95, label %129
 
-97:
-  %98 = fneg double %18
-  %99 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %98) #14
-  %100 = icmp eq i32 %99, 0
-  br i1 %100, label %101, label %131
+95:
+  %96 = fneg double %18
+  %97 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %96) #15
+  %98 = icmp eq i32 %97, 0
+  br i1 %98, label %99, label %129
 
-101:
-  %102 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %91) #14
-  %103 = icmp eq i32 %102, 0
-  br i1 %103, label %104, label %131
+99:
+  %100 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %89) #15
+  %101 = icmp eq i32 %100, 0
+  br i1 %101, label %102, label %129
 
-104:
-  %105 = load ptr, ptr %8, align 8
-  %106 = call fastcc i32 @restore(ptr %0, ptr %105) #14
-  %107 = icmp eq i32 %106, 0
-  br i1 %107, label %108, label %134
+102:
+  %103 = load ptr, ptr %8, align 8
+  %104 = call fastcc i32 @restore(ptr %0, ptr %103) #15
+  %105 = icmp eq i32 %104, 0
+  br i1 %105, label %106, label %132
 
-108:
-  %109 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #14
-  %110 = icmp eq i32 %109, 0
-  br i1 %110, label %111, label %131
+106:
+  %107 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #15
+  %108 = icmp eq i32 %107, 0
+  br i1 %108, label %109, label %129
 
-111:
-  %112 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #14
-  %113 = icmp eq i32 %112, 0
-  br i1 %113, label %114, label %131
+109:
+  %110 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #15
+  %111 = icmp eq i32 %110, 0
+  br i1 %111, label %112, label %129
 
-114:
-  %115 = fmul double %18, 2.000000e+00
-  %116 = and i64 %2, 1
-  %117 = icmp eq i64 %2, 1
-  br i1 %117, label %122, label %118
+112:
+  %113 = fmul double %18, 2.000000e+00
+  %114 = and i64 %2, 1
+  %115 = icmp eq i64 %2, 1
+  br i1 %115, label %120, label %116
+
+116:
+  %117 = and i64 %2, -2
+  br label %136
 
 118:
-  %119 = and i64 %2, -2
-  br label %138
+  %119 = icmp eq i64 %114, 0
+  br i1 %119, label %129, label %120
 
 120:
-  %121 = icmp eq i64 %116, 0
-  br i1 %121, label %131, label %122
-
-122:
-  %123 = phi i64 [ 0, %114 ], [ %154, %120 ]
-  %124 = icmp ne i64 %116, 0
-  call void @llvm.assume(i1 %124)
-  %125 = getelementptr inbounds double, ptr %6, i64 %123
+  %121 = phi i64 [ 0, %112 ], [ %152, %118 ]
+  %122 = icmp ne i64 %114, 0
+  call void @llvm.assume(i1 %122)
+  %123 = getelementptr inbounds double, ptr %6, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = getelementptr inbounds double, ptr %89, i64 %121
   %126 = load double, ptr %125, align 8
-  %127 = getelementptr inbounds double, ptr %91, i64 %123
-  %128 = load double, ptr %127, align 8
-  %129 = fsub double %126, %128
-  %130 = fdiv double %129, %115
-  store double %130, ptr %125, align 8
-  br label %131
+  %127 = fsub double %124, %126
+  %128 = fdiv double %127, %113
+  store double %128, ptr %123, align 8
+  br label %129
 
-131:
-  %132 = phi i32 [ %109, %108 ], [ %102, %101 ], [ %99, %97 ], [ 3, %93 ], [ %95, %94 ], [ %112, %111 ], [ 0, %120 ], [ 0, %122 ]
-  %133 = load ptr, ptr %8, align 8
-  br label %134
+129:
+  %130 = phi i32 [ %107, %106 ], [ %100, %99 ], [ %97, %95 ], [ 3, %91 ], [ %93, %92 ], [ %110, %109 ], [ 0, %118 ], [ 0, %120 ]
+  %131 = load ptr, ptr %8, align 8
+  br label %132
 
-134:
-  %135 = phi ptr [ %133, %131 ], [ %105, %104 ]
-  %136 = phi i32 [ %132, %131 ], [ %106, %104 ]
-  %137 = icmp eq ptr %135, null
-  br i1 %137, label %159, label %157
+132:
+  %133 = phi ptr [ %131, %129 ], [ %103, %102 ]
+  %134 = phi i32 [ %130, %129 ], [ %104, %102 ]
+  %135 = icmp eq ptr %133, null
+  br i1 %135, label %157, label %155
 
-138:
-  %139 = phi i64 [ 0, %118 ], [ %154, %138 ]
-  %140 = phi i64 [ 0, %118 ], [ %155, %138 ]
-  %141 = getelementptr inbounds double, ptr %6, i64 %139
+136:
+  %137 = phi i64 [ 0, %116 ], [ %152, %136 ]
+  %138 = phi i64 [ 0, %116 ], [ %153, %136 ]
+  %139 = getelementptr inbounds double, ptr %6, i64 %137
+  %140 = load double, ptr %139, align 8
+  %141 = getelementptr inbounds double, ptr %89, i64 %137
   %142 = load double, ptr %141, align 8
-  %143 = getelementptr inbounds double, ptr %91, i64 %139
-  %144 = load double, ptr %143, align 8
-  %145 = fsub double %142, %144
-  %146 = fdiv double %145, %115
-  store double %146, ptr %141, align 8
-  %147 = or i64 %139, 1
-  %148 = getelementptr inbounds double, ptr %6, i64 %147
+  %143 = fsub double %140, %142
+  %144 = fdiv double %143, %113
+  store double %144, ptr %139, align 8
+  %145 = or i64 %137, 1
+  %146 = getelementptr inbounds double, ptr %6, i64 %145
+  %147 = load double, ptr %146, align 8
+  %148 = getelementptr inbounds double, ptr %89, i64 %145
   %149 = load double, ptr %148, align 8
-  %150 = getelementptr inbounds double, ptr %91, i64 %147
-  %151 = load double, ptr %150, align 8
-  %152 = fsub double %149, %151
-  %153 = fdiv double %152, %115
-  store double %153, ptr %148, align 8
-  %154 = add nuw i64 %139, 2
-  %155 = add i64 %140, 2
-  %156 = icmp eq i64 %155, %119
-  br i1 %156, label %120, label %138
+  %150 = fsub double %147, %149
+  %151 = fdiv double %150, %113
+  store double %151, ptr %146, align 8
+  %152 = add nuw i64 %137, 2
+  %153 = add i64 %138, 2
+  %154 = icmp eq i64 %153, %117
+  br i1 %154, label %118, label %136
+
+155:
+  %156 = call fastcc i32 @restore(ptr %0, ptr %133) #15
+  br label %157
 
 157:
-  %158 = call fastcc i32 @restore(ptr %0, ptr %135) #14
+  call fastcc void @drop_state(ptr %0, ptr %8) #15
+  br i1 %90, label %159, label %158
+
+158:
+  call fastcc void @release(ptr %0, ptr %89) #15
   br label %159
 
 159:
-  call fastcc void @drop_state(ptr %0, ptr %8) #14
-  br i1 %92, label %161, label %160
+  br label %160
 
 160:
-  call fastcc void @release(ptr %0, ptr %91) #14
-  br label %161
-
-161:
-  br label %162
-
-162:
-  %163 = phi i32 [ %136, %161 ], [ 3, %16 ], [ 0, %66 ], [ 3, %37 ], [ 3, %43 ], [ 0, %17 ]
-  ret i32 %163
+  %161 = phi i32 [ %134, %159 ], [ 3, %16 ], [ 0, %64 ], [ 3, %35 ], [ 3, %41 ], [ 0, %17 ]
+  ret i32 %161
 }
 
 define i32 @fmi3DoStep(ptr %0, double %1, double %2, i1 zeroext %3, ptr %4, ptr %5, ptr %6, ptr %7) local_unnamed_addr #1 {
-  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #14
+  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #15
   store i8 0, ptr %4, align 1
   store i8 0, ptr %5, align 1
   store i8 0, ptr %6, align 1
-  %10 = tail call fastcc double @now(ptr %0) #14
+  %10 = tail call fastcc double @now(ptr %0) #15
   store double %10, ptr %7, align 8
   ret i32 %9
 }
 
 
 define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
-  %4 = tail call fastcc double @now(ptr %0) #14
+  %4 = tail call fastcc double @now(ptr %0) #15
   %5 = fsub double %1, %4
   %6 = getelementptr inbounds i8, ptr %0, i64 56
   %7 = load double, ptr %6, align 8
@@ -1619,7 +1652,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #15
   br label %81
 
 18:
@@ -1629,7 +1662,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.59) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #15
   br label %81
 
 23:
@@ -1639,7 +1672,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.60) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #15
   br label %81
 
 28:
@@ -1650,18 +1683,18 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.62) #15
   br label %81
 
 34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %36 = fdiv double %2, %35
   %37 = fmul double %36, 0x3FEFFFFFFF768FA1
   %38 = fcmp ogt double %37, 1.000000e+15
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.63) #15
   br label %81
 
 40:
@@ -1678,29 +1711,30 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %50, label %51, label %59
 
 51:
-  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %53 = icmp ne i64 %52, 0
-  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %55 = icmp ne i64 %54, 0
   %56 = select i1 %53, i1 %55, i1 false
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.63) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.64) #15
   br label %81
 
 58:
-  tail call fastcc void @change_step(ptr %0, double %44) #14
+  tail call fastcc void @change_step(ptr %0, double %44) #15
   br label %59
 
 59:
+  tail call fastcc void @lead(ptr %0, double %2) #15
   %60 = getelementptr inbounds i8, ptr %0, i64 72
   %61 = load i64, ptr %60, align 8
   %62 = icmp eq i64 %61, 2
   br i1 %62, label %63, label %65
 
 63:
-  %64 = tail call fastcc i64 @restart(ptr %0) #14
+  %64 = tail call fastcc i64 @restart(ptr %0) #15
   br label %65
 
 65:
@@ -1711,7 +1745,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %69, label %70, label %72
 
 70:
-  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #14
+  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #15
   br label %72
 
 72:
@@ -1724,14 +1758,14 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %79
 
 76:
-  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #14
+  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #15
   store i64 0, ptr %60, align 8
   %78 = icmp eq i64 %77, 1
   br i1 %78, label %81, label %79
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.64, i64 %80, ptr @.str.65) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.65, i64 %80, ptr @.str.66) #15
   br label %81
 
 81:
@@ -1778,21 +1812,21 @@ define i32 @fmi3CompletedIntegratorStep(ptr readnone %0, i1 zeroext %1, ptr %2, 
 }
 
 define i32 @fmi3SetTime(ptr %0, double %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #14
+  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #15
   ret i32 %3
 }
 
 define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #14
+  %3 = tail call fastcc i32 @finite_number(double %1) #15
   %4 = icmp eq i32 %3, 0
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.66) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #15
   br label %14
 
 6:
-  %7 = tail call fastcc double @now(ptr %0) #14
+  %7 = tail call fastcc double @now(ptr %0) #15
   %8 = fcmp une double %1, %7
   br i1 %8, label %9, label %11
 
@@ -1814,35 +1848,35 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %22, label %8
 
 8:
-  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #14
+  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #15
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.67) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.68) #15
   br label %22
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #16
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #14
+  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #17
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #15
   %19 = getelementptr inbounds double, ptr %1, i64 %4
-  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #16
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #17
   %21 = getelementptr inbounds i8, ptr %0, i64 72
   store i64 2, ptr %21, align 8
   br label %22
@@ -1853,26 +1887,26 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
   %11 = shl i64 %4, 3
-  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #16
+  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #17
   %13 = getelementptr inbounds double, ptr %1, i64 %4
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #14
-  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #16
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #15
+  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #17
   br label %17
 
 17:
@@ -1881,33 +1915,33 @@ define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStateDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %21, label %8
 
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 0, ptr %9, align 8
-  %10 = tail call fastcc i32 @accelerate(ptr %0) #14
+  %10 = tail call fastcc i32 @accelerate(ptr %0) #15
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %12, label %21
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #14
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #16
+  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #17
   %17 = getelementptr inbounds double, ptr %1, i64 %4
-  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #14
-  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #16
+  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #15
+  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #17
   br label %21
 
 21:
@@ -1916,13 +1950,13 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
-  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #14
+  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #15
   %6 = icmp eq i32 %5, 0
   br i1 %6, label %28, label %7
 
@@ -1931,18 +1965,18 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
   br i1 %8, label %28, label %9
 
 9:
-  %10 = getelementptr inbounds i8, ptr %0, i64 120
+  %10 = getelementptr inbounds i8, ptr %0, i64 128
   %11 = load ptr, ptr %10, align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
-  %14 = tail call fastcc i64 @address(ptr %13) #14
-  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #14
+  %14 = tail call fastcc i64 @address(ptr %13) #15
+  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #15
   %16 = icmp eq i64 %15, 1
   br i1 %16, label %17, label %28
 
 17:
   %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #14
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #15
   %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
   %21 = load i32, ptr %20, align 4
   %22 = zext i32 %21 to i64
@@ -1960,14 +1994,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 }
 
 define i32 @fmi3GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #14
+  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #15
   ret i32 %4
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #14
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %48, label %8
 
@@ -2047,94 +2081,94 @@ define i32 @fmi3GetNumberOfEventIndicators(ptr readnone %0, ptr %1) local_unname
 }
 
 define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %4 = shl i64 %3, 1
   store i64 %4, ptr %1, align 8
   ret i32 0
 }
 
 define i32 @fmi3EnterStepMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.16) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.16) #15
   ret i32 3
 }
 
 define i32 @fmi3EnterConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.17) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.17) #15
   ret i32 3
 }
 
 define i32 @fmi3ExitConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.18) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.18) #15
   ret i32 3
 }
 
 define i32 @fmi3EvaluateDiscreteStates(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.19) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.19) #15
   ret i32 3
 }
 
 define i32 @fmi3GetNumberOfVariableDependencies(ptr %0, i32 %1, ptr readnone %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.20) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.20) #15
   ret i32 3
 }
 
 define i32 @fmi3GetVariableDependencies(ptr %0, i32 %1, ptr readnone %2, ptr readnone %3, ptr readnone %4, ptr readnone %5, i64 %6) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.21) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.21) #15
   ret i32 3
 }
 
 define i32 @fmi3GetAdjointDerivative(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4, ptr readnone %5, i64 %6, ptr readnone %7, i64 %8) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.22) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.22) #15
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.23) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.23) #15
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, ptr readnone %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.24) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.24) #15
   ret i32 3
 }
 
 define i32 @fmi3GetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.25) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.25) #15
   ret i32 3
 }
 
 define i32 @fmi3GetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.26) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.26) #15
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.27) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #15
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.28) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.28) #15
   ret i32 3
 }
 
 define i32 @fmi3SetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.29) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #15
   ret i32 3
 }
 
 define i32 @fmi3SetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.30) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #15
   ret i32 3
 }
 
 define i32 @fmi3GetOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, i64 %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.31) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #15
   ret i32 3
 }
 
 define i32 @fmi3ActivateModelPartition(ptr %0, i32 %1, double %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.32) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #15
   ret i32 3
 }
 
@@ -2147,18 +2181,18 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   br i1 %7, label %21, label %8
 
 8:
-  %9 = tail call fastcc i32 @same(ptr %1) #14
+  %9 = tail call fastcc i32 @same(ptr %1) #15
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %21, label %11
 
 11:
-  %12 = tail call i32 @pp_processor() #16
+  %12 = tail call i32 @pp_processor() #17
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %21, label %14
 
 14:
   %15 = icmp ne i32 %3, 0
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %17 = icmp eq i64 %16, 0
   %18 = select i1 %15, i1 %17, i1 false
   br i1 %18, label %21, label %19
@@ -2169,7 +2203,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 21:
   %22 = phi ptr [ @.str.33, %4 ], [ @.str.34, %11 ], [ @.str.33, %8 ], [ @.str.35, %14 ]
-  call fastcc void @say(ptr %5, ptr %22) #14
+  call fastcc void @say(ptr %5, ptr %22) #15
   br label %100
 
 23:
@@ -2182,36 +2216,36 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
-  %31 = tail call fastcc i64 @numbers_of_state() #14
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %31 = tail call fastcc i64 @numbers_of_state() #15
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
   %35 = load i64, ptr @pp_numbers, align 8
   %36 = add i64 %30, 649
   %37 = add i64 %36, %35
   %38 = add i64 %37, %34
-  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #14
+  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #15
   %40 = icmp eq ptr %39, null
   br i1 %40, label %41, label %42
 
 41:
-  call fastcc void @say(ptr %5, ptr @.str.36) #14
+  call fastcc void @say(ptr %5, ptr @.str.36) #15
   br label %100
 
 42:
   tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %39, ptr align 8 dereferenceable(40) %2, i64 40, i1 false)
   %43 = getelementptr inbounds i8, ptr %39, i64 640
-  %44 = getelementptr inbounds i8, ptr %39, i64 120
+  %44 = getelementptr inbounds i8, ptr %39, i64 128
   store ptr %43, ptr %44, align 8
   %45 = getelementptr inbounds i8, ptr %43, i64 %35
-  %46 = getelementptr inbounds i8, ptr %39, i64 96
+  %46 = getelementptr inbounds i8, ptr %39, i64 104
   store ptr %45, ptr %46, align 8
   %47 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %48 = getelementptr inbounds double, ptr %45, i64 %47
-  %49 = getelementptr inbounds i8, ptr %39, i64 104
+  %49 = getelementptr inbounds i8, ptr %39, i64 112
   store ptr %48, ptr %49, align 8
   %50 = getelementptr inbounds double, ptr %48, i64 %32
-  %51 = getelementptr inbounds i8, ptr %39, i64 112
+  %51 = getelementptr inbounds i8, ptr %39, i64 120
   store ptr %50, ptr %51, align 8
   %52 = getelementptr inbounds double, ptr %50, i64 %32
   %53 = getelementptr inbounds i8, ptr %52, i64 8
@@ -2257,7 +2291,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %77 = zext i32 %3 to i64
   %78 = getelementptr inbounds i8, ptr %39, i64 88
   store i64 %77, ptr %78, align 8
-  tail call fastcc void @begin(ptr %39) #14
+  tail call fastcc void @begin(ptr %39) #15
   br label %100
 
 79:
@@ -2333,7 +2367,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
 5:
   %6 = getelementptr inbounds i8, ptr %0, i64 32
   %7 = load ptr, ptr %6, align 8
-  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #16
+  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #17
   br label %8
 
 8:
@@ -2342,7 +2376,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
 
 define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
   %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %3 = add nsw i64 %2, %1
   ret i64 %3
 }
@@ -2354,11 +2388,11 @@ define internal fastcc ptr @allocate(ptr %0, i64 %1) unnamed_addr #1 {
   br i1 %5, label %8, label %6
 
 6:
-  %7 = tail call ptr %4(i64 %1, i64 1) #16
+  %7 = tail call ptr %4(i64 %1, i64 1) #17
   br label %10
 
 8:
-  %9 = tail call ptr @calloc(i64 %1, i64 1) #16
+  %9 = tail call ptr @calloc(i64 %1, i64 1) #17
   br label %10
 
 10:
@@ -2375,11 +2409,11 @@ define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %5, label %7, label %6
 
 6:
-  tail call void %4(ptr %1) #16
+  tail call void %4(ptr %1) #17
   br label %8
 
 7:
-  tail call void @free(ptr %1) #16
+  tail call void @free(ptr %1) #17
   br label %8
 
 8:
@@ -2395,50 +2429,143 @@ define internal fastcc i32 @finite_number(double %0) unnamed_addr #0 {
   ret i32 %4
 }
 
+define internal fastcc ptr @drive_of(ptr %0, i64 %1) unnamed_addr #4 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  %4 = load ptr, ptr %3, align 8
+  %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %1
+  %6 = getelementptr inbounds i8, ptr %5, i64 8
+  %7 = load i64, ptr %6, align 8
+  %8 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %7
+  %9 = load i64, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %4, i64 %9
+  ret ptr %10
+}
+
+define internal fastcc void @turn_on(ptr %0, ptr %1, double %2, double %3, double %4) unnamed_addr #8 {
+  %6 = getelementptr inbounds i8, ptr %1, i64 48
+  store i64 3, ptr %6, align 8
+  %7 = getelementptr inbounds i8, ptr %1, i64 96
+  store double %2, ptr %7, align 8
+  %8 = tail call fastcc double @now(ptr %0) #15
+  %9 = getelementptr inbounds i8, ptr %1, i64 112
+  store double %8, ptr %9, align 8
+  %10 = getelementptr inbounds i8, ptr %1, i64 104
+  store double %3, ptr %10, align 8
+  %11 = getelementptr inbounds i8, ptr %1, i64 120
+  store double %4, ptr %11, align 8
+  ret void
+}
+
+define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 72
+  %3 = load i64, ptr %2, align 8
+  switch i64 %3, label %15 [
+    i64 0, label %29
+    i64 2, label %4
+  ]
+
+4:
+  %5 = getelementptr inbounds i8, ptr %0, i64 88
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 0
+  br i1 %7, label %10, label %8
+
+8:
+  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  br label %12
+
+10:
+  %11 = tail call fastcc i64 @restart(ptr %0) #15
+  br label %12
+
+12:
+  %13 = phi i64 [ %11, %10 ], [ %9, %8 ]
+  %14 = icmp eq i64 %13, 1
+  br i1 %14, label %15, label %26
+
+15:
+  %16 = getelementptr inbounds i8, ptr %0, i64 112
+  %17 = load ptr, ptr %16, align 8
+  %18 = tail call fastcc i64 @address(ptr %17) #15
+  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #15
+  %20 = icmp eq i64 %19, 1
+  br i1 %20, label %21, label %26
+
+21:
+  %22 = load ptr, ptr %16, align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #15
+  %25 = icmp eq i32 %24, 0
+  br i1 %25, label %26, label %28
+
+26:
+  %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %27, ptr @.str.41) #15
+  br label %29
+
+28:
+  store i64 0, ptr %2, align 8
+  br label %29
+
+29:
+  %30 = phi i32 [ 0, %28 ], [ 3, %26 ], [ 0, %1 ]
+  ret i32 %30
+}
+
 define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 120
-  %5 = load ptr, ptr %4, align 8
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
-  %7 = getelementptr inbounds i8, ptr %5, i64 %6
-  %8 = tail call fastcc double @now(ptr %0) #14
-  store double %8, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %7, i64 32
-  store i64 0, ptr %9, align 8
-  %10 = getelementptr inbounds i8, ptr %7, i64 16
-  store <2 x double> zeroinitializer, ptr %10, align 8
-  %11 = icmp eq i64 %1, 4
-  %12 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
-  %13 = select i1 %11, double %12, double 0.000000e+00
-  %14 = getelementptr inbounds i8, ptr %7, i64 8
-  store double %13, ptr %14, align 8
-  %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %16 = tail call fastcc i64 @address(ptr %7) #14
-  %17 = tail call i64 %15(i64 %16, i64 %1, i64 %2) #16
-  ret i64 %17
+  %4 = getelementptr inbounds i8, ptr %0, i64 88
+  %5 = load i64, ptr %4, align 8
+  %6 = icmp eq i64 %5, 0
+  br i1 %6, label %8, label %7
+
+7:
+  tail call fastcc void @follow_inputs(ptr %0) #15
+  br label %8
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 128
+  %10 = load ptr, ptr %9, align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
+  %12 = getelementptr inbounds i8, ptr %10, i64 %11
+  %13 = tail call fastcc double @now(ptr %0) #15
+  store double %13, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %12, i64 32
+  store i64 0, ptr %14, align 8
+  %15 = getelementptr inbounds i8, ptr %12, i64 16
+  store <2 x double> zeroinitializer, ptr %15, align 8
+  %16 = icmp eq i64 %1, 4
+  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %18 = select i1 %16, double %17, double 0.000000e+00
+  %19 = getelementptr inbounds i8, ptr %12, i64 8
+  store double %18, ptr %19, align 8
+  %20 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
+  %21 = tail call fastcc i64 @address(ptr %12) #15
+  %22 = tail call i64 %20(i64 %21, i64 %1, i64 %2) #17
+  ret i64 %22
 }
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #14
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #15
   br label %11
 
 6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
   br label %11
 
 11:
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #14
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #15
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %0, i64 72
@@ -2464,7 +2591,7 @@ define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #6 {
   %8 = phi i64 [ %5, %4 ], [ 0, %2 ]
   %9 = getelementptr inbounds double, ptr %0, i64 %8
   %10 = load double, ptr %9, align 8
-  %11 = tail call fastcc i32 @finite_number(double %10) #14
+  %11 = tail call fastcc i32 @finite_number(double %10) #15
   %12 = icmp eq i32 %11, 0
   br i1 %12, label %13, label %4
 
@@ -2476,9 +2603,9 @@ define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #6 {
 define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 1, ptr %5, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 128
+  %6 = getelementptr inbounds i8, ptr %0, i64 136
   store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #14
+  tail call fastcc void @append(ptr %0, ptr %1) #15
   %7 = icmp sgt i64 %2, -1
   %8 = load i64, ptr @pp_n_sentences, align 8
   %9 = icmp slt i64 %2, %8
@@ -2486,36 +2613,81 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.42) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.42) #15
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #14
+  tail call fastcc void @append(ptr %0, ptr %13) #15
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.43) #14
-  tail call fastcc void @append(ptr %0, ptr %3) #14
-  tail call fastcc void @fail(ptr %0, ptr %6) #14
+  tail call fastcc void @append(ptr %0, ptr @.str.43) #15
+  tail call fastcc void @append(ptr %0, ptr %3) #15
+  tail call fastcc void @fail(ptr %0, ptr %6) #15
   ret void
 }
 
-define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #8 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #14
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #14
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #14
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %3 = icmp ne i64 %2, 0
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %5 = icmp sgt i64 %4, 0
+  %6 = select i1 %3, i1 %5, i1 false
+  br i1 %6, label %7, label %9
+
+7:
+  %8 = getelementptr inbounds i8, ptr %0, i64 104
+  br label %10
+
+9:
+  ret void
+
+10:
+  %11 = phi i64 [ 0, %7 ], [ %28, %27 ]
+  %12 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %11
+  %13 = load i64, ptr %12, align 8
+  %14 = add i64 %13, -9
+  %15 = icmp ult i64 %14, -2
+  br i1 %15, label %27, label %16
+
+16:
+  %17 = tail call fastcc ptr @drive_of(ptr %0, i64 %11) #15
+  %18 = getelementptr inbounds i8, ptr %17, i64 48
+  store i64 4, ptr %18, align 8
+  %19 = tail call fastcc double @now(ptr %0) #15
+  %20 = getelementptr inbounds i8, ptr %17, i64 112
+  store double %19, ptr %20, align 8
+  %21 = load ptr, ptr %8, align 8
+  %22 = getelementptr inbounds double, ptr %21, i64 %11
+  %23 = load double, ptr %22, align 8
+  %24 = icmp eq i64 %13, 7
+  %25 = select i1 %24, i64 104, i64 120
+  %26 = getelementptr inbounds i8, ptr %17, i64 %25
+  store double %23, ptr %26, align 8
+  br label %27
+
+27:
+  %28 = add nuw nsw i64 %11, 1
+  %29 = icmp slt i64 %28, %4
+  br i1 %29, label %10, label %9
+}
+
+define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #15
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #15
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 80), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
 
 15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %52
 
@@ -2568,9 +2740,9 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #8 {
   br label %52
 
 52:
-  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #14
-  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #15
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
   ret void
@@ -2602,21 +2774,21 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #8 {
 }
 
 define internal fastcc ptr @reals(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %3 = getelementptr inbounds i8, ptr %0, i64 128
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
 }
 
 define internal fastcc ptr @integers(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %3 = getelementptr inbounds i8, ptr %0, i64 128
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
 }
 
-define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #9 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 128
+define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #10 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 136
   br label %4
 
 4:
@@ -2657,13 +2829,13 @@ define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #9 {
 }
 
 define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 120
+  %3 = getelementptr inbounds i8, ptr %0, i64 128
   %4 = load ptr, ptr %3, align 8
   %5 = load i64, ptr @pp_numbers, align 8
-  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #16
+  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #17
   %7 = load ptr, ptr %3, align 8
-  %8 = tail call fastcc i64 @address(ptr %7) #14
-  tail call fastcc void @move(ptr %7, i64 %8) #14
+  %8 = tail call fastcc i64 @address(ptr %7) #15
+  tail call fastcc void @move(ptr %7, i64 %8) #15
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %10 = icmp sgt i64 %9, 0
   br i1 %10, label %12, label %11
@@ -2680,10 +2852,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %18 = zext i32 %17 to i64
   %19 = getelementptr inbounds ptr, ptr @pp_entries, i64 %18
   %20 = load ptr, ptr %19, align 8
-  %21 = tail call fastcc i64 @address(ptr %20) #14
+  %21 = tail call fastcc i64 @address(ptr %20) #15
   %22 = load i32, ptr %15, align 4
   %23 = zext i32 %22 to i64
-  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #14
+  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #15
   store i64 %21, ptr %24, align 8
   %25 = add nuw nsw i64 %13, 1
   %26 = icmp eq i64 %25, %9
@@ -2692,7 +2864,7 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
 
 declare ptr @memcpy(ptr, ptr, i64) local_unnamed_addr #7
 
-define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #9 {
+define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #10 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 8), align 8
   %4 = icmp sgt i64 %3, 0
   br i1 %4, label %5, label %27
@@ -2774,7 +2946,20 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #9 {
   br i1 %60, label %10, label %28
 }
 
-define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #10 {
+define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %4 = icmp slt i64 %1, %3
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %7 = select i1 %4, i64 %5, i64 %6
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %9 = select i1 %4, i64 0, i64 %3
+  %10 = sub nsw i64 %1, %9
+  %11 = getelementptr inbounds double, ptr %8, i64 %10
+  ret ptr %11
+}
+
+define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #11 {
   %4 = zext i32 %1 to i64
   %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
   %6 = load i64, ptr %5, align 8
@@ -2784,13 +2969,13 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 8:
   %9 = getelementptr inbounds i8, ptr %5, i64 8
   %10 = load i64, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %12 = icmp slt i64 %10, %11
   %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
   br label %24
 
 14:
-  %15 = getelementptr inbounds i8, ptr %0, i64 96
+  %15 = getelementptr inbounds i8, ptr %0, i64 104
   %16 = load ptr, ptr %15, align 8
   %17 = getelementptr inbounds double, ptr %16, i64 %4
   %18 = load double, ptr %17, align 8
@@ -2813,67 +2998,59 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnamed_addr #1 {
   %6 = alloca double, align 8
   %7 = icmp eq i64 %2, 0
-  br i1 %7, label %46, label %8
+  br i1 %7, label %38, label %8
 
 8:
-  %9 = getelementptr inbounds i8, ptr %0, i64 96
-  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 72
-  br label %14
+  %9 = getelementptr inbounds i8, ptr %0, i64 104
+  %10 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %11
 
-14:
-  %15 = phi i64 [ 0, %8 ], [ %44, %43 ]
-  %16 = getelementptr inbounds i32, ptr %1, i64 %15
-  %17 = load i32, ptr %16, align 4
-  %18 = zext i32 %17 to i64
-  %19 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %18
-  %20 = getelementptr inbounds double, ptr %3, i64 %15
-  %21 = load double, ptr %20, align 8
-  %22 = fmul double %4, %21
-  %23 = load i64, ptr %19, align 8
-  %24 = icmp eq i64 %23, 3
-  br i1 %24, label %25, label %36
+11:
+  %12 = phi i64 [ 0, %8 ], [ %36, %35 ]
+  %13 = getelementptr inbounds i32, ptr %1, i64 %12
+  %14 = load i32, ptr %13, align 4
+  %15 = zext i32 %14 to i64
+  %16 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %15
+  %17 = getelementptr inbounds double, ptr %3, i64 %12
+  %18 = load double, ptr %17, align 8
+  %19 = fmul double %4, %18
+  %20 = load i64, ptr %16, align 8
+  %21 = icmp eq i64 %20, 3
+  br i1 %21, label %22, label %28
 
-25:
-  %26 = getelementptr inbounds i8, ptr %19, i64 8
-  %27 = load i64, ptr %26, align 8
-  %28 = icmp slt i64 %27, %10
-  %29 = select i1 %28, i64 %11, i64 %12
-  %30 = tail call fastcc ptr @reals(ptr %0, i64 %29) #14
-  %31 = select i1 %28, i64 0, i64 %10
-  %32 = sub nsw i64 %27, %31
-  %33 = getelementptr inbounds double, ptr %30, i64 %32
-  %34 = load double, ptr %33, align 8
-  %35 = fadd double %22, %34
-  store double %35, ptr %33, align 8
-  store i64 2, ptr %13, align 8
-  br label %43
+22:
+  %23 = getelementptr inbounds i8, ptr %16, i64 8
+  %24 = load i64, ptr %23, align 8
+  %25 = tail call fastcc ptr @state_at(ptr %0, i64 %24) #15
+  %26 = load double, ptr %25, align 8
+  %27 = fadd double %19, %26
+  store double %27, ptr %25, align 8
+  store i64 2, ptr %10, align 8
+  br label %35
 
-36:
-  %37 = load ptr, ptr %9, align 8
-  %38 = getelementptr inbounds double, ptr %37, i64 %18
-  %39 = load double, ptr %38, align 8
-  %40 = fadd double %22, %39
-  store double %40, ptr %6, align 8
-  %41 = call fastcc i32 @set_numbers(ptr %0, ptr %16, i64 1, ptr %6) #14
-  %42 = icmp eq i32 %41, 0
-  br i1 %42, label %43, label %46
+28:
+  %29 = load ptr, ptr %9, align 8
+  %30 = getelementptr inbounds double, ptr %29, i64 %15
+  %31 = load double, ptr %30, align 8
+  %32 = fadd double %19, %31
+  store double %32, ptr %6, align 8
+  %33 = call fastcc i32 @set_numbers(ptr %0, ptr %13, i64 1, ptr %6) #15
+  %34 = icmp eq i32 %33, 0
+  br i1 %34, label %35, label %38
 
-43:
-  %44 = add nuw i64 %15, 1
-  %45 = icmp eq i64 %44, %2
-  br i1 %45, label %46, label %14
+35:
+  %36 = add nuw i64 %12, 1
+  %37 = icmp eq i64 %36, %2
+  br i1 %37, label %38, label %11
 
-46:
-  %47 = phi i32 [ 0, %5 ], [ 0, %43 ], [ 3, %36 ]
-  ret i32 %47
+38:
+  %39 = phi i32 [ 0, %5 ], [ 0, %35 ], [ 3, %28 ]
+  ret i32 %39
 }
 
-define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #8 {
-  %3 = tail call fastcc double @now(ptr %0) #14
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #9 {
+  %3 = tail call fastcc double @now(ptr %0) #15
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
 
@@ -2881,13 +3058,13 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #8 {
   %7 = getelementptr inbounds i8, ptr %0, i64 56
   %8 = load double, ptr %7, align 8
   %9 = fdiv double %1, %8
-  tail call fastcc void @rescale(ptr %0, double %9) #14
+  tail call fastcc void @rescale(ptr %0, double %9) #15
   br label %15
 
 10:
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #14
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
   br label %15
@@ -2902,6 +3079,99 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #8 {
   ret void
 }
 
+define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #9 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %4 = icmp ne i64 %3, 0
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %6 = icmp sgt i64 %5, 0
+  %7 = select i1 %4, i1 %6, i1 false
+  br i1 %7, label %8, label %11
+
+8:
+  %9 = getelementptr inbounds i8, ptr %0, i64 104
+  %10 = getelementptr inbounds i8, ptr %0, i64 72
+  br label %12
+
+11:
+  ret void
+
+12:
+  %13 = phi i64 [ 0, %8 ], [ %70, %69 ]
+  %14 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %13
+  %15 = load i64, ptr %14, align 8
+  %16 = icmp eq i64 %15, 7
+  br i1 %16, label %17, label %69
+
+17:
+  %18 = tail call fastcc ptr @drive_of(ptr %0, i64 %13) #15
+  %19 = getelementptr inbounds i8, ptr %18, i64 48
+  %20 = load i64, ptr %19, align 8
+  %21 = icmp eq i64 %20, 3
+  br i1 %21, label %22, label %29
+
+22:
+  %23 = getelementptr inbounds i8, ptr %18, i64 120
+  %24 = load double, ptr %23, align 8
+  %25 = tail call fastcc double @now(ptr %0) #15
+  %26 = getelementptr inbounds i8, ptr %18, i64 112
+  %27 = load double, ptr %26, align 8
+  %28 = fsub double %25, %27
+  br label %31
+
+29:
+  %30 = tail call fastcc double @now(ptr %0) #15
+  br label %31
+
+31:
+  %32 = phi double [ %24, %22 ], [ 0.000000e+00, %29 ]
+  %33 = phi double [ %28, %22 ], [ %30, %29 ]
+  %34 = getelementptr inbounds i8, ptr %18, i64 104
+  %35 = load double, ptr %34, align 8
+  %36 = fmul double %32, %33
+  %37 = fadd double %35, %36
+  %38 = load ptr, ptr %9, align 8
+  %39 = getelementptr inbounds double, ptr %38, i64 %13
+  %40 = load double, ptr %39, align 8
+  %41 = fsub double %40, %37
+  %42 = insertelement <2 x double> poison, double %37, i64 0
+  %43 = insertelement <2 x double> %42, double %40, i64 1
+  %44 = fcmp olt <2 x double> %43, zeroinitializer
+  %45 = fneg <2 x double> %43
+  %46 = select <2 x i1> %44, <2 x double> %45, <2 x double> %43
+  %47 = shufflevector <2 x double> %46, <2 x double> poison, <2 x i32> <i32 1, i32 poison>
+  %48 = fadd <2 x double> %46, %47
+  %49 = extractelement <2 x double> %48, i64 0
+  %50 = fmul double %49, 0x3D06849B86A12B9B
+  %51 = fcmp ugt double %41, %50
+  %52 = fneg double %41
+  %53 = fcmp ult double %50, %52
+  %54 = or i1 %51, %53
+  %55 = select i1 %54, double %37, double %40
+  %56 = fsub double %40, %55
+  %57 = fdiv double %56, %1
+  %58 = fcmp oeq double %57, 0.000000e+00
+  %59 = fcmp oeq double %32, 0.000000e+00
+  %60 = and i1 %59, %58
+  br i1 %60, label %69, label %61
+
+61:
+  %62 = getelementptr inbounds i8, ptr %18, i64 96
+  %63 = load double, ptr %62, align 8
+  %64 = fmul double %32, 5.000000e-01
+  %65 = fmul double %64, %33
+  %66 = fadd double %35, %65
+  %67 = fmul double %33, %66
+  %68 = fadd double %67, %63
+  tail call fastcc void @turn_on(ptr %0, ptr %18, double %68, double %55, double %57) #15
+  store i64 2, ptr %10, align 8
+  br label %69
+
+69:
+  %70 = add nuw nsw i64 %13, 1
+  %71 = icmp slt i64 %70, %5
+  br i1 %71, label %12, label %11
+}
+
 define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = alloca [3 x i64], align 16
   %5 = alloca %struct.Recorder, align 8
@@ -2910,20 +3180,20 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %6 = getelementptr inbounds i8, ptr %5, i64 8
   store i64 1, ptr %6, align 8
   %7 = getelementptr inbounds i8, ptr %5, i64 16
-  %8 = getelementptr inbounds i8, ptr %0, i64 112
+  %8 = getelementptr inbounds i8, ptr %0, i64 120
   %9 = load ptr, ptr %8, align 8
-  %10 = tail call fastcc i64 @address(ptr %9) #14
+  %10 = tail call fastcc i64 @address(ptr %9) #15
   store i64 %10, ptr %7, align 8
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
   %12 = getelementptr inbounds i8, ptr %5, i64 32
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %14 = add nsw i64 %13, 1
   store i64 %14, ptr %12, align 8
   %15 = getelementptr inbounds i8, ptr %5, i64 40
   store <6 x i64> zeroinitializer, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %5, i64 88
-  %17 = call fastcc i64 @address(ptr %4) #14
+  %17 = call fastcc i64 @address(ptr %4) #15
   store i64 %17, ptr %16, align 8
   %18 = getelementptr inbounds i8, ptr %5, i64 96
   store i64 0, ptr %18, align 8
@@ -2931,33 +3201,33 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   store i64 0, ptr %19, align 8
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
-  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
-  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #14
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #15
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
-  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #14
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
+  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #15
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
-  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #14
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #15
   store i64 %29, ptr %31, align 8
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #14
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #15
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 120
+  %35 = getelementptr inbounds i8, ptr %0, i64 128
   %36 = load ptr, ptr %35, align 8
-  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
-  %39 = call fastcc i64 @address(ptr %38) #14
-  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %39 = call fastcc i64 @address(ptr %38) #15
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
-  %42 = call fastcc i64 @address(ptr %41) #14
-  %43 = call fastcc i64 @address(ptr %5) #14
-  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #16
+  %42 = call fastcc i64 @address(ptr %41) #15
+  %43 = call fastcc i64 @address(ptr %5) #15
+  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #17
   %45 = load i64, ptr %4, align 16
   %46 = load i64, ptr %28, align 8
   %47 = add nsw i64 %46, %45
@@ -2972,7 +3242,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %52, label %53, label %75
 
 53:
-  %54 = getelementptr inbounds i8, ptr %0, i64 104
+  %54 = getelementptr inbounds i8, ptr %0, i64 112
   %55 = and i64 %13, 3
   %56 = icmp ult i64 %13, 4
   br i1 %56, label %61, label %57
@@ -3006,9 +3276,9 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %74, label %75, label %64
 
 75:
-  %76 = getelementptr inbounds i8, ptr %0, i64 104
+  %76 = getelementptr inbounds i8, ptr %0, i64 112
   %77 = load ptr, ptr %76, align 8
-  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #14
+  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #15
   %79 = icmp eq i32 %78, 0
   %80 = select i1 %79, i64 4, i64 1
   br label %110
@@ -3053,14 +3323,14 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   ret i64 %111
 }
 
-declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #11
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #12
 
 define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = icmp eq i64 %1, %2
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.68) #14
+  tail call fastcc void @fail(ptr %0, ptr @.str.69) #15
   br label %6
 
 6:
@@ -3075,21 +3345,21 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %4, label %5, label %8
 
 5:
-  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #14
+  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
   %7 = icmp eq i64 %6, 1
   br i1 %7, label %8, label %14
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #14
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #14
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #15
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.69, i64 %15, ptr @.str.70) #14
+  tail call fastcc void @stop(ptr %0, ptr @.str.70, i64 %15, ptr @.str.71) #15
   br label %20
 
 16:
@@ -3106,9 +3376,9 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   ret i32 %21
 }
 
-declare double @llvm.fabs.f64(double) #12
+declare double @llvm.fabs.f64(double) #13
 
-declare void @llvm.assume(i1) #13
+declare void @llvm.assume(i1) #14
 
 attributes #0 = { nounwind "no-builtins" }
 attributes #1 = { nounwind "no-builtins" }
@@ -3127,5 +3397,6 @@ attributes #13 = { nounwind "no-builtins" }
 attributes #14 = { nounwind "no-builtins" }
 attributes #15 = { nounwind "no-builtins" }
 attributes #16 = { nounwind "no-builtins" }
+attributes #17 = { nounwind "no-builtins" }
 
 
