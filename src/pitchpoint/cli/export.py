@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,7 @@ from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.io.fmu.model import FmuModel
+    from pitchpoint.model.model import Model
     from pitchpoint.solvers.exported_run import ExportedRun
     from pitchpoint.solvers.input_places import Place
 
@@ -42,8 +44,9 @@ if TYPE_CHECKING:
     "--parameter",
     "parameters",
     multiple=True,
-    metavar="PATH",
-    help="Number of the model file as a tunable parameter: meshes.stage.backlash.normal; repeatable.",
+    metavar="PATH[=LOW:HIGH]",
+    help="Number of the model file as a tunable parameter, with its range: meshes.stage.backlash.normal, "
+    "'meshes.stage.center_distance=149.8 mm:150.2 mm'; repeatable.",
 )
 @click.option(
     "--input",
@@ -76,18 +79,43 @@ def export(
     name = choose_scenario(model, scenario, "time")
     if how["step"] is not None:
         model = model.replace(f"scenarios.{name}.step", how["step"])
-    run, tunable = begin_export(model, name, how["parameters"], how["more_inputs"])
+    run, tunable = begin_export(model, name, _ranges(model, how["parameters"]), how["more_inputs"])
     title = model.title or name
     written = [_write(way, target, run, tunable, title, how) for way, target in targets.items()]
     if as_json:
         emit_json({key: value for each, _ in written for key, value in each.items()})
         return
     if not quiet:
-        rows = [[p.name, f"{p.start:.6g} {p.unit}", p.text] for p in (*run.inputs, *run.drives, *tunable)]
+        rows = [[p.name, f"{p.start:.6g} {p.unit}", _meaning(p)] for p in (*run.inputs, *run.drives, *tunable)]
         if rows:
             table("inputs and parameters", ["name", "start", "meaning"], rows)
     for _, sentence in written:
         show(f"{sentence}, {len(run.system.layout.channels)} outputs, time step {shown(run.h, 'time', 4)}")
+
+
+def _meaning(place: Place) -> str:
+    """Description of an input or parameter, with its range if it has one."""
+    if place.most == math.inf:
+        return place.text
+    return f"{place.text}, {place.least:.6g} to {place.most:.6g} {place.unit}"
+
+
+def _ranges(model: Model, texts: Sequence[str]) -> dict[str, tuple[float, float] | None]:
+    """Paths of `--parameter` with their ranges in SI units."""
+    from pitchpoint.core.errors import UnitError
+    from pitchpoint.model.numbers import amount_at
+
+    found: dict[str, tuple[float, float] | None] = {}
+    for text in texts:
+        path, sign, limits = text.partition("=")
+        low, colon, high = limits.partition(":")
+        if sign and not (colon and low.strip() and high.strip()):
+            raise click.BadParameter(f"{text!r} is not of the form PATH=LOW:HIGH", param_hint="--parameter")
+        try:
+            found[path] = (amount_at(model, path, low), amount_at(model, path, high)) if sign else None
+        except UnitError as error:
+            raise click.BadParameter(f"{text}: {error}", param_hint="--parameter") from error
+    return found
 
 
 def _targets(file: str, how: dict[str, Any]) -> dict[str, Path]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+Parameters = Sequence[str] | Mapping[str, tuple[float, float] | None]
 STEPS = 10
 """Time steps per sample of a live page."""
 
@@ -50,7 +51,7 @@ def export_fmu(
     *,
     version: int = 3,
     platforms: Sequence[str] = (),
-    parameters: Sequence[str] = (),
+    parameters: Parameters = (),
     inputs: Sequence[str] = (),
 ) -> Path:
     """Write a scenario of a model as an FMU; returns its path.
@@ -68,7 +69,8 @@ def export_fmu(
     platforms
         Platforms by their names in FMI 3.0, such as "x86_64-linux"; default: that of this computer.
     parameters, inputs
-        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads.
+        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads. A mapping
+        gives the smallest and largest value of each parameter in SI units, or None.
 
     Raises
     ------
@@ -84,7 +86,7 @@ def export_fmu(
 
 
 def begin_export(
-    model: Model, scenario: str, parameters: Sequence[str] = (), inputs: Sequence[str] = ()
+    model: Model, scenario: str, parameters: Parameters = (), inputs: Sequence[str] = ()
 ) -> tuple[ExportedRun, tuple[Place, ...]]:
     """Started run of a scenario for other programs, and its tunable parameters.
 
@@ -96,7 +98,10 @@ def begin_export(
         As for `export_fmu`.
     """
     run = export_run(compile_model(model, scenario))
-    more, tunable = (tunable_places(model, scenario, run, paths) for paths in (inputs, parameters))
+    ranges = parameters if isinstance(parameters, Mapping) else {}
+    given = {path: limits for path, limits in ranges.items() if limits is not None}
+    more = tunable_places(model, scenario, run, inputs)
+    tunable = tunable_places(model, scenario, run, list(parameters), given)
     return replace(run, inputs=(*run.inputs, *more)), tunable
 
 
@@ -133,9 +138,9 @@ def fmu_model(
     channels = run.system.layout.channels
     variables = [
         *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
-        *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
-        *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
-        *(Variable(SPEED, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.drives),
+        *(_settable(INPUT, p) for p in run.inputs),
+        *(_settable(PARAMETER, p) for p in tunable),
+        *(_settable(SPEED, p) for p in run.drives),
         *_accelerations(run),
         Variable(TIME, "time", "s", "time"),
         *_state_variables(run),
@@ -154,6 +159,11 @@ def fmu_model(
         run.sample,
         run.shafts,
     )
+
+
+def _settable(kind: int, p: Place) -> Variable:
+    """Variable of a number that the importing program may change."""
+    return Variable(kind, p.name, p.unit, p.text, 0, p.start, p.words, p.least, p.most)
 
 
 def _accelerations(run: ExportedRun) -> list[Variable]:

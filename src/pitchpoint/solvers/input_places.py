@@ -8,7 +8,8 @@ infinite.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,7 +25,7 @@ SAME = 1e-14
 
 @dataclass(frozen=True)
 class Place:
-    """Number in the memory of a model that may be changed: a load, at a word of the image.
+    """Number in the memory of a model that may be changed: a load, or a parameter with all words it is in.
 
     Parameters
     ----------
@@ -33,14 +34,33 @@ class Place:
     start
         Value in the image.
     words
-        Offset of a word, and its change per unit of the value; of a drive, the offset of its record.
+        Offset of each word, and coefficients c of its change c[0] d + c[1] d^2 + ... for a change d of the
+        value; of a drive, the offset of its record.
+    least, most
+        Range of the value.
     """
 
     name: str
     unit: str
     text: str
     start: float
-    words: tuple[tuple[int, float], ...]
+    words: tuple[tuple[int, tuple[float, ...]], ...]
+    least: float = -math.inf
+    most: float = math.inf
+
+
+def polynomial(coefficients: Sequence[float], change: float) -> float:
+    """Change of a word for a change of the value, see `Place`.
+
+    Examples
+    --------
+    >>> polynomial((2.0, 3.0), 10.0)
+    320.0
+    """
+    total = 0.0
+    for each in reversed(coefficients):
+        total = (total + each) * change
+    return total
 
 
 def load_places(system: System, at: Mapping[str, int]) -> list[Place]:
@@ -62,7 +82,7 @@ def load_places(system: System, at: Mapping[str, int]) -> list[Place]:
             for k, label in enumerate(system.names[kind]):
                 if bank[k]["form"] == CONSTANT and bank[k]["ramp"] == 0.0:
                     name, unit, text = _load_words(role, label)
-                    words = ((base + k * width + value, 1.0),)
+                    words = ((base + k * width + value, (1.0,)),)
                     found.append(Place(name, unit, text, float(bank[k]["value"]), words))
     return found
 
@@ -79,7 +99,7 @@ def drive_places(system: System, at: Mapping[str, int]) -> list[Place]:
     for name, (kind, k) in constant_drives(system).items():
         bank, word = system.records[kind], name.rpartition(".")[2]
         text = f"prescribed {word}, at the end of a communication step"
-        place = ((at[f"records.{kind}"] + k * bank.dtype.itemsize, 0.0),)
+        place = ((at[f"records.{kind}"] + k * bank.dtype.itemsize, ()),)
         unit = "m/s" if bank[k]["linear"] else "rad/s"
         found.append(Place(name, unit, text, float(bank[k]["speed"]), place))
     return found

@@ -21,7 +21,7 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers.exported_run import export_run, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
-from pitchpoint.solvers.input_places import Place, constant_drives, drive_places, lead, load_places
+from pitchpoint.solvers.input_places import Place, constant_drives, drive_places, lead, load_places, polynomial
 from pitchpoint.solvers.sampled_control import begin_anew
 from pitchpoint.solvers.time import Loop, scenario_of
 from pitchpoint.solvers.tunable import tunable_places
@@ -137,9 +137,14 @@ class Stepper:
         self._drives = {name: self._system.records[kind][k] for name, (kind, k) in drives_at.items()}
         every = sum(len(self._system.records[kind]) for kind in self._system.kinds(DRIVE))
         self._ends = every > len(drives)  # some drives are defined up to the end of the scenario
-        self._words = {p.name: [(word_at(self._arrays, at, o), s) for o, s in p.words] for p in places}
+        self._words: dict[int, tuple[NDArray[np.float64], float]] = {}
+        self._terms: dict[int, list[tuple[str, tuple[float, ...]]]] = {}
+        for p in places:
+            for offset, terms in p.words:
+                word = word_at(self._arrays, at, offset)
+                self._words[offset] = word, float(word[0])
+                self._terms.setdefault(offset, []).append((p.name, terms))
         places += drives
-        self._base = {name: [float(word[0]) for word, _ in words] for name, words in self._words.items()}
         self._start = {p.name: p.start for p in places}
         self._values = dict(self._start)
         self._jumped, self._stale, self._failure = False, False, ""
@@ -205,9 +210,9 @@ class Stepper:
             self._values[name] = float(value)
             if name in self._drives:  # it changes in the next communication step
                 continue
-            change = float(value) - self._start[name]
-            for (word, slope), base in zip(self._words[name], self._base[name], strict=True):
-                word[0] = base + slope * change
+            for offset in (o for o, terms in self._terms.items() if any(name == n for n, _ in terms)):
+                word, base = self._words[offset]
+                word[0] = base + sum(polynomial(c, self._values[n] - self._start[n]) for n, c in self._terms[offset])
             self._jumped = self._stale = True
 
     def advance(self, step: float) -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import re
 import uuid
 from collections.abc import Mapping
@@ -32,8 +33,10 @@ class Variable:
     start
         Start value of a variable that can be set.
     words
-        INPUT and PARAMETER: offset of each word of the memory, and its change per unit. SPEED and ACCELERATION:
-        offset of the record of the drive.
+        INPUT and PARAMETER: offset of each word of the memory, and coefficients of its change
+        (`solvers.input_places.Place`). SPEED and ACCELERATION: offset of the record of the drive.
+    least, most
+        Range of the value.
     """
 
     kind: int
@@ -42,7 +45,9 @@ class Variable:
     text: str
     first: int = 0
     start: float = 0.0
-    words: tuple[tuple[int, float], ...] = ()
+    words: tuple[tuple[int, tuple[float, ...]], ...] = ()
+    least: float = -math.inf
+    most: float = math.inf
 
     @property
     def is_set(self) -> bool:

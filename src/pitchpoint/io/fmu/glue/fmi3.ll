@@ -1,8 +1,8 @@
-; fc0ec5211e7580e8d29438c53a998b75447ed34913b7a29fb0f4467301be5f15
+; 5aa0d8fe659e03fae4b25e47650dfa6081814746c67c38f60cbb3d32f4d8aabf
 
 %struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
-%struct.Variable = type { i64, i64, i64, double }
-%struct.Place = type { i64, double, double }
+%struct.Variable = type { i64, i64, i64, double, double, double }
+%struct.Place = type { i64, i64, i64, i64, double }
 %struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
 %struct.Clock = type { double, double, i64, i64, i64, i64, i64 }
@@ -67,29 +67,31 @@
 @.str.46 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
 @.str.47 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
 @.str.48 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
-@.str.49 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.50 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.51 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.52 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.53 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.54 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.55 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.56 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.57 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.58 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.59 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.60 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.61 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.62 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.63 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.64 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.65 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.66 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.67 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.68 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.69 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.70 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.71 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.49 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
+@pp_coefficients = external local_unnamed_addr constant [0 x double], align 8
+@.str.50 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.51 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.52 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.53 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.54 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.55 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.56 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.57 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.58 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.59 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.60 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.61 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.62 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.63 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.64 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.65 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.66 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.67 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.68 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.69 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.70 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.71 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.72 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -100,7 +102,7 @@ define i32 @fmi3SetDebugLogging(ptr readnone %0, i1 zeroext %1, i64 %2, ptr read
 }
 
 define ptr @fmi3InstantiateCoSimulation(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, i1 zeroext %5, i1 zeroext %6, ptr readnone %7, i64 %8, ptr %9, ptr %10, ptr readnone %11) local_unnamed_addr #1 {
-  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #15
+  %13 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %9, ptr %10, i32 0) #16
   ret ptr %13
 }
 
@@ -115,12 +117,12 @@ define internal fastcc ptr @instantiate(ptr %0, ptr %1, ptr %2, ptr %3, i32 %4) 
   store ptr null, ptr %9, align 8
   %10 = getelementptr inbounds i8, ptr %6, i64 32
   store ptr %2, ptr %10, align 8
-  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #15
+  %11 = call fastcc ptr @create(ptr %0, ptr %1, ptr %6, i32 %4) #16
   ret ptr %11
 }
 
 define ptr @fmi3InstantiateModelExchange(ptr %0, ptr %1, ptr readnone %2, i1 zeroext %3, i1 zeroext %4, ptr %5, ptr %6) local_unnamed_addr #1 {
-  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #15
+  %8 = tail call fastcc ptr @instantiate(ptr %0, ptr %1, ptr %5, ptr %6, i32 1) #16
   ret ptr %8
 }
 
@@ -129,7 +131,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
   br i1 %11, label %13, label %12
 
 12:
-  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #17
+  tail call void %6(ptr %5, i32 3, ptr @.str.1, ptr @.str.2) #18
   br label %13
 
 13:
@@ -137,7 +139,7 @@ define noalias ptr @fmi3InstantiateScheduledExecution(ptr readnone %0, ptr readn
 }
 
 define void @fmi3FreeInstance(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @free_instance(ptr %0) #15
+  tail call fastcc void @free_instance(ptr %0) #16
   ret void
 }
 
@@ -148,7 +150,7 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 
 4:
   call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %2, ptr align 8 dereferenceable(40) %0, i64 40, i1 false)
-  call fastcc void @release(ptr %2, ptr %0) #15
+  call fastcc void @release(ptr %2, ptr %0) #16
   br label %5
 
 5:
@@ -156,12 +158,12 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #1 {
-  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #15
+  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #16
   ret i32 %7
 }
 
 define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #15
+  %3 = tail call fastcc i32 @finite_number(double %1) #16
   %4 = icmp eq i32 %3, 0
   br i1 %4, label %38, label %5
 
@@ -199,14 +201,14 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
   br i1 %26, label %27, label %35
 
 27:
-  %28 = tail call fastcc ptr @drive_of(ptr %0, i64 %23) #15
+  %28 = tail call fastcc ptr @drive_of(ptr %0, i64 %23) #16
   %29 = getelementptr inbounds i8, ptr %28, i64 96
   %30 = load double, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %28, i64 104
   %32 = load double, ptr %31, align 8
   %33 = fmul double %8, %32
   %34 = fadd double %30, %33
-  tail call fastcc void @turn_on(ptr %0, ptr %28, double %34, double %32, double 0.000000e+00) #15
+  tail call fastcc void @turn_on(ptr %0, ptr %28, double %34, double %32, double 0.000000e+00) #16
   br label %35
 
 35:
@@ -216,7 +218,7 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
 
 38:
   %39 = phi ptr [ @.str.38, %2 ], [ @.str.39, %5 ]
-  tail call fastcc void @fail(ptr %0, ptr %39) #15
+  tail call fastcc void @fail(ptr %0, ptr %39) #16
   br label %40
 
 40:
@@ -225,12 +227,12 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
-  %2 = tail call fastcc i32 @end_start(ptr %0) #15
+  %2 = tail call fastcc i32 @end_start(ptr %0) #16
   ret i32 %2
 }
 
 define internal fastcc i32 @end_start(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i32 @refresh(ptr %0) #15
+  %2 = tail call fastcc i32 @refresh(ptr %0) #16
   %3 = icmp eq i32 %2, 0
   br i1 %3, label %4, label %6
 
@@ -248,12 +250,12 @@ define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
 }
 
 define i32 @fmi3Reset(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @begin(ptr %0) #15
+  tail call fastcc void @begin(ptr %0) #16
   ret i32 0
 }
 
 define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
-  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #15
+  tail call fastcc void @relocate(ptr %0, ptr @pp_image) #16
   %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %3 = icmp sgt i64 %2, 0
   br i1 %3, label %4, label %26
@@ -343,12 +345,12 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #15
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  %9 = tail call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #16
   br label %10
 
 10:
@@ -361,7 +363,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.44) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #16
   br label %6
 
 6:
@@ -393,7 +395,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %20, label %22, label %21
 
 21:
-  tail call fastcc void @fail(ptr %0, ptr @.str.45) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.45) #16
   br label %72
 
 22:
@@ -409,7 +411,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   ]
 
 25:
-  %26 = tail call fastcc double @now(ptr %0) #15
+  %26 = tail call fastcc double @now(ptr %0) #16
   br label %67
 
 27:
@@ -421,13 +423,13 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 31:
   %32 = load ptr, ptr %8, align 8
   %33 = getelementptr inbounds i8, ptr %32, i64 %9
-  %34 = tail call fastcc i64 @address(ptr %33) #15
-  %35 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %34) #15
+  %34 = tail call fastcc i64 @address(ptr %33) #16
+  %35 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %34) #16
   %36 = icmp eq i64 %35, 1
   br i1 %36, label %37, label %72
 
 37:
-  %38 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %38 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
   %39 = getelementptr inbounds i8, ptr %23, i64 8
   %40 = load i64, ptr %39, align 8
   %41 = getelementptr inbounds i32, ptr @pp_indicators, i64 %40
@@ -438,7 +440,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br label %67
 
 46:
-  %47 = tail call fastcc i32 @refresh(ptr %0) #15
+  %47 = tail call fastcc i32 @refresh(ptr %0) #16
   %48 = icmp eq i32 %47, 0
   br i1 %48, label %49, label %72
 
@@ -457,14 +459,14 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br label %67
 
 56:
-  %57 = tail call fastcc ptr @state_at(ptr %0, i64 %51) #15
+  %57 = tail call fastcc ptr @state_at(ptr %0, i64 %51) #16
   %58 = load double, ptr %57, align 8
   br label %67
 
 59:
   %60 = icmp slt i64 %51, %12
   %61 = select i1 %60, i64 %13, i64 %14
-  %62 = tail call fastcc ptr @reals(ptr %0, i64 %61) #15
+  %62 = tail call fastcc ptr @reals(ptr %0, i64 %61) #16
   %63 = select i1 %60, i64 0, i64 %12
   %64 = sub nsw i64 %51, %63
   %65 = getelementptr inbounds double, ptr %62, i64 %64
@@ -485,12 +487,12 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 }
 
 define i32 @fmi3SetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
-  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #15
+  %6 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %4) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  %9 = tail call fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) #16
   br label %10
 
 10:
@@ -500,7 +502,7 @@ define i32 @fmi3SetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed
 
 define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = icmp eq i64 %2, 0
-  br i1 %5, label %99, label %6
+  br i1 %5, label %84, label %6
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
@@ -516,7 +518,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %13 = getelementptr inbounds i8, ptr %0, i64 104
   %14 = getelementptr inbounds i8, ptr %0, i64 88
   %15 = getelementptr inbounds i8, ptr %0, i64 72
-  br label %33
+  br label %41
 
 16:
   %17 = phi i64 [ 0, %6 ], [ %10, %9 ]
@@ -524,132 +526,117 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %19 = load i32, ptr %18, align 4
   %20 = zext i32 %19 to i64
   %21 = icmp sgt i64 %7, %20
-  br i1 %21, label %22, label %97
+  br i1 %21, label %22, label %82
 
 22:
   %23 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %20
   %24 = load i64, ptr %23, align 8
   switch i64 %24, label %28 [
     i64 3, label %25
-    i64 6, label %97
-    i64 5, label %97
-    i64 4, label %97
-    i64 0, label %97
+    i64 6, label %82
+    i64 5, label %82
+    i64 4, label %82
+    i64 0, label %82
   ]
 
 25:
   %26 = load i64, ptr %8, align 8
   %27 = icmp eq i64 %26, 0
-  br i1 %27, label %28, label %97
+  br i1 %27, label %28, label %82
 
 28:
   %29 = getelementptr inbounds double, ptr %3, i64 %17
   %30 = load double, ptr %29, align 8
-  %31 = tail call fastcc i32 @finite_number(double %30) #15
+  %31 = tail call fastcc i32 @finite_number(double %30) #16
   %32 = icmp eq i32 %31, 0
-  br i1 %32, label %97, label %9
+  br i1 %32, label %82, label %33
 
 33:
-  %34 = phi i64 [ 0, %12 ], [ %95, %94 ]
-  %35 = getelementptr inbounds i32, ptr %1, i64 %34
-  %36 = load i32, ptr %35, align 4
-  %37 = zext i32 %36 to i64
-  %38 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %37
-  %39 = load i64, ptr %38, align 8
-  %40 = icmp eq i64 %39, 3
-  br i1 %40, label %41, label %54
+  %34 = getelementptr inbounds i8, ptr %23, i64 32
+  %35 = load double, ptr %34, align 8
+  %36 = fcmp olt double %30, %35
+  br i1 %36, label %82, label %37
+
+37:
+  %38 = getelementptr inbounds i8, ptr %23, i64 40
+  %39 = load double, ptr %38, align 8
+  %40 = fcmp ogt double %30, %39
+  br i1 %40, label %82, label %9
 
 41:
-  %42 = getelementptr inbounds i8, ptr %38, i64 8
-  %43 = load i64, ptr %42, align 8
-  %44 = tail call fastcc ptr @state_at(ptr %0, i64 %43) #15
-  %45 = load double, ptr %44, align 8
-  %46 = getelementptr inbounds double, ptr %3, i64 %34
-  %47 = load double, ptr %46, align 8
-  %48 = fcmp une double %45, %47
-  br i1 %48, label %49, label %51
+  %42 = phi i64 [ 0, %12 ], [ %80, %79 ]
+  %43 = getelementptr inbounds i32, ptr %1, i64 %42
+  %44 = load i32, ptr %43, align 4
+  %45 = zext i32 %44 to i64
+  %46 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %45
+  %47 = load i64, ptr %46, align 8
+  %48 = icmp eq i64 %47, 3
+  br i1 %48, label %49, label %62
 
 49:
+  %50 = getelementptr inbounds i8, ptr %46, i64 8
+  %51 = load i64, ptr %50, align 8
+  %52 = tail call fastcc ptr @state_at(ptr %0, i64 %51) #16
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr inbounds double, ptr %3, i64 %42
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp une double %53, %55
+  br i1 %56, label %57, label %59
+
+57:
   store i64 2, ptr %15, align 8
-  %50 = load double, ptr %46, align 8
-  br label %51
+  %58 = load double, ptr %54, align 8
+  br label %59
 
-51:
-  %52 = phi double [ %50, %49 ], [ %47, %41 ]
-  %53 = tail call fastcc ptr @state_at(ptr %0, i64 %43) #15
-  store double %52, ptr %53, align 8
-  br label %94
+59:
+  %60 = phi double [ %58, %57 ], [ %55, %49 ]
+  %61 = tail call fastcc ptr @state_at(ptr %0, i64 %51) #16
+  store double %60, ptr %61, align 8
+  br label %79
 
-54:
-  %55 = load ptr, ptr %13, align 8
-  %56 = getelementptr inbounds double, ptr %55, i64 %37
-  %57 = load double, ptr %56, align 8
-  %58 = getelementptr inbounds double, ptr %3, i64 %34
-  %59 = load double, ptr %58, align 8
-  %60 = fcmp oeq double %57, %59
-  br i1 %60, label %94, label %61
+62:
+  %63 = load ptr, ptr %13, align 8
+  %64 = getelementptr inbounds double, ptr %63, i64 %45
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr inbounds double, ptr %3, i64 %42
+  %67 = load double, ptr %66, align 8
+  %68 = fcmp oeq double %65, %67
+  br i1 %68, label %79, label %69
 
-61:
-  store double %59, ptr %56, align 8
-  %62 = add i64 %39, -1
-  %63 = icmp ult i64 %62, 2
-  br i1 %63, label %64, label %90
+69:
+  store double %67, ptr %64, align 8
+  %70 = add i64 %47, -1
+  %71 = icmp ult i64 %70, 2
+  br i1 %71, label %72, label %75
 
-64:
-  %65 = getelementptr inbounds i8, ptr %38, i64 8
-  %66 = load i64, ptr %65, align 8
-  %67 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %66
-  %68 = getelementptr inbounds i8, ptr %38, i64 16
-  %69 = load i64, ptr %68, align 8
-  %70 = mul nsw i64 %69, 24
-  %71 = getelementptr inbounds i8, ptr %67, i64 %70
-  %72 = icmp sgt i64 %69, 0
-  br i1 %72, label %73, label %93
+72:
+  %73 = load i32, ptr %43, align 4
+  %74 = zext i32 %73 to i64
+  tail call fastcc void @put(ptr %0, i64 %74) #16
+  br label %78
 
-73:
-  %74 = getelementptr inbounds i8, ptr %38, i64 24
-  %75 = load double, ptr %74, align 8
-  br label %76
+75:
+  %76 = load i64, ptr %14, align 8
+  %77 = icmp eq i64 %76, 0
+  br i1 %77, label %79, label %78
 
-76:
-  %77 = phi ptr [ %67, %73 ], [ %88, %76 ]
-  %78 = getelementptr inbounds i8, ptr %77, i64 8
-  %79 = load double, ptr %78, align 8
-  %80 = getelementptr inbounds i8, ptr %77, i64 16
-  %81 = load double, ptr %80, align 8
-  %82 = load double, ptr %58, align 8
-  %83 = fsub double %82, %75
-  %84 = fmul double %81, %83
-  %85 = fadd double %79, %84
-  %86 = load i64, ptr %77, align 8
-  %87 = tail call fastcc ptr @reals(ptr %0, i64 %86) #15
-  store double %85, ptr %87, align 8
-  %88 = getelementptr inbounds i8, ptr %77, i64 24
-  %89 = icmp ult ptr %88, %71
-  br i1 %89, label %76, label %93
-
-90:
-  %91 = load i64, ptr %14, align 8
-  %92 = icmp eq i64 %91, 0
-  br i1 %92, label %94, label %93
-
-93:
+78:
   store i64 2, ptr %15, align 8
-  br label %94
+  br label %79
 
-94:
-  %95 = add nuw i64 %34, 1
-  %96 = icmp eq i64 %95, %2
-  br i1 %96, label %99, label %33
+79:
+  %80 = add nuw i64 %42, 1
+  %81 = icmp eq i64 %80, %2
+  br i1 %81, label %84, label %41
 
-97:
-  %98 = phi ptr [ @.str.47, %22 ], [ @.str.46, %25 ], [ @.str.47, %16 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.48, %28 ]
-  tail call fastcc void @fail(ptr %0, ptr %98) #15
-  br label %99
+82:
+  %83 = phi ptr [ @.str.47, %22 ], [ @.str.46, %25 ], [ @.str.48, %28 ], [ @.str.47, %16 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.47, %22 ], [ @.str.49, %37 ], [ @.str.49, %33 ]
+  tail call fastcc void @fail(ptr %0, ptr %83) #16
+  br label %84
 
-99:
-  %100 = phi i32 [ 3, %97 ], [ 0, %4 ], [ 0, %94 ]
-  ret i32 %100
+84:
+  %85 = phi i32 [ 0, %4 ], [ 3, %82 ], [ 0, %79 ]
+  ret i32 %85
 }
 
 define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4) local_unnamed_addr #1 {
@@ -657,7 +644,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #16
   br label %8
 
 8:
@@ -666,7 +653,7 @@ define i32 @fmi3GetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
 }
 
 define internal fastcc void @fail(ptr %0, ptr %1) unnamed_addr #1 {
-  tail call fastcc void @say(ptr %0, ptr %1) #15
+  tail call fastcc void @say(ptr %0, ptr %1) #16
   ret void
 }
 
@@ -675,7 +662,7 @@ define i32 @fmi3SetFloat32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.3) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.3) #16
   br label %8
 
 8:
@@ -688,7 +675,7 @@ define i32 @fmi3GetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #16
   br label %8
 
 8:
@@ -701,7 +688,7 @@ define i32 @fmi3SetInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.4) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.4) #16
   br label %8
 
 8:
@@ -714,7 +701,7 @@ define i32 @fmi3GetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #16
   br label %8
 
 8:
@@ -727,7 +714,7 @@ define i32 @fmi3SetUInt8(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.5) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.5) #16
   br label %8
 
 8:
@@ -740,7 +727,7 @@ define i32 @fmi3GetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #16
   br label %8
 
 8:
@@ -753,7 +740,7 @@ define i32 @fmi3SetInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.6) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.6) #16
   br label %8
 
 8:
@@ -766,7 +753,7 @@ define i32 @fmi3GetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #16
   br label %8
 
 8:
@@ -779,7 +766,7 @@ define i32 @fmi3SetUInt16(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.7) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.7) #16
   br label %8
 
 8:
@@ -792,7 +779,7 @@ define i32 @fmi3GetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #16
   br label %8
 
 8:
@@ -805,7 +792,7 @@ define i32 @fmi3SetInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.8) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.8) #16
   br label %8
 
 8:
@@ -818,7 +805,7 @@ define i32 @fmi3GetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #16
   br label %8
 
 8:
@@ -831,7 +818,7 @@ define i32 @fmi3SetUInt32(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.9) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.9) #16
   br label %8
 
 8:
@@ -844,7 +831,7 @@ define i32 @fmi3GetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #16
   br label %8
 
 8:
@@ -857,7 +844,7 @@ define i32 @fmi3SetInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.10) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.10) #16
   br label %8
 
 8:
@@ -870,7 +857,7 @@ define i32 @fmi3GetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #16
   br label %8
 
 8:
@@ -883,7 +870,7 @@ define i32 @fmi3SetUInt64(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.11) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.11) #16
   br label %8
 
 8:
@@ -896,7 +883,7 @@ define i32 @fmi3GetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #16
   br label %8
 
 8:
@@ -909,7 +896,7 @@ define i32 @fmi3SetBoolean(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.12) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.12) #16
   br label %8
 
 8:
@@ -922,7 +909,7 @@ define i32 @fmi3GetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #16
   br label %8
 
 8:
@@ -935,7 +922,7 @@ define i32 @fmi3SetString(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.13) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.13) #16
   br label %8
 
 8:
@@ -948,7 +935,7 @@ define i32 @fmi3GetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #16
   br label %9
 
 9:
@@ -961,7 +948,7 @@ define i32 @fmi3SetBinary(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr 
   br i1 %7, label %9, label %8
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.14) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.14) #16
   br label %9
 
 9:
@@ -974,7 +961,7 @@ define i32 @fmi3GetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #16
   br label %7
 
 7:
@@ -987,7 +974,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
   br i1 %5, label %7, label %6
 
 6:
-  tail call fastcc void @fail(ptr %0, ptr @.str.15) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.15) #16
   br label %7
 
 7:
@@ -996,7 +983,7 @@ define i32 @fmi3SetClock(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local
 }
 
 define i32 @fmi3GetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #15
+  %3 = tail call fastcc i32 @keep_state(ptr %0, ptr %1) #16
   ret i32 %3
 }
 
@@ -1010,8 +997,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %7, label %11
 
 7:
-  %8 = tail call fastcc i64 @state_size() #15
-  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #15
+  %8 = tail call fastcc i64 @state_size() #16
+  %9 = tail call fastcc ptr @allocate(ptr %0, i64 %8) #16
   store ptr %9, ptr %1, align 8
   %10 = icmp eq ptr %9, null
   br i1 %10, label %96, label %11
@@ -1033,24 +1020,24 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %19, label %20, label %45
 
 20:
-  %21 = tail call fastcc i64 @numbers_of_state() #15
+  %21 = tail call fastcc i64 @numbers_of_state() #16
   %22 = shl i64 %21, 3
   %23 = getelementptr inbounds i8, ptr %12, i64 40
   %24 = getelementptr inbounds i8, ptr %0, i64 48
-  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 56) #17
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 56) #18
   %26 = getelementptr inbounds i8, ptr %12, i64 96
   %27 = getelementptr inbounds i8, ptr %0, i64 104
   %28 = load ptr, ptr %27, align 8
-  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #17
+  %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #18
   %30 = getelementptr inbounds i8, ptr %26, i64 %22
   %31 = getelementptr inbounds i8, ptr %0, i64 128
   %32 = load ptr, ptr %31, align 8
   %33 = load i64, ptr @pp_numbers, align 8
-  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #17
+  %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #18
   %35 = load ptr, ptr %31, align 8
-  %36 = tail call fastcc i64 @address(ptr %35) #15
+  %36 = tail call fastcc i64 @address(ptr %35) #16
   %37 = sub nsw i64 0, %36
-  tail call fastcc void @move(ptr %30, i64 %37) #15
+  tail call fastcc void @move(ptr %30, i64 %37) #16
   %38 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %39 = icmp sgt i64 %38, 0
   br i1 %39, label %40, label %114
@@ -1134,8 +1121,8 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.49, %2 ], [ @.str.50, %7 ]
-  tail call fastcc void @fail(ptr %0, ptr %97) #15
+  %97 = phi ptr [ @.str.50, %2 ], [ @.str.51, %7 ]
+  tail call fastcc void @fail(ptr %0, ptr %97) #16
   br label %114
 
 98:
@@ -1168,7 +1155,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #15
+  %3 = tail call fastcc i32 @restore(ptr %0, ptr %1) #16
   ret i32 %3
 }
 
@@ -1177,23 +1164,23 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.51) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #16
   br label %18
 
 5:
-  %6 = tail call fastcc i64 @numbers_of_state() #15
+  %6 = tail call fastcc i64 @numbers_of_state() #16
   %7 = shl i64 %6, 3
   %8 = getelementptr inbounds i8, ptr %0, i64 48
   %9 = getelementptr inbounds i8, ptr %0, i64 88
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %1, i64 40
-  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 56) #17
+  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 56) #18
   %13 = getelementptr inbounds i8, ptr %0, i64 104
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds i8, ptr %1, i64 96
-  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #17
+  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #18
   %17 = getelementptr inbounds i8, ptr %15, i64 %7
-  tail call fastcc void @relocate(ptr %0, ptr %17) #15
+  tail call fastcc void @relocate(ptr %0, ptr %17) #16
   store i64 %10, ptr %9, align 8
   br label %18
 
@@ -1203,7 +1190,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3FreeFMUState(ptr %0, ptr %1) local_unnamed_addr #1 {
-  tail call fastcc void @drop_state(ptr %0, ptr %1) #15
+  tail call fastcc void @drop_state(ptr %0, ptr %1) #16
   ret i32 0
 }
 
@@ -1217,7 +1204,7 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @release(ptr %0, ptr %5) #15
+  tail call fastcc void @release(ptr %0, ptr %5) #16
   store ptr null, ptr %1, align 8
   br label %8
 
@@ -1226,13 +1213,13 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
-  %4 = tail call fastcc i64 @state_size() #15
+  %4 = tail call fastcc i64 @state_size() #16
   store i64 %4, ptr %2, align 8
   ret i32 0
 }
 
 define internal fastcc i64 @state_size() unnamed_addr #0 {
-  %1 = tail call fastcc i64 @numbers_of_state() #15
+  %1 = tail call fastcc i64 @numbers_of_state() #16
   %2 = shl i64 %1, 3
   %3 = add i64 %2, 96
   %4 = load i64, ptr @pp_numbers, align 8
@@ -1241,7 +1228,7 @@ define internal fastcc i64 @state_size() unnamed_addr #0 {
 }
 
 define i32 @fmi3SerializeFMUState(ptr %0, ptr %1, ptr %2, i64 %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #15
+  %5 = tail call fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) #16
   ret i32 %5
 }
 
@@ -1250,16 +1237,16 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %5, label %9, label %6
 
 6:
-  %7 = tail call fastcc i64 @state_size() #15
+  %7 = tail call fastcc i64 @state_size() #16
   %8 = icmp ult i64 %3, %7
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.52) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.53) #16
   br label %12
 
 10:
-  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #17
+  %11 = tail call ptr @memcpy(ptr %2, ptr %1, i64 %7) #18
   br label %12
 
 12:
@@ -1268,17 +1255,17 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
 }
 
 define i32 @fmi3DeserializeFMUState(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
-  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #15
+  %5 = tail call fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) #16
   ret i32 %5
 }
 
 define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = tail call fastcc i64 @state_size() #15
+  %5 = tail call fastcc i64 @state_size() #16
   %6 = icmp eq i64 %2, %5
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.54) #16
   br label %40
 
 8:
@@ -1313,7 +1300,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.55) #16
   br label %40
 
 30:
@@ -1322,18 +1309,18 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %32, label %33, label %37
 
 33:
-  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #15
+  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #16
   store ptr %34, ptr %3, align 8
   %35 = icmp eq ptr %34, null
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.50) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #16
   br label %40
 
 37:
   %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
-  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #17
+  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #18
   br label %40
 
 40:
@@ -1342,17 +1329,17 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 }
 
 define i32 @fmi3GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, ptr %7, i64 %8) local_unnamed_addr #1 {
-  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #15
+  %10 = tail call fastcc i32 @agree(ptr %0, i64 %4, i64 %6) #16
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %17, label %12
 
 12:
-  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #15
+  %13 = tail call fastcc i32 @agree(ptr %0, i64 %2, i64 %8) #16
   %14 = icmp eq i32 %13, 0
   br i1 %14, label %17, label %15
 
 15:
-  %16 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %7) #15
+  %16 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %7) #16
   br label %17
 
 17:
@@ -1376,7 +1363,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #16
   br label %160
 
 17:
@@ -1413,18 +1400,18 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   ]
 
 35:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.57) #16
   br label %160
 
 36:
   %37 = getelementptr inbounds double, ptr %5, i64 %27
   %38 = load double, ptr %37, align 8
-  %39 = tail call fastcc i32 @finite_number(double %38) #15
+  %39 = tail call fastcc i32 @finite_number(double %38) #16
   %40 = icmp eq i32 %39, 0
   br i1 %40, label %41, label %42
 
 41:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #16
   br label %160
 
 42:
@@ -1432,7 +1419,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %43, label %44, label %48
 
 44:
-  %45 = tail call fastcc double @change_of(ptr %0, i32 %29, double %38) #15
+  %45 = tail call fastcc double @change_of(ptr %0, i32 %29, double %38) #16
   %46 = fcmp olt double %45, %26
   br i1 %46, label %47, label %48
 
@@ -1503,43 +1490,43 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
 87:
   store ptr null, ptr %8, align 8
   %88 = shl i64 %2, 3
-  %89 = tail call fastcc ptr @allocate(ptr %0, i64 %88) #15
+  %89 = tail call fastcc ptr @allocate(ptr %0, i64 %88) #16
   %90 = icmp eq ptr %89, null
   br i1 %90, label %91, label %92
 
 91:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #16
   br label %129
 
 92:
-  %93 = call fastcc i32 @keep_state(ptr %0, ptr %8) #15
+  %93 = call fastcc i32 @keep_state(ptr %0, ptr %8) #16
   %94 = icmp eq i32 %93, 0
   br i1 %94, label %95, label %129
 
 95:
   %96 = fneg double %18
-  %97 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %96) #15
+  %97 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %96) #16
   %98 = icmp eq i32 %97, 0
   br i1 %98, label %99, label %129
 
 99:
-  %100 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %89) #15
+  %100 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %89) #16
   %101 = icmp eq i32 %100, 0
   br i1 %101, label %102, label %129
 
 102:
   %103 = load ptr, ptr %8, align 8
-  %104 = call fastcc i32 @restore(ptr %0, ptr %103) #15
+  %104 = call fastcc i32 @restore(ptr %0, ptr %103) #16
   %105 = icmp eq i32 %104, 0
   br i1 %105, label %106, label %132
 
 106:
-  %107 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #15
+  %107 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #16
   %108 = icmp eq i32 %107, 0
   br i1 %108, label %109, label %129
 
 109:
-  %110 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #15
+  %110 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #16
   %111 = icmp eq i32 %110, 0
   br i1 %111, label %112, label %129
 
@@ -1605,15 +1592,15 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %154, label %118, label %136
 
 155:
-  %156 = call fastcc i32 @restore(ptr %0, ptr %133) #15
+  %156 = call fastcc i32 @restore(ptr %0, ptr %133) #16
   br label %157
 
 157:
-  call fastcc void @drop_state(ptr %0, ptr %8) #15
+  call fastcc void @drop_state(ptr %0, ptr %8) #16
   br i1 %90, label %159, label %158
 
 158:
-  call fastcc void @release(ptr %0, ptr %89) #15
+  call fastcc void @release(ptr %0, ptr %89) #16
   br label %159
 
 159:
@@ -1625,18 +1612,18 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
 }
 
 define i32 @fmi3DoStep(ptr %0, double %1, double %2, i1 zeroext %3, ptr %4, ptr %5, ptr %6, ptr %7) local_unnamed_addr #1 {
-  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #15
+  %9 = tail call fastcc i32 @do_step(ptr %0, double %1, double %2) #16
   store i8 0, ptr %4, align 1
   store i8 0, ptr %5, align 1
   store i8 0, ptr %6, align 1
-  %10 = tail call fastcc double @now(ptr %0) #15
+  %10 = tail call fastcc double @now(ptr %0) #16
   store double %10, ptr %7, align 8
   ret i32 %9
 }
 
 
 define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
-  %4 = tail call fastcc double @now(ptr %0) #15
+  %4 = tail call fastcc double @now(ptr %0) #16
   %5 = fsub double %1, %4
   %6 = getelementptr inbounds i8, ptr %0, i64 56
   %7 = load double, ptr %6, align 8
@@ -1652,7 +1639,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.59) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #16
   br label %81
 
 18:
@@ -1662,7 +1649,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.60) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #16
   br label %81
 
 23:
@@ -1672,7 +1659,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.62) #16
   br label %81
 
 28:
@@ -1683,7 +1670,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.63) #16
   br label %81
 
 34:
@@ -1694,7 +1681,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.63) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.64) #16
   br label %81
 
 40:
@@ -1719,22 +1706,22 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.64) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.65) #16
   br label %81
 
 58:
-  tail call fastcc void @change_step(ptr %0, double %44) #15
+  tail call fastcc void @change_step(ptr %0, double %44) #16
   br label %59
 
 59:
-  tail call fastcc void @lead(ptr %0, double %2) #15
+  tail call fastcc void @lead(ptr %0, double %2) #16
   %60 = getelementptr inbounds i8, ptr %0, i64 72
   %61 = load i64, ptr %60, align 8
   %62 = icmp eq i64 %61, 2
   br i1 %62, label %63, label %65
 
 63:
-  %64 = tail call fastcc i64 @restart(ptr %0) #15
+  %64 = tail call fastcc i64 @restart(ptr %0) #16
   br label %65
 
 65:
@@ -1745,7 +1732,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %69, label %70, label %72
 
 70:
-  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #15
+  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #16
   br label %72
 
 72:
@@ -1758,14 +1745,14 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %79
 
 76:
-  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #15
+  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #16
   store i64 0, ptr %60, align 8
   %78 = icmp eq i64 %77, 1
   br i1 %78, label %81, label %79
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.65, i64 %80, ptr @.str.66) #15
+  tail call fastcc void @stop(ptr %0, ptr @.str.66, i64 %80, ptr @.str.67) #16
   br label %81
 
 81:
@@ -1812,21 +1799,21 @@ define i32 @fmi3CompletedIntegratorStep(ptr readnone %0, i1 zeroext %1, ptr %2, 
 }
 
 define i32 @fmi3SetTime(ptr %0, double %1) local_unnamed_addr #1 {
-  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #15
+  %3 = tail call fastcc i32 @set_time(ptr %0, double %1) #16
   ret i32 %3
 }
 
 define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #15
+  %3 = tail call fastcc i32 @finite_number(double %1) #16
   %4 = icmp eq i32 %3, 0
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.67) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.68) #16
   br label %14
 
 6:
-  %7 = tail call fastcc double @now(ptr %0) #15
+  %7 = tail call fastcc double @now(ptr %0) #16
   %8 = fcmp une double %1, %7
   br i1 %8, label %9, label %11
 
@@ -1848,35 +1835,35 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
 }
 
 define i32 @fmi3SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #15
+  %4 = tail call fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) #16
   ret i32 %4
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %22, label %8
 
 8:
-  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #15
+  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #16
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.68) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.69) #16
   br label %22
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #16
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #17
+  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #18
   %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #15
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #16
   %19 = getelementptr inbounds double, ptr %1, i64 %4
-  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #17
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #18
   %21 = getelementptr inbounds i8, ptr %0, i64 72
   store i64 2, ptr %21, align 8
   br label %22
@@ -1887,26 +1874,26 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #15
+  %4 = tail call fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) #16
   ret i32 %4
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
   %11 = shl i64 %4, 3
-  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #17
+  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #18
   %13 = getelementptr inbounds double, ptr %1, i64 %4
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #15
-  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #17
+  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #16
+  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #18
   br label %17
 
 17:
@@ -1915,33 +1902,33 @@ define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetContinuousStateDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #15
+  %4 = tail call fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) #16
   ret i32 %4
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %21, label %8
 
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 0, ptr %9, align 8
-  %10 = tail call fastcc i32 @accelerate(ptr %0) #15
+  %10 = tail call fastcc i32 @accelerate(ptr %0) #16
   %11 = icmp eq i32 %10, 0
   br i1 %11, label %12, label %21
 
 12:
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #15
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #16
   %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #17
+  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #18
   %17 = getelementptr inbounds double, ptr %1, i64 %4
   %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #15
-  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #17
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #16
+  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #18
   br label %21
 
 21:
@@ -1950,13 +1937,13 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 }
 
 define i32 @fmi3GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #15
+  %4 = tail call fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) #16
   ret i32 %4
 }
 
 define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
-  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #15
+  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #16
   %6 = icmp eq i32 %5, 0
   br i1 %6, label %28, label %7
 
@@ -1969,14 +1956,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
-  %14 = tail call fastcc i64 @address(ptr %13) #15
-  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #15
+  %14 = tail call fastcc i64 @address(ptr %13) #16
+  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #16
   %16 = icmp eq i64 %15, 1
   br i1 %16, label %17, label %28
 
 17:
   %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #15
+  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #16
   %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
   %21 = load i32, ptr %20, align 4
   %22 = zext i32 %21 to i64
@@ -1994,14 +1981,14 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 }
 
 define i32 @fmi3GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
-  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #15
+  %4 = tail call fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) #16
   ret i32 %4
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #15
+  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %48, label %8
 
@@ -2088,87 +2075,87 @@ define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnam
 }
 
 define i32 @fmi3EnterStepMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.16) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.16) #16
   ret i32 3
 }
 
 define i32 @fmi3EnterConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.17) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.17) #16
   ret i32 3
 }
 
 define i32 @fmi3ExitConfigurationMode(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.18) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.18) #16
   ret i32 3
 }
 
 define i32 @fmi3EvaluateDiscreteStates(ptr %0) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.19) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.19) #16
   ret i32 3
 }
 
 define i32 @fmi3GetNumberOfVariableDependencies(ptr %0, i32 %1, ptr readnone %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.20) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.20) #16
   ret i32 3
 }
 
 define i32 @fmi3GetVariableDependencies(ptr %0, i32 %1, ptr readnone %2, ptr readnone %3, ptr readnone %4, ptr readnone %5, i64 %6) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.21) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.21) #16
   ret i32 3
 }
 
 define i32 @fmi3GetAdjointDerivative(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, i64 %4, ptr readnone %5, i64 %6, ptr readnone %7, i64 %8) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.22) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.22) #16
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.23) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.23) #16
   ret i32 3
 }
 
 define i32 @fmi3GetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, ptr readnone %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.24) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.24) #16
   ret i32 3
 }
 
 define i32 @fmi3GetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.25) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.25) #16
   ret i32 3
 }
 
 define i32 @fmi3GetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.26) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.26) #16
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.27) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #16
   ret i32 3
 }
 
 define i32 @fmi3SetIntervalFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.28) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.28) #16
   ret i32 3
 }
 
 define i32 @fmi3SetShiftDecimal(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.29) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #16
   ret i32 3
 }
 
 define i32 @fmi3SetShiftFraction(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.30) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #16
   ret i32 3
 }
 
 define i32 @fmi3GetOutputDerivatives(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3, ptr readnone %4, i64 %5) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.31) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #16
   ret i32 3
 }
 
 define i32 @fmi3ActivateModelPartition(ptr %0, i32 %1, double %2) local_unnamed_addr #1 {
-  tail call fastcc void @fail(ptr %0, ptr @.str.32) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #16
   ret i32 3
 }
 
@@ -2181,12 +2168,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   br i1 %7, label %21, label %8
 
 8:
-  %9 = tail call fastcc i32 @same(ptr %1) #15
+  %9 = tail call fastcc i32 @same(ptr %1) #16
   %10 = icmp eq i32 %9, 0
   br i1 %10, label %21, label %11
 
 11:
-  %12 = tail call i32 @pp_processor() #17
+  %12 = tail call i32 @pp_processor() #18
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %21, label %14
 
@@ -2203,7 +2190,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 21:
   %22 = phi ptr [ @.str.33, %4 ], [ @.str.34, %11 ], [ @.str.33, %8 ], [ @.str.35, %14 ]
-  call fastcc void @say(ptr %5, ptr %22) #15
+  call fastcc void @say(ptr %5, ptr %22) #16
   br label %100
 
 23:
@@ -2216,7 +2203,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
-  %31 = tail call fastcc i64 @numbers_of_state() #15
+  %31 = tail call fastcc i64 @numbers_of_state() #16
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
@@ -2224,12 +2211,12 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %36 = add i64 %30, 649
   %37 = add i64 %36, %35
   %38 = add i64 %37, %34
-  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #15
+  %39 = tail call fastcc ptr @allocate(ptr %2, i64 %38) #16
   %40 = icmp eq ptr %39, null
   br i1 %40, label %41, label %42
 
 41:
-  call fastcc void @say(ptr %5, ptr @.str.36) #15
+  call fastcc void @say(ptr %5, ptr @.str.36) #16
   br label %100
 
 42:
@@ -2291,7 +2278,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
   %77 = zext i32 %3 to i64
   %78 = getelementptr inbounds i8, ptr %39, i64 88
   store i64 %77, ptr %78, align 8
-  tail call fastcc void @begin(ptr %39) #15
+  tail call fastcc void @begin(ptr %39) #16
   br label %100
 
 79:
@@ -2367,7 +2354,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
 5:
   %6 = getelementptr inbounds i8, ptr %0, i64 32
   %7 = load ptr, ptr %6, align 8
-  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #17
+  tail call void %3(ptr %7, i32 3, ptr @.str.1, ptr %1) #18
   br label %8
 
 8:
@@ -2388,11 +2375,11 @@ define internal fastcc ptr @allocate(ptr %0, i64 %1) unnamed_addr #1 {
   br i1 %5, label %8, label %6
 
 6:
-  %7 = tail call ptr %4(i64 %1, i64 1) #17
+  %7 = tail call ptr %4(i64 %1, i64 1) #18
   br label %10
 
 8:
-  %9 = tail call ptr @calloc(i64 %1, i64 1) #17
+  %9 = tail call ptr @calloc(i64 %1, i64 1) #18
   br label %10
 
 10:
@@ -2409,11 +2396,11 @@ define internal fastcc void @release(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %5, label %7, label %6
 
 6:
-  tail call void %4(ptr %1) #17
+  tail call void %4(ptr %1) #18
   br label %8
 
 7:
-  tail call void @free(ptr %1) #17
+  tail call void @free(ptr %1) #18
   br label %8
 
 8:
@@ -2446,7 +2433,7 @@ define internal fastcc void @turn_on(ptr %0, ptr %1, double %2, double %3, doubl
   store i64 3, ptr %6, align 8
   %7 = getelementptr inbounds i8, ptr %1, i64 96
   store double %2, ptr %7, align 8
-  %8 = tail call fastcc double @now(ptr %0) #15
+  %8 = tail call fastcc double @now(ptr %0) #16
   %9 = getelementptr inbounds i8, ptr %1, i64 112
   store double %8, ptr %9, align 8
   %10 = getelementptr inbounds i8, ptr %1, i64 104
@@ -2471,11 +2458,11 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
   br i1 %7, label %10, label %8
 
 8:
-  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %9 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #16
   br label %12
 
 10:
-  %11 = tail call fastcc i64 @restart(ptr %0) #15
+  %11 = tail call fastcc i64 @restart(ptr %0) #16
   br label %12
 
 12:
@@ -2486,21 +2473,21 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 15:
   %16 = getelementptr inbounds i8, ptr %0, i64 112
   %17 = load ptr, ptr %16, align 8
-  %18 = tail call fastcc i64 @address(ptr %17) #15
-  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #15
+  %18 = tail call fastcc i64 @address(ptr %17) #16
+  %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #16
   %20 = icmp eq i64 %19, 1
   br i1 %20, label %21, label %26
 
 21:
   %22 = load ptr, ptr %16, align 8
   %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
-  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #15
+  %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #16
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %27, ptr @.str.41) #15
+  tail call fastcc void @stop(ptr %0, ptr @.str.40, i64 %27, ptr @.str.41) #16
   br label %29
 
 28:
@@ -2519,7 +2506,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @follow_inputs(ptr %0) #15
+  tail call fastcc void @follow_inputs(ptr %0) #16
   br label %8
 
 8:
@@ -2527,7 +2514,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %10 = load ptr, ptr %9, align 8
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
   %12 = getelementptr inbounds i8, ptr %10, i64 %11
-  %13 = tail call fastcc double @now(ptr %0) #15
+  %13 = tail call fastcc double @now(ptr %0) #16
   store double %13, ptr %12, align 8
   %14 = getelementptr inbounds i8, ptr %12, i64 32
   store i64 0, ptr %14, align 8
@@ -2539,24 +2526,24 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %19 = getelementptr inbounds i8, ptr %12, i64 8
   store double %18, ptr %19, align 8
   %20 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %21 = tail call fastcc i64 @address(ptr %12) #15
-  %22 = tail call i64 %20(i64 %21, i64 %1, i64 %2) #17
+  %21 = tail call fastcc i64 @address(ptr %12) #16
+  %22 = tail call i64 %20(i64 %21, i64 %1, i64 %2) #18
   ret i64 %22
 }
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #16
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #15
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #16
   br label %11
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #16
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
@@ -2564,7 +2551,7 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
 
 11:
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #15
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #16
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
@@ -2591,7 +2578,7 @@ define internal fastcc i32 @all_finite(ptr %0, i64 %1) unnamed_addr #6 {
   %8 = phi i64 [ %5, %4 ], [ 0, %2 ]
   %9 = getelementptr inbounds double, ptr %0, i64 %8
   %10 = load double, ptr %9, align 8
-  %11 = tail call fastcc i32 @finite_number(double %10) #15
+  %11 = tail call fastcc i32 @finite_number(double %10) #16
   %12 = icmp eq i32 %11, 0
   br i1 %12, label %13, label %4
 
@@ -2605,7 +2592,7 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   store i64 1, ptr %5, align 8
   %6 = getelementptr inbounds i8, ptr %0, i64 136
   store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #15
+  tail call fastcc void @append(ptr %0, ptr %1) #16
   %7 = icmp sgt i64 %2, -1
   %8 = load i64, ptr @pp_n_sentences, align 8
   %9 = icmp slt i64 %2, %8
@@ -2613,16 +2600,16 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.42) #15
+  tail call fastcc void @append(ptr %0, ptr @.str.42) #16
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #15
+  tail call fastcc void @append(ptr %0, ptr %13) #16
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.43) #15
-  tail call fastcc void @append(ptr %0, ptr %3) #15
-  tail call fastcc void @fail(ptr %0, ptr %6) #15
+  tail call fastcc void @append(ptr %0, ptr @.str.43) #16
+  tail call fastcc void @append(ptr %0, ptr %3) #16
+  tail call fastcc void @fail(ptr %0, ptr %6) #16
   ret void
 }
 
@@ -2650,10 +2637,10 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
   br i1 %15, label %27, label %16
 
 16:
-  %17 = tail call fastcc ptr @drive_of(ptr %0, i64 %11) #15
+  %17 = tail call fastcc ptr @drive_of(ptr %0, i64 %11) #16
   %18 = getelementptr inbounds i8, ptr %17, i64 48
   store i64 4, ptr %18, align 8
-  %19 = tail call fastcc double @now(ptr %0) #15
+  %19 = tail call fastcc double @now(ptr %0) #16
   %20 = getelementptr inbounds i8, ptr %17, i64 112
   store double %19, ptr %20, align 8
   %21 = load ptr, ptr %8, align 8
@@ -2673,15 +2660,15 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
 
 define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #15
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #16
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #15
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #16
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #16
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 80), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #16
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
@@ -2741,7 +2728,7 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
 
 52:
   %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #15
+  %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #16
   %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
@@ -2832,10 +2819,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %3 = getelementptr inbounds i8, ptr %0, i64 128
   %4 = load ptr, ptr %3, align 8
   %5 = load i64, ptr @pp_numbers, align 8
-  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #17
+  %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #18
   %7 = load ptr, ptr %3, align 8
-  %8 = tail call fastcc i64 @address(ptr %7) #15
-  tail call fastcc void @move(ptr %7, i64 %8) #15
+  %8 = tail call fastcc i64 @address(ptr %7) #16
+  tail call fastcc void @move(ptr %7, i64 %8) #16
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 16), align 8
   %10 = icmp sgt i64 %9, 0
   br i1 %10, label %12, label %11
@@ -2852,10 +2839,10 @@ define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
   %18 = zext i32 %17 to i64
   %19 = getelementptr inbounds ptr, ptr @pp_entries, i64 %18
   %20 = load ptr, ptr %19, align 8
-  %21 = tail call fastcc i64 @address(ptr %20) #15
+  %21 = tail call fastcc i64 @address(ptr %20) #16
   %22 = load i32, ptr %15, align 4
   %23 = zext i32 %22 to i64
-  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #15
+  %24 = tail call fastcc ptr @integers(ptr %0, i64 %23) #16
   store i64 %21, ptr %24, align 8
   %25 = add nuw nsw i64 %13, 1
   %26 = icmp eq i64 %25, %9
@@ -2952,14 +2939,147 @@ define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
   %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
   %7 = select i1 %4, i64 %5, i64 %6
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #15
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #16
   %9 = select i1 %4, i64 0, i64 %3
   %10 = sub nsw i64 %1, %9
   %11 = getelementptr inbounds double, ptr %8, i64 %10
   ret ptr %11
 }
 
-define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #11 {
+define internal fastcc void @put(ptr %0, i64 %1) unnamed_addr #9 {
+  %3 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %1
+  %4 = getelementptr inbounds i8, ptr %3, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %5
+  %7 = getelementptr inbounds i8, ptr %3, i64 16
+  %8 = load i64, ptr %7, align 8
+  %9 = mul nsw i64 %8, 40
+  %10 = getelementptr inbounds i8, ptr %6, i64 %9
+  %11 = icmp sgt i64 %8, 0
+  br i1 %11, label %12, label %21
+
+12:
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %14 = icmp sgt i64 %13, 0
+  br label %15
+
+15:
+  %16 = phi ptr [ %6, %12 ], [ %67, %62 ]
+  %17 = getelementptr inbounds i8, ptr %16, i64 24
+  %18 = load i64, ptr %17, align 8
+  %19 = icmp ne i64 %18, 0
+  %20 = select i1 %19, i1 %14, i1 false
+  br i1 %20, label %26, label %22
+
+21:
+  ret void
+
+22:
+  %23 = phi double [ 0.000000e+00, %15 ], [ %57, %56 ]
+  %24 = getelementptr inbounds i8, ptr %16, i64 32
+  %25 = load double, ptr %24, align 8
+  br i1 %19, label %62, label %60
+
+26:
+  %27 = phi i64 [ %58, %56 ], [ 0, %15 ]
+  %28 = phi double [ %57, %56 ], [ 0.000000e+00, %15 ]
+  %29 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %27
+  %30 = load i64, ptr %29, align 8
+  %31 = add i64 %30, -1
+  %32 = icmp ult i64 %31, 2
+  br i1 %32, label %33, label %56
+
+33:
+  %34 = getelementptr inbounds i8, ptr %29, i64 8
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.Place, ptr @pp_places, i64 %35
+  %37 = getelementptr inbounds i8, ptr %29, i64 16
+  %38 = load i64, ptr %37, align 8
+  %39 = mul nsw i64 %38, 40
+  %40 = getelementptr inbounds i8, ptr %36, i64 %39
+  %41 = icmp sgt i64 %38, 0
+  br i1 %41, label %42, label %56
+
+42:
+  %43 = load i64, ptr %16, align 8
+  br label %44
+
+44:
+  %45 = phi ptr [ %36, %42 ], [ %54, %52 ]
+  %46 = phi double [ %28, %42 ], [ %53, %52 ]
+  %47 = load i64, ptr %45, align 8
+  %48 = icmp eq i64 %47, %43
+  br i1 %48, label %49, label %52
+
+49:
+  %50 = tail call fastcc double @change_by(ptr %0, i64 %27, ptr %45) #16
+  %51 = fadd double %46, %50
+  br label %52
+
+52:
+  %53 = phi double [ %51, %49 ], [ %46, %44 ]
+  %54 = getelementptr inbounds i8, ptr %45, i64 40
+  %55 = icmp ult ptr %54, %40
+  br i1 %55, label %44, label %56
+
+56:
+  %57 = phi double [ %28, %26 ], [ %28, %33 ], [ %53, %52 ]
+  %58 = add nuw nsw i64 %27, 1
+  %59 = icmp slt i64 %58, %13
+  br i1 %59, label %26, label %22
+
+60:
+  %61 = tail call fastcc double @change_by(ptr %0, i64 %1, ptr %16) #16
+  br label %62
+
+62:
+  %63 = phi double [ %61, %60 ], [ %23, %22 ]
+  %64 = fadd double %25, %63
+  %65 = load i64, ptr %16, align 8
+  %66 = tail call fastcc ptr @reals(ptr %0, i64 %65) #16
+  store double %64, ptr %66, align 8
+  %67 = getelementptr inbounds i8, ptr %16, i64 40
+  %68 = icmp ult ptr %67, %10
+  br i1 %68, label %15, label %21
+}
+
+define internal fastcc double @change_by(ptr %0, i64 %1, ptr %2) unnamed_addr #11 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 104
+  %5 = load ptr, ptr %4, align 8
+  %6 = getelementptr inbounds double, ptr %5, i64 %1
+  %7 = load double, ptr %6, align 8
+  %8 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %1
+  %9 = getelementptr inbounds i8, ptr %8, i64 24
+  %10 = load double, ptr %9, align 8
+  %11 = fsub double %7, %10
+  %12 = getelementptr inbounds i8, ptr %2, i64 8
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %2, i64 16
+  %15 = load i64, ptr %14, align 8
+  %16 = icmp sgt i64 %15, 0
+  br i1 %16, label %17, label %19
+
+17:
+  %18 = add nsw i64 %15, %13
+  br label %21
+
+19:
+  %20 = phi double [ 0.000000e+00, %3 ], [ %28, %21 ]
+  ret double %20
+
+21:
+  %22 = phi i64 [ %24, %21 ], [ %18, %17 ]
+  %23 = phi double [ %28, %21 ], [ 0.000000e+00, %17 ]
+  %24 = add nsw i64 %22, -1
+  %25 = getelementptr inbounds double, ptr @pp_coefficients, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = fadd double %23, %26
+  %28 = fmul double %11, %27
+  %29 = icmp sgt i64 %24, %13
+  br i1 %29, label %21, label %19
+}
+
+define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #12 {
   %4 = zext i32 %1 to i64
   %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
   %6 = load i64, ptr %5, align 8
@@ -3021,7 +3141,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
 22:
   %23 = getelementptr inbounds i8, ptr %16, i64 8
   %24 = load i64, ptr %23, align 8
-  %25 = tail call fastcc ptr @state_at(ptr %0, i64 %24) #15
+  %25 = tail call fastcc ptr @state_at(ptr %0, i64 %24) #16
   %26 = load double, ptr %25, align 8
   %27 = fadd double %19, %26
   store double %27, ptr %25, align 8
@@ -3034,7 +3154,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   %31 = load double, ptr %30, align 8
   %32 = fadd double %19, %31
   store double %32, ptr %6, align 8
-  %33 = call fastcc i32 @set_numbers(ptr %0, ptr %13, i64 1, ptr %6) #15
+  %33 = call fastcc i32 @set_numbers(ptr %0, ptr %13, i64 1, ptr %6) #16
   %34 = icmp eq i32 %33, 0
   br i1 %34, label %35, label %38
 
@@ -3049,7 +3169,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
 }
 
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #9 {
-  %3 = tail call fastcc double @now(ptr %0) #15
+  %3 = tail call fastcc double @now(ptr %0) #16
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
@@ -3058,12 +3178,12 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #9 {
   %7 = getelementptr inbounds i8, ptr %0, i64 56
   %8 = load double, ptr %7, align 8
   %9 = fdiv double %1, %8
-  tail call fastcc void @rescale(ptr %0, double %9) #15
+  tail call fastcc void @rescale(ptr %0, double %9) #16
   br label %15
 
 10:
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #15
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #16
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
@@ -3103,7 +3223,7 @@ define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #9 {
   br i1 %16, label %17, label %69
 
 17:
-  %18 = tail call fastcc ptr @drive_of(ptr %0, i64 %13) #15
+  %18 = tail call fastcc ptr @drive_of(ptr %0, i64 %13) #16
   %19 = getelementptr inbounds i8, ptr %18, i64 48
   %20 = load i64, ptr %19, align 8
   %21 = icmp eq i64 %20, 3
@@ -3112,14 +3232,14 @@ define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #9 {
 22:
   %23 = getelementptr inbounds i8, ptr %18, i64 120
   %24 = load double, ptr %23, align 8
-  %25 = tail call fastcc double @now(ptr %0) #15
+  %25 = tail call fastcc double @now(ptr %0) #16
   %26 = getelementptr inbounds i8, ptr %18, i64 112
   %27 = load double, ptr %26, align 8
   %28 = fsub double %25, %27
   br label %31
 
 29:
-  %30 = tail call fastcc double @now(ptr %0) #15
+  %30 = tail call fastcc double @now(ptr %0) #16
   br label %31
 
 31:
@@ -3162,7 +3282,7 @@ define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #9 {
   %66 = fadd double %35, %65
   %67 = fmul double %33, %66
   %68 = fadd double %67, %63
-  tail call fastcc void @turn_on(ptr %0, ptr %18, double %68, double %55, double %57) #15
+  tail call fastcc void @turn_on(ptr %0, ptr %18, double %68, double %55, double %57) #16
   store i64 2, ptr %10, align 8
   br label %69
 
@@ -3182,7 +3302,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %7 = getelementptr inbounds i8, ptr %5, i64 16
   %8 = getelementptr inbounds i8, ptr %0, i64 120
   %9 = load ptr, ptr %8, align 8
-  %10 = tail call fastcc i64 @address(ptr %9) #15
+  %10 = tail call fastcc i64 @address(ptr %9) #16
   store i64 %10, ptr %7, align 8
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
@@ -3193,7 +3313,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %5, i64 40
   store <6 x i64> zeroinitializer, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %5, i64 88
-  %17 = call fastcc i64 @address(ptr %4) #15
+  %17 = call fastcc i64 @address(ptr %4) #16
   store i64 %17, ptr %16, align 8
   %18 = getelementptr inbounds i8, ptr %5, i64 96
   store i64 0, ptr %18, align 8
@@ -3202,32 +3322,32 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
   %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
-  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #15
+  %23 = call fastcc ptr @reals(ptr %0, i64 %22) #16
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
   %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
-  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #15
+  %27 = call fastcc ptr @reals(ptr %0, i64 %26) #16
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
   %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #15
+  %31 = call fastcc ptr @integers(ptr %0, i64 %30) #16
   store i64 %29, ptr %31, align 8
   %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #15
+  %33 = call fastcc ptr @integers(ptr %0, i64 %32) #16
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
   %35 = getelementptr inbounds i8, ptr %0, i64 128
   %36 = load ptr, ptr %35, align 8
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
-  %39 = call fastcc i64 @address(ptr %38) #15
+  %39 = call fastcc i64 @address(ptr %38) #16
   %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
-  %42 = call fastcc i64 @address(ptr %41) #15
-  %43 = call fastcc i64 @address(ptr %5) #15
-  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #17
+  %42 = call fastcc i64 @address(ptr %41) #16
+  %43 = call fastcc i64 @address(ptr %5) #16
+  %44 = call i64 %34(i64 %39, i64 %42, i64 %43) #18
   %45 = load i64, ptr %4, align 16
   %46 = load i64, ptr %28, align 8
   %47 = add nsw i64 %46, %45
@@ -3278,7 +3398,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 75:
   %76 = getelementptr inbounds i8, ptr %0, i64 112
   %77 = load ptr, ptr %76, align 8
-  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #15
+  %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #16
   %79 = icmp eq i32 %78, 0
   %80 = select i1 %79, i64 4, i64 1
   br label %110
@@ -3323,14 +3443,14 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   ret i64 %111
 }
 
-declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #12
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #13
 
 define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = icmp eq i64 %1, %2
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.69) #15
+  tail call fastcc void @fail(ptr %0, ptr @.str.70) #16
   br label %6
 
 6:
@@ -3345,21 +3465,21 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %4, label %5, label %8
 
 5:
-  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #15
+  %6 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #16
   %7 = icmp eq i64 %6, 1
   br i1 %7, label %8, label %14
 
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #15
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
-  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #15
+  %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #16
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.70, i64 %15, ptr @.str.71) #15
+  tail call fastcc void @stop(ptr %0, ptr @.str.71, i64 %15, ptr @.str.72) #16
   br label %20
 
 16:
@@ -3376,9 +3496,9 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   ret i32 %21
 }
 
-declare double @llvm.fabs.f64(double) #13
+declare double @llvm.fabs.f64(double) #14
 
-declare void @llvm.assume(i1) #14
+declare void @llvm.assume(i1) #15
 
 attributes #0 = { nounwind "no-builtins" }
 attributes #1 = { nounwind "no-builtins" }
@@ -3398,5 +3518,6 @@ attributes #14 = { nounwind "no-builtins" }
 attributes #15 = { nounwind "no-builtins" }
 attributes #16 = { nounwind "no-builtins" }
 attributes #17 = { nounwind "no-builtins" }
+attributes #18 = { nounwind "no-builtins" }
 
 

@@ -22,9 +22,10 @@ extern void *memcpy(void *, const void *, size_t);
 /* kind OUTPUT: channel `first`; INPUT and PARAMETER: `count` places from `first`; STATE, SLOPE, INDICATOR: index `first`;
    SPEED, ACCELERATION: place `first` is the record of a drive */
 enum { OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR, SPEED, ACCELERATION };
-typedef struct { i64 kind, first, count; double start; } Variable;
-/* word at `offset` of the memory = base + slope (value - start of the variable) */
-typedef struct { i64 offset; double base, slope; } Place;
+typedef struct { i64 kind, first, count; double start, least, most; } Variable;
+/* word at `offset` of the memory = base + c1 d + c2 d^2 + ... with d = value - start of the variable, c from `first`;
+   if it is shared, the changes by several variables add */
+typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
   i64 ctl, q, v, a, lam, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
@@ -39,6 +40,7 @@ extern const u32 pp_moved[], pp_code[]; /* code: offset and number of the entry 
 extern const Entry pp_entries[];        /* 0: the loop, 1: single evaluations */
 extern const Variable pp_variables[];
 extern const Place pp_places[];
+extern const double pp_coefficients[];
 extern const u32 pp_indicators[];       /* event functions that are event indicators */
 extern const char *const pp_sentences[];/* by status of the compiled code */
 extern const i64 pp_n_sentences;
@@ -285,6 +287,25 @@ static Status get_numbers(Instance *f, const VR *vr, size_t n, double *value) {
   }
   return fOK;
 }
+static double change_by(Instance *f, i64 variable, const Place *p) {
+  double change = f->values[variable] - pp_variables[variable].start, sum = 0.0;
+  for (i64 k = p->first + p->count; k-- > p->first;) sum = (sum + pp_coefficients[k]) * change;
+  return sum;
+}
+/* words of an input or parameter */
+static void put(Instance *f, i64 variable) {
+  const Variable *v = pp_variables + variable;
+  for (const Place *p = pp_places + v->first; p < pp_places + v->first + v->count; p++) {
+    double sum = 0.0;
+    for (i64 k = 0; p->shared && k < pp_numbers.n_variables; k++) {
+      const Variable *w = pp_variables + k;
+      if (w->kind != INPUT && w->kind != PARAMETER) continue;
+      for (const Place *r = pp_places + w->first; r < pp_places + w->first + w->count; r++)
+        if (r->offset == p->offset) sum += change_by(f, k, r);
+    }
+    *reals(f, p->offset) = p->base + (p->shared ? sum : change_by(f, variable, p));
+  }
+}
 static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *value) {
   for (size_t k = 0; k < n; k++) {
     i64 kind = vr[k] < pp_numbers.n_variables ? pp_variables[vr[k]].kind : OUTPUT;
@@ -292,6 +313,8 @@ static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *val
     if (kind == OUTPUT || kind == SLOPE || kind == TIME || kind == INDICATOR)
       return fail(f, "this variable is neither an input nor a parameter");
     if (!finite_number(value[k])) return fail(f, "an input or parameter is not finite");
+    if (value[k] < pp_variables[vr[k]].least || value[k] > pp_variables[vr[k]].most)
+      return fail(f, "a parameter is out of the range in its description");
   }
   for (size_t k = 0; k < n; k++) {
     const Variable *v = pp_variables + vr[k];
@@ -302,9 +325,7 @@ static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *val
     }
     if (f->values[vr[k]] == value[k]) continue;
     f->values[vr[k]] = value[k];
-    if (v->kind == INPUT || v->kind == PARAMETER)
-      for (const Place *p = pp_places + v->first; p < pp_places + v->first + v->count; p++)
-        *reals(f, p->offset) = p->base + p->slope * (value[k] - v->start);
+    if (v->kind == INPUT || v->kind == PARAMETER) put(f, vr[k]);
     else if (!f->c.exchange) continue; /* speeds of drives change in the next communication step */
     f->c.stale = JUMPED;
   }
