@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Models for other programs: FMUs and live pages from a started run."""
+"""Models for other programs: FMUs from a started run."""
 
 from __future__ import annotations
 
@@ -25,14 +25,12 @@ from pitchpoint.io.fmu.model import (
     Variable,
     identifier,
 )
-from pitchpoint.io.fmu.web import web_assembly
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.target import check_target, write_file
 from pitchpoint.solvers.exported_run import ExportedRun, export_run
 from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system.compile import compile_model
-from pitchpoint.viz.live_page import live_page
 
 if TYPE_CHECKING:
     import os
@@ -40,8 +38,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Parameters = Sequence[str] | Mapping[str, tuple[float, float] | None]
-STEPS = 10
-"""Time steps per sample of a live page."""
 
 
 def export_fmu(
@@ -196,27 +192,3 @@ def _state_variables(run: ExportedRun) -> list[Variable]:
             for k, e in enumerate(run.indicators)
         ),
     ]
-
-
-def live_text(run: ExportedRun, tunable: Sequence[Place], title: str) -> tuple[str, int]:
-    """Live page of a started run, and the size of its code [bytes].
-
-    Parameters
-    ----------
-    run, tunable
-        From `begin_export`.
-    title
-        Title of the page.
-    """
-    from pitchpoint.core.compiler.portable import NARROW
-
-    unit = fmu_model(run, tunable, "live", title, NARROW)
-    code = web_assembly(unit)
-    rows = [
-        {"name": v.name, "unit": v.unit, "reference": k, "start": v.start}
-        for k, v in enumerate(unit.variables)
-    ]
-    settable = [row for row, v in zip(rows, unit.variables, strict=True) if v.is_set]
-    outputs = [row for row, v in zip(rows, unit.variables, strict=True) if v.kind == OUTPUT]
-    times = {"start": run.t0, "sample": STEPS * run.h}
-    return live_page(title, code, token=unit.token, settable=settable, outputs=outputs, **times), len(code)

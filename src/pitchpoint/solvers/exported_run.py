@@ -212,7 +212,7 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     """Sizes, offsets and flags of a run, by name."""
     at = image.at
     fields = _order_fields(scenario)
-    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam")}
+    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr")}
     found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}

@@ -1,6 +1,6 @@
-; 5aa0d8fe659e03fae4b25e47650dfa6081814746c67c38f60cbb3d32f4d8aabf
+; f0a3d43113b8a021a6ed92829b231e6e0731b6f66588a6ab5cacd79834eed941
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
 %struct.Place = type { i64, i64, i64, i64, double }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
@@ -116,7 +116,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 14:
   %15 = icmp ne i32 %3, 0
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
   %17 = icmp eq i64 %16, 0
   %18 = select i1 %15, i1 %17, i1 false
   br i1 %18, label %21, label %19
@@ -141,7 +141,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
   %31 = tail call fastcc i64 @numbers_of_state() #16
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
   %35 = load i64, ptr @pp_numbers, align 8
@@ -280,9 +280,9 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %38, label %5
 
 5:
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %7 = icmp ne i64 %6, 0
-  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %9 = fcmp une double %1, %8
   %10 = select i1 %7, i1 %9, i1 false
   br i1 %10, label %38, label %11
@@ -412,7 +412,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -472,10 +472,10 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 128
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
   %10 = getelementptr inbounds i8, ptr %0, i64 104
   %11 = getelementptr inbounds i8, ptr %0, i64 112
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
   br label %15
@@ -1505,7 +1505,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %81
 
 34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %36 = fdiv double %2, %35
   %37 = fmul double %36, 0x3FEFFFFFFF768FA1
   %38 = fcmp ogt double %37, 1.000000e+15
@@ -1529,9 +1529,9 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %50, label %51, label %59
 
 51:
-  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %53 = icmp ne i64 %52, 0
-  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %55 = icmp ne i64 %54, 0
   %56 = select i1 %53, i1 %55, i1 false
   br i1 %56, label %57, label %58
@@ -1719,7 +1719,7 @@ define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
@@ -1758,7 +1758,7 @@ define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
@@ -1786,7 +1786,7 @@ define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
@@ -1833,7 +1833,7 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 9:
   %10 = getelementptr inbounds i8, ptr %0, i64 128
   %11 = load ptr, ptr %10, align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
   %14 = tail call fastcc i64 @address(ptr %13) #16
   %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #16
@@ -1865,7 +1865,7 @@ define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unna
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #16
   %7 = icmp eq i32 %6, 0
@@ -1990,7 +1990,7 @@ define internal fastcc void @say(ptr %0, ptr %1) unnamed_addr #1 {
 
 define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
   %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %3 = add nsw i64 %2, %1
   ret i64 %3
 }
@@ -2107,7 +2107,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 21:
   %22 = load ptr, ptr %16, align 8
-  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #16
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
@@ -2148,7 +2148,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %12, i64 16
   store <2 x double> zeroinitializer, ptr %15, align 8
   %16 = icmp eq i64 %1, 4
-  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 288), align 8
   %18 = select i1 %16, double %17, double 0.000000e+00
   %19 = getelementptr inbounds i8, ptr %12, i64 8
   store double %18, ptr %19, align 8
@@ -2160,7 +2160,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
   %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #16
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
@@ -2169,17 +2169,17 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
   br label %11
 
 6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #16
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
   br label %11
 
 11:
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #16
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %0, i64 72
@@ -2288,20 +2288,20 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #10 {
 define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
   %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #16
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #16
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #16
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 80), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #16
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
 
 15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %52
 
@@ -2354,9 +2354,9 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   br label %52
 
 52:
-  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #16
-  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
   ret void
@@ -2561,7 +2561,7 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #11 {
 }
 
 define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %4 = icmp slt i64 %1, %3
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
   %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
@@ -2716,7 +2716,7 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 8:
   %9 = getelementptr inbounds i8, ptr %5, i64 8
   %10 = load i64, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %12 = icmp slt i64 %10, %11
   %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
   br label %24
@@ -2797,7 +2797,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
 
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
   %3 = tail call fastcc double @now(ptr %0) #16
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
 
@@ -2809,9 +2809,9 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
   br label %15
 
 10:
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #16
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
   br label %15
@@ -2934,7 +2934,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
   %12 = getelementptr inbounds i8, ptr %5, i64 32
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %14 = add nsw i64 %13, 1
   store i64 %14, ptr %12, align 8
   %15 = getelementptr inbounds i8, ptr %5, i64 40
@@ -2948,20 +2948,20 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   store i64 0, ptr %19, align 8
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
-  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
   %23 = call fastcc ptr @reals(ptr %0, i64 %22) #16
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
   %27 = call fastcc ptr @reals(ptr %0, i64 %26) #16
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %31 = call fastcc ptr @integers(ptr %0, i64 %30) #16
   store i64 %29, ptr %31, align 8
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %33 = call fastcc ptr @integers(ptr %0, i64 %32) #16
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
@@ -2970,7 +2970,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 48), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
   %39 = call fastcc i64 @address(ptr %38) #16
-  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
   %42 = call fastcc i64 @address(ptr %41) #16
   %43 = call fastcc i64 @address(ptr %5) #16
@@ -3097,7 +3097,7 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #16
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
   %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #16
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16

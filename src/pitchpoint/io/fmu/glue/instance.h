@@ -28,7 +28,7 @@ typedef struct { i64 kind, first, count; double start, least, most; } Variable;
 typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
-  i64 ctl, q, v, a, lam, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
+  i64 ctl, q, v, a, lam, fr, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
   i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
   double t0, h, rate;
 } Numbers;
