@@ -27,6 +27,7 @@ from pitchpoint.io.fmu.model import (
 )
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.target import check_target, write_file
+from pitchpoint.solvers.exported_rest import ExportedRest
 from pitchpoint.solvers.exported_run import ExportedRun, export_run
 from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.tunable import tunable_places
@@ -141,6 +142,11 @@ def fmu_model(
         Variable(TIME, "time", "s", "time"),
         *_state_variables(run),
     ]
+    settable = {v.name: k for k, v in enumerate(variables)}
+    balancing = [(spin, settable.get(f"loads.{load}.torque", -1)) for spin, load in run.rest.balancing]
+    rest = run.rest
+    if any(variable < 0 for _, variable in balancing):
+        rest, balancing = ExportedRest(), []
     return FmuModel(
         identifier(name),
         title,
@@ -154,6 +160,14 @@ def fmu_model(
         run.t0 + run.duration,
         run.sample,
         run.shafts,
+        {
+            "entries_of_matrix": [x for row in rest.entries for x in row],
+            "free": rest.free,
+            "free_balancing": rest.free_balancing,
+            "balancing": [x for pair in balancing for x in pair],
+            "spins": rest.spins,
+        },
+        [x for pair in zip(rest.times, rest.weights, strict=True) for x in pair],
     )
 
 

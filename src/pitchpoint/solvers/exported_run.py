@@ -22,6 +22,7 @@ from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.exported_rest import ExportedRest, exported_rest
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
@@ -80,6 +81,8 @@ class ExportedRun:
         mesh phase are not among them, because they jump where a pair of teeth follows the next.
     shafts
         Variables of every shaft with a torque or a drive, see `input_places.shafts`.
+    rest
+        Data for the initial equilibrium.
     """
 
     system: System
@@ -98,6 +101,7 @@ class ExportedRun:
     states: tuple[tuple[str, str], ...]
     indicators: tuple[int, ...]
     shafts: tuple[tuple[str, str, str, str], ...]
+    rest: ExportedRest
 
 
 def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
@@ -144,6 +148,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         tuple(coordinate_units(start.system).items()),
         _indicators(start.system),
         tuple(shafts(start.system)),
+        exported_rest(start.system, start.state, chosen),
     )
 
 
@@ -212,7 +217,7 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     """Sizes, offsets and flags of a run, by name."""
     at = image.at
     fields = _order_fields(scenario)
-    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr")}
+    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr", "R", "A")}
     found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}

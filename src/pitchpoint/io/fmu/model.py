@@ -7,8 +7,8 @@ import hashlib
 import math
 import re
 import uuid
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from pitchpoint.core.compiler.memory_image import MemoryImage
@@ -84,6 +84,8 @@ class FmuModel:
         End and communication step of the default experiment [s].
     shafts
         Name of every shaft with a torque or a drive, and its torque, angle and speed.
+    rest, instants
+        Integers and instants of the initial equilibrium, by their names in `glue/instance.h`.
     """
 
     name: str
@@ -98,12 +100,14 @@ class FmuModel:
     stop: float
     sample: float
     shafts: tuple[tuple[str, str, str, str], ...] = ()
+    rest: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    instants: Sequence[float] = ()
 
     @cached_property
     def token(self) -> str:
         """Identifier of the model: the same for the same memory, code and variables."""
         digest = hashlib.sha256(self.image.data)
-        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables)).encode())
+        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables, self.rest)).encode())
         for symbol, bitcode in self.entries:
             digest.update(symbol.encode() + bitcode)
         return "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"

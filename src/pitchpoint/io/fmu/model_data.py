@@ -42,6 +42,12 @@ def data_text(model: FmuModel) -> str:
         "n_variables": len(model.variables),
         "n_indicators": len(model.indicators),
         "n_drives": len(model.of_kind(SPEED)),
+        "n_entries": len(model.rest["entries_of_matrix"]) // 3,
+        "n_free": len(model.rest["free"]),
+        "n_free_balancing": len(model.rest["free_balancing"]),
+        "n_balancing": len(model.rest["balancing"]) // 2,
+        "n_instants": len(model.instants) // 2,
+        "n_spins": len(model.rest["spins"]),
     }
     integers, reals = number_names()
     values = [f"i64 {({**model.numbers, **counts})[n]}" for n in integers]
@@ -63,6 +69,8 @@ def data_text(model: FmuModel) -> str:
     lines.append(_array("pp_places", "{ i64, i64, i64, i64, double }", rows))
     lines.append(_array("pp_coefficients", "double", (_real(c) for _, terms in words for c in terms)))
     lines.append(_array("pp_indicators", "i32", model.indicators))
+    lines += [_array(f"pp_{name}", "i32", numbers) for name, numbers in model.rest.items()]
+    lines.append(_array("pp_instants", "double", map(_real, model.instants)))
     lines += [_text(f"pp_sentence_{k}", sentence(k)) for k in range(STATUSES)]
     lines.append(_array("pp_sentences", "ptr", (f"@pp_sentence_{k}" for k in range(STATUSES))))
     lines.append(_constant("pp_n_sentences", "i64", str(STATUSES)))

@@ -17,7 +17,7 @@ FUNCTIONS = (
     "live_frames",
 )
 """Exported functions."""
-_SOURCES = ("instance.h", "co_simulation.h", "model_exchange.h", "fmi3.c", "live.c")
+_SOURCES = ("instance.h", "co_simulation.h", "equilibrium.h", "model_exchange.h", "fmi3.c", "live.c")
 
 
 def check_web() -> None:

@@ -31,7 +31,7 @@ const run = {
       if (!each.references) this.set(each.reference, each.value);
       else each.references.forEach((k, i) => this.set(k, each.values[i] * (each.value / each.start)));
     }
-    this.failed = code.fmi3ExitInitializationMode(this.one) !== 0;
+    this.failed = code.fmi3ExitInitializationMode(this.one) > 1; // 1: no equilibrium was found, the run starts with a transient
     this.steps = 0;
   },
   reset() { code.fmi3Reset(this.one); this.begin(); },

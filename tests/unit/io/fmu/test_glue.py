@@ -60,5 +60,6 @@ def test_every_number_of_the_header_is_given():
     run = export_run(compile_model(pair("generalized_alpha"), "steady"))
     integers, reals = number_names()
     counted = {"n_moved", "n_code", "n_variables", "n_indicators", "n_drives"}
+    counted |= {"n_entries", "n_free", "n_free_balancing", "n_balancing", "n_instants", "n_spins"}
     assert set(integers) == counted | set(run.numbers)
     assert reals == ["t0", "h", "rate"]

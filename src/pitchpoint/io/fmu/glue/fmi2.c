@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
    Functions of FMI 2.0. */
 #include "co_simulation.h"
+#include "equilibrium.h"
 #include "model_exchange.h"
 typedef int Bool;
 typedef void (*Logger2)(void *, Str, Status, Str, Str, ...);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
    Functions of FMI 3.0. */
 #include "co_simulation.h"
+#include "equilibrium.h"
 #include "model_exchange.h"
 typedef _Bool Bool;
 typedef void (*Logger3)(void *, Status, Str, Str);

@@ -28,7 +28,8 @@ typedef struct { i64 kind, first, count; double start, least, most; } Variable;
 typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
-  i64 ctl, q, v, a, lam, fr, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
+  i64 n_entries, n_free, n_free_balancing, n_balancing, n_instants, n_spins;
+  i64 ctl, q, v, a, lam, fr, R, A, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
   i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
   double t0, h, rate;
 } Numbers;
@@ -44,6 +45,10 @@ extern const double pp_coefficients[];
 extern const u32 pp_indicators[];       /* event functions that are event indicators */
 extern const char *const pp_sentences[];/* by status of the compiled code */
 extern const i64 pp_n_sentences;
+/* equilibrium: rows, columns and places of the matrix; free coordinates, also while the balancing bodies are held;
+   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time */
+extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[];
+extern const double pp_instants[];
 extern int pp_processor(void);          /* 1: the processor has the instructions of the code */
 
 /* Head of multibody.channels.CTL, solvers.sampling.RECORDER, codes of system.requests and core.status. */
@@ -71,9 +76,10 @@ typedef struct {
   void (*release)(void *);
   void *step_finished, *environment;
 } Callbacks;
+enum { UNCHANGED, VALUES_SET, POSITIONS_SET, BEGUN };
 /* FRESH: channels are those of the state; STALE: to be observed; JUMPED: the forces have changed, too */
 enum { FRESH, STALE, JUMPED };
-typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun; } Clock; /* begun: initialisation has ended */
+typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun; } Clock; /* begun: what the initialisation has set, or that it has ended */
 typedef struct {
   Callbacks on;
   Str name;
@@ -252,12 +258,6 @@ static Status set_start(Instance *f, double start) {
   }
   return fOK;
 }
-/* channels at the initial state; from now on states are no more set */
-static Status end_start(Instance *f) {
-  Status s = refresh(f);
-  if (s == fOK) f->c.begun = 1;
-  return s;
-}
 
 /* a coordinate or rate of the model */
 static double *state_at(Instance *f, i64 i) {
@@ -309,7 +309,7 @@ static void put(Instance *f, i64 variable) {
 static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *value) {
   for (size_t k = 0; k < n; k++) {
     i64 kind = vr[k] < pp_numbers.n_variables ? pp_variables[vr[k]].kind : OUTPUT;
-    if (kind == STATE && f->c.begun) return fail(f, "coordinates and rates can be set before the end of the initialisation only");
+    if (kind == STATE && f->c.begun == BEGUN) return fail(f, "coordinates and rates can be set before the end of the initialisation only");
     if (kind == OUTPUT || kind == SLOPE || kind == TIME || kind == INDICATOR)
       return fail(f, "this variable is neither an input nor a parameter");
     if (!finite_number(value[k])) return fail(f, "an input or parameter is not finite");
@@ -319,12 +319,16 @@ static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *val
   for (size_t k = 0; k < n; k++) {
     const Variable *v = pp_variables + vr[k];
     if (v->kind == STATE) {
-      if (*state_at(f, v->first) != value[k]) f->c.stale = JUMPED;
+      if (*state_at(f, v->first) == value[k]) continue;
       *state_at(f, v->first) = value[k];
+      f->c.stale = JUMPED;
+      if (v->first < pp_numbers.nd) f->c.begun = POSITIONS_SET;
+      else if (f->c.begun == UNCHANGED) f->c.begun = VALUES_SET;
       continue;
     }
     if (f->values[vr[k]] == value[k]) continue;
     f->values[vr[k]] = value[k];
+    if (f->c.begun == UNCHANGED) f->c.begun = VALUES_SET;
     if (v->kind == INPUT || v->kind == PARAMETER) put(f, vr[k]);
     else if (!f->c.exchange) continue; /* speeds of drives change in the next communication step */
     f->c.stale = JUMPED;
