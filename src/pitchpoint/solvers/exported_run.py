@@ -19,6 +19,7 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.fmi.fmu_process import FmuFunction
 from pitchpoint.core.kernel import COMPILING, address
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
@@ -186,13 +187,24 @@ def check_exportable(system: System, scenario: Scenario) -> None:
                 "cannot be exported",
                 scenario.method,
                 " | ".join(FIXED_METHODS),
-                "select one of these methods with fixed steps",
+                f"use {instead_of(scenario.method)}, with the step in `step`",
             )
         )
     if not COMPILING:
         problems.append(Message("NUMBA_DISABLE_JIT", "disables the compiler", remedy="unset it"))
     if problems:
         raise ModelError(problems)
+
+
+def instead_of(method: str) -> str:
+    """Method with fixed steps for a model that a method with variable steps suits.
+
+    Examples
+    --------
+    >>> instead_of("runge_kutta"), instead_of("dassl")
+    ('adams', 'generalized_alpha')
+    """
+    return "adams" if method in EXPLICIT_METHODS else "generalized_alpha"
 
 
 def started(system: System, scenario: Scenario) -> Start:

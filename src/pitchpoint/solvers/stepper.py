@@ -19,7 +19,7 @@ from pitchpoint.core.errors import Message, ModelError, SolverError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers.exported_run import export_run, started
+from pitchpoint.solvers.exported_run import export_run, instead_of, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.input_places import Place, constant_drives, drive_places, lead, load_places, polynomial
 from pitchpoint.solvers.sampled_control import begin_anew
@@ -123,7 +123,7 @@ class Stepper:
         if chosen.method not in FIXED_METHODS:
             where, limit = f"scenarios.{scenario}.method", " | ".join(FIXED_METHODS)
             raise ModelError(
-                [Message(where, "has variable steps", chosen.method, limit, "select one with fixed steps")]
+                [Message(where, "has variable steps", chosen.method, limit, f"use {instead_of(chosen.method)}")]
             )
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)

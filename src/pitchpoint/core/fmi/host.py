@@ -128,19 +128,18 @@ class _Unit:
         """Set variables, given as type, value reference and value."""
         for kind, reference, value in given:
             exact = _cast(kind, value)
-            getattr(self.unit, f"set{_method(kind)}")([reference], [exact])
+            getattr(self.unit, f"set{self._method(kind)}")([reference], [exact])
+
+    def _method(self, kind: str) -> str:
+        """Type of the functions for a type of variable: enumerations are integers."""
+        return {2: "Integer", 3: "Int64"}[self.version] if kind == "Enumeration" else kind
 
     def values(self) -> list[float]:
         """Present values of the outputs."""
         return [
-            float(getattr(self.unit, f"get{_method(kind)}")([reference])[0])
+            float(getattr(self.unit, f"get{self._method(kind)}")([reference])[0])
             for kind, reference in self.outputs
         ]
-
-
-def _method(kind: str) -> str:
-    """Type of the functions for a type of variable."""
-    return "Integer" if kind == "Enumeration" else kind
 
 
 def _cast(kind: str, value: float) -> Any:
