@@ -253,6 +253,26 @@ def test_a_stepper_cannot_save_the_state_of_an_fmu(strange):
         stepper.save()
 
 
+@pytest.mark.parametrize("version", [2, 3])
+def test_a_stepper_saves_the_state_of_an_fmu_that_can(version, tmp_path):
+    """Our own unit: the restored run has the same bits, also after another load."""
+    pytest.importorskip("fmpy", reason="fmpy is not installed (extra fmi)")
+    need_linker()
+    pp.export_fmu(pp.load_model(text=GENERATOR), tmp_path / "generator.fmu", "run", version=version)
+    (tmp_path / "model.yaml").write_text(ROTOR.replace("FILE", "generator.fmu"))
+    stepper = pp.Stepper(pp.load_model(tmp_path / "model.yaml", allow_code=True), "run")
+    stepper.advance(0.02)
+    state, ends = stepper.save(), []
+    for wind in (100.0, 500.0, 100.0):
+        stepper.restore(state)
+        stepper.set({"loads.wind.torque": wind})
+        stepper.advance(0.04)
+        ends.append(list(stepper.outputs().values()))
+    assert ends[0] == ends[2] != ends[1]
+    del stepper, state
+    assert not processes()
+
+
 def test_without_the_importer(tmp_path, monkeypatch):
     monkeypatch.setattr("pitchpoint.core.fmi.fmu_process.find_spec", lambda name: None)
     write_fmu(tmp_path / "strange.fmu")
