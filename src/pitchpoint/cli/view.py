@@ -11,7 +11,7 @@ import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet, scenario, writes
 from pitchpoint.cli.output import show, show_notes
-from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.settings import set_option, settings_of_command
 from pitchpoint.cli.tunable_numbers import input_option, parameter_option
 
 if TYPE_CHECKING:
@@ -78,6 +78,7 @@ def view(
     With OTHER, show two scenes side by side with a common time. With --live, the compiled model runs in the
     page, without a server; --scenario, --parameter, --input and --set apply to it.
     """
+    from pitchpoint.cli.results import refuse_without_effect
     from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view
     from pitchpoint.viz.scene.page import SceneStart
@@ -91,6 +92,9 @@ def view(
         start = SceneStart(view=direction, parallel=parallel, section=section or "")
         _live(file, output, start, allow_code=allow_code, quiet=quiet, **running)
         return
+    names = {"scenario": "--scenario", "parameters": "--parameter", "more_inputs": "--input"}
+    refuse_without_effect("without --live", {names[key]: value or None for key, value in running.items()})
+    refuse_without_effect("without --live", {"--set": settings_of_command() or None})
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:
         raise click.BadParameter("modes can only be shown for one result or model", param_hint="--modes")

@@ -144,7 +144,7 @@ def strange(tmp_path_factory):
 
 
 @pytest.mark.parametrize("version", [2, 3])
-def test_our_own_fmu_couples_to_first_order(version, tmp_path):
+def test_our_own_fmu_couples_to_first_order(version, tmp_path, capsys):
     """A shaft between two programs, against the same machine in one model."""
     pytest.importorskip("fmpy", reason="fmpy is not installed (extra fmi)")
     need_linker()
@@ -161,7 +161,21 @@ def test_our_own_fmu_couples_to_first_order(version, tmp_path):
     estimated = pp.estimate_communication_error(model, "run")["speed[rotor]"]
     assert np.abs(estimated.values - whole).max() == errors[-1]
     assert estimated.attrs["communication_error"] == pytest.approx(errors[-1], rel=0.1)
+    arguments = ["run", str(tmp_path / "model.yaml"), "-o", str(tmp_path / "out.h5"), "--allow-code"]
+    assert run_command([*arguments, "--communication-error", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["communication_error"]["speed[rotor]"]
+    own = 2.0 * estimated.attrs["communication_error"]
+    assert found == pytest.approx(own, rel=1e-3)  # the file has single precision
+    assert run_command([*arguments, "--communication-error"]) == 0
+    assert "speed[rotor]" in capsys.readouterr().out.partition("error of the communication steps")[2]
     assert not processes()
+
+
+def test_the_communication_error_needs_an_fmu(tmp_path, capsys):
+    (tmp_path / "model.yaml").write_text(WHOLE)
+    arguments = ["run", str(tmp_path / "model.yaml"), "-o", str(tmp_path / "out.h5"), "--communication-error"]
+    assert run_command(arguments) == 2
+    assert "controllers: contain no FMU" in capsys.readouterr().err
 
 
 def test_units_and_the_communication_points(strange):
