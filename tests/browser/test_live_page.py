@@ -84,7 +84,8 @@ def test_sliders_act_and_reset_begins_again(text: str, open_page: OpenPage) -> N
     page.get_by_role("button", name="Reset").click()
     until(page, "live.run.steps > 20 && live.run.steps < 5000")
     drawn = page.evaluate(
-        "document.querySelector('#plots canvas').getContext('2d').getImageData(0, 0, 400, 150).data.some(x => x)"
+        "document.querySelector('#plots canvas').getContext('2d')"
+        ".getImageData(0, 0, 400, 150).data.some(x => x)"
     )
     assert drawn
 
@@ -116,9 +117,7 @@ def test_the_scene_follows_the_model(helical: tuple[str, object], open_page: Ope
     page.evaluate("pitchpointViewer.live(live.poses); pitchpointViewer.draw()")
     names = [each["name"] for each in page.evaluate("live.model.outputs")]
     values = dict(zip(names, page.evaluate("Array.from(live.run.get())"), strict=True))
-    moved = motion(
-        run.system, 1, lambda n: np.array([values[n]]) if n in values else None, np.array([2e-3])
-    )
+    moved = motion(run.system, 1, lambda n: np.array([values[n]]) if n in values else None, np.array([2e-3]))
     picture = page.evaluate("pitchpointViewer.state()")["pictures"][0]
     for k, b in enumerate(shown_bodies(run.system)):
         found = np.array(picture["bodies"][k]).reshape(4, 4).T

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The NREL 5 MW turbine of the examples, wind and pitch control inside, as a unit: bits of our own run, speed."""
+"""The NREL 5 MW turbine of the examples, with wind and pitch control, as a unit: bits of our run, speed."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reference FMUs of the Modelica Association in a model, against the results that they ship with.
 
-Source: github.com/modelica/Reference-FMUs (BSD-2), `MODEL/MODEL_out.csv`. The files are computed with the fixed
-internal step of each unit, so a co-simulation with the same communication points gives the same numbers, up to the
-digits of the file. Set PITCHPOINT_REFERENCE_FMUS to a checkout; the units are built with the C compiler.
+Source: github.com/modelica/Reference-FMUs (BSD-2), `MODEL/MODEL_out.csv`. The files are computed with the
+fixed internal step of each unit, so a co-simulation with the same communication points gives the same
+numbers, up to the digits of the file. Set PITCHPOINT_REFERENCE_FMUS to a checkout; cc builds the units.
 """
 
 from __future__ import annotations
@@ -36,7 +36,9 @@ blocks:
 loads:
   wind: {body: rotor, torque: 0 N m}
 scenarios:
-  run: {speed: {rotor: 1 rad/s}, start: assembled, duration: END s, step: PERIOD s, method: adams, sample_rate: RATE Hz}
+  run:
+    {speed: {rotor: 1 rad/s}, start: assembled, method: adams, duration: END s, step: PERIOD s,
+     sample_rate: RATE Hz}
 """
 
 
@@ -46,7 +48,7 @@ def sources() -> Path:
     pytest.importorskip("fmpy", reason="fmpy is not installed (extra fmi)")
     folder = os.environ.get("PITCHPOINT_REFERENCE_FMUS", "")
     if not Path(folder, "src", "cosimulation.c").is_file():
-        pytest.skip("PITCHPOINT_REFERENCE_FMUS does not name a checkout of github.com/modelica/Reference-FMUs")
+        pytest.skip("PITCHPOINT_REFERENCE_FMUS names no checkout of github.com/modelica/Reference-FMUs")
     if shutil.which("cc") is None or own_platform() != "x86_64-linux":
         pytest.skip("the units are built with cc for x86_64-linux")
     return Path(folder)

@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
-def communication_error(model: Model, name: str, target: Path, *, quiet: bool) -> dict[str, tuple[float, str]]:
+def communication_error(
+    model: Model, name: str, target: Path, *, quiet: bool
+) -> dict[str, tuple[float, str]]:
     """Error and unit of every channel of a result, from a run with half of the communication steps.
 
     Parameters

@@ -110,7 +110,9 @@ def run(
     refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     estimates = {"--communication-error": how["estimates"] or None}
     refuse_without_effect("on a slow roll", estimates if rolls else {})
-    refuse_without_effect("with --vary, --decimate or --reduce", estimates if vary or decimate or reduce else {})
+    refuse_without_effect(
+        "with --vary, --decimate or --reduce", estimates if vary or decimate or reduce else {}
+    )
     if how["estimates"]:
         from pitchpoint.solvers.communication_error import with_samples
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Drive: constraint row for a prescribed joint coordinate.
 
-It has a constant speed, a piecewise speed, an angle formula, or a speed given by another program while it runs.
+It has a constant speed, a piecewise speed, an angle formula, or a speed that another program gives.
 
 g = q - theta(t), with the time derivatives that explicit methods need; q is usually the spin of a body with
 its whole turns. The observation is the torque or force of the drive on the coordinate.
@@ -29,8 +29,8 @@ from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_ra
 TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09
 """2 pi as a sum of two parts, the first with 27 bits: exact product with the number of turns of a day."""
 SPEED, SPEED_PIECES, ANGLE_FORMULA, RAMP, RATE = range(5)
-"""Forms. RAMP: speed + gain (t - since), from `angle` at `since`. RATE: speed and its derivative without an angle,
-for integrators outside of this package, which are stabilised at the level of speeds."""
+"""Forms. RAMP: speed + gain (t - since), from `angle` at `since`. RATE: speed and its derivative without an
+angle, for integrators of other programs, which are stabilised at the level of speeds."""
 STENCIL = 1e-5
 """Step of the finite differences for the acceleration of an angle formula [s]: relative error 1e-6 for a
 ripple of 1 kHz."""

@@ -66,8 +66,8 @@ def export_fmu(
     platforms
         Platforms by their names in FMI 3.0, such as "x86_64-linux"; default: that of this computer.
     parameters, inputs
-        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads. A mapping
-        gives the smallest and largest value of each parameter in SI units, or None.
+        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads. A
+        mapping gives the smallest and largest value of each parameter in SI units, or None.
 
     Raises
     ------
@@ -180,7 +180,9 @@ def _accelerations(run: ExportedRun) -> list[Variable]:
     """Derivatives of the speeds of drives as inputs, if the unit is for model exchange."""
     text = "derivative of the prescribed speed, for model exchange"
     return [
-        Variable(ACCELERATION, f"{p.name.rpartition('.')[0]}.acceleration", f"{p.unit}^2", text, words=p.words)
+        Variable(
+            ACCELERATION, f"{p.name.rpartition('.')[0]}.acceleration", f"{p.unit}^2", text, words=p.words
+        )
         for p in (run.drives if run.numbers["exchange"] else ())
     ]
 

@@ -70,7 +70,7 @@ def with_samples(model: Model, scenario: str) -> Model:
 
 
 def finer_run(model: Model, scenario: str, coarse: xr.Dataset, *, progress: Progress = silent) -> xr.Dataset:
-    """Run with half of the communication steps, and its `communication_error` against a run with the given ones.
+    """Run with half of the communication steps, and its `communication_error`.
 
     Parameters
     ----------

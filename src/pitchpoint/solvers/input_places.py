@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Inputs of a run that another program advances: constant loads and constant speeds of drives.
 
-The speed of a drive is the value at the end of a communication step; it varies linearly within the step. Thus the
-angle, the integral of the speed, and the acceleration, its derivative, are consistent, and no torque is
+The speed of a drive is the value at the end of a communication step; it varies linearly within the step. Thus
+the angle, the integral of the speed, and the acceleration, its derivative, are consistent, and no torque is
 infinite.
 """
 

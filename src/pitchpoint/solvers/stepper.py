@@ -21,7 +21,14 @@ from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers.exported_run import export_run, instead_of, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
-from pitchpoint.solvers.input_places import Place, constant_drives, drive_places, lead, load_places, polynomial
+from pitchpoint.solvers.input_places import (
+    Place,
+    constant_drives,
+    drive_places,
+    lead,
+    load_places,
+    polynomial,
+)
 from pitchpoint.solvers.sampled_control import begin_anew
 from pitchpoint.solvers.time import Loop, scenario_of
 from pitchpoint.solvers.tunable import tunable_places
@@ -123,7 +130,11 @@ class Stepper:
         if chosen.method not in FIXED_METHODS:
             where, limit = f"scenarios.{scenario}.method", " | ".join(FIXED_METHODS)
             raise ModelError(
-                [Message(where, "has variable steps", chosen.method, limit, f"use {instead_of(chosen.method)}")]
+                [
+                    Message(
+                        where, "has variable steps", chosen.method, limit, f"use {instead_of(chosen.method)}"
+                    )
+                ]
             )
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
@@ -212,7 +223,9 @@ class Stepper:
                 continue
             for offset in (o for o, terms in self._terms.items() if any(name == n for n, _ in terms)):
                 word, base = self._words[offset]
-                word[0] = base + sum(polynomial(c, self._values[n] - self._start[n]) for n, c in self._terms[offset])
+                word[0] = base + sum(
+                    polynomial(c, self._values[n] - self._start[n]) for n, c in self._terms[offset]
+                )
             self._jumped = self._stale = True
 
     def advance(self, step: float) -> None:

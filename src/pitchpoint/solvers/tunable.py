@@ -42,7 +42,7 @@ GROUPS = ("records.", "pool.", "program.")
 """Arrays that may depend on a parameter: elements, tables, bodies."""
 
 DEGREE = 8
-"""Degree of the polynomials; for the centre distance of a pair in a range of 0.2 % their error is round-off."""
+"""Degree of the polynomials; for the centre distance of a pair in 0.2 % their error is round-off."""
 BETWEEN = np.array([-0.87, -0.31, 0.06, 0.55, 0.93])
 """Points of a range from -1 to 1 at which the polynomials are checked."""
 RANGES = (0.2, 0.05, 0.01, 0.002)
@@ -85,7 +85,9 @@ def tunable_places(
     return found
 
 
-def _place(model: Model, scenario: str, run: ExportedRun, path: str, limits: tuple[float, float] | None) -> Place:
+def _place(
+    model: Model, scenario: str, run: ExportedRun, path: str, limits: tuple[float, float] | None
+) -> Place:
     found = number_at(model, path)
     if found is None:
         raise ModelError([Message(path, "is not a number of the model", remedy="name a number")])
@@ -151,7 +153,7 @@ class _Study:
                 offset = self.run.image.at[name] + 8 * k
                 if offset in self.fixed:
                     continue
-                if name.startswith("keep.") or int(own[offset // 8]) != int(bits[k]):
+                if int(own[offset // 8]) != int(bits[k]):
                     place = f"{name.partition('.')[2]}+{8 * k}"
                     raise _refused(self.path, f"changes data that are not numbers of elements ({place})")
                 found[offset] = np.array([other[name][k] for other in variants]).view(np.float64)
@@ -200,7 +202,7 @@ class _Study:
         return tuple(words)
 
     def check(self, place: Place, value: float) -> None:
-        """Compare the memory with a changed parameter with a model that was compiled with it, at the start."""
+        """Compare the memory with a changed parameter with a model that was compiled with it."""
         _compare(self.run, self.system(place.start), self.system(value), ((place, value),))
 
 
@@ -220,7 +222,9 @@ def _compare(run: ExportedRun, plain: System, other: System, changes: Sequence[t
 
 def _check_sum(model: Model, scenario: str, run: ExportedRun, one: Place, two: Place) -> None:
     """Refuse two parameters that change the same words, unless their effects add."""
-    changes = [(p, p.start + 0.3 * (min(p.most, p.start + (abs(p.start) or 1.0)) - p.start)) for p in (one, two)]
+    changes = [
+        (p, p.start + 0.3 * (min(p.most, p.start + (abs(p.start) or 1.0)) - p.start)) for p in (one, two)
+    ]
     both = model
     for place, value in changes:
         both = both.replace(place.name, value)
@@ -236,7 +240,7 @@ def _variant(model: Model, scenario: str) -> System:
 
 def _words(system: System) -> Words:
     """Words of all arrays that may depend on a parameter."""
-    found = {n: a for n, a in arrays_of(system).items() if n.startswith((*GROUPS, "keep."))}
+    found = {n: a for n, a in arrays_of(system).items() if n.startswith(GROUPS)}
     return {name: np.frombuffer(array.tobytes(), np.int64) for name, array in found.items()}
 
 

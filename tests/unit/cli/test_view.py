@@ -185,7 +185,10 @@ def test_a_model_that_runs_in_the_page(result: Path, capsys: pytest.CaptureFixtu
     [
         (("pair.h5", "--live"), "is a result; --live requires a model"),
         (("pair.yaml", "--live", "--modes", "2"), "--live cannot be combined with --modes"),
-        (("pair.yaml", "--parameter", "meshes.stage.backlash.normal"), "--parameter has no effect without --live"),
+        (
+            ("pair.yaml", "--parameter", "meshes.stage.backlash.normal"),
+            "--parameter has no effect without --live",
+        ),
         (("pair.yaml", "--set", "bodies.a.mass=2 kg"), "--set has no effect without --live"),
     ],
 )

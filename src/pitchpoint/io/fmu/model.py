@@ -107,7 +107,9 @@ class FmuModel:
     def token(self) -> str:
         """Identifier of the model: the same for the same memory, code and variables."""
         digest = hashlib.sha256(self.image.data)
-        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables, self.rest)).encode())
+        digest.update(
+            repr((self.name, self.code, self.numbers, self.reals, self.variables, self.rest)).encode()
+        )
         for symbol, bitcode in self.entries:
             digest.update(symbol.encode() + bitcode)
         return "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"

@@ -122,7 +122,7 @@ def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[Scene
 
 
 def bearing_places(system: System, moved: Motion) -> Iterator[tuple[str, int, Array, Array]]:
-    """Name of every bearing that is drawn, its supported body, its place (n, 3) and the axes (n, 3, 3) of its forces."""
+    """Name, supported body, place (n, 3) and axes of the force (n, 3, 3) of every drawn bearing."""
     for kind, records in system.records.items():
         for record, name in zip(records, system.names.get(kind, ()), strict=False):
             drawn = registry.find(kind).arrow_of(record)

@@ -48,9 +48,7 @@ def live_scene(model: Model, scenario: str, run: ExportedRun) -> tuple[Scene, di
     system = run.system
     row = evaluate.observe(system, run.state)
     columns = {c.name: k for k, c in enumerate(system.layout.channels)}
-    moved = motion(
-        system, 1, lambda n: row[[columns[n]]] if n in columns else None, np.array([run.state.t])
-    )
+    moved = motion(system, 1, lambda n: row[[columns[n]]] if n in columns else None, np.array([run.state.t]))
     numbers = {b: k for k, b in enumerate(shown_bodies(system))}
     arrows, terms = [], []
     for name, kind, b, place, directions, channels in _forces(system, moved):
@@ -100,7 +98,7 @@ def _forces(system: Any, moved: Motion) -> Any:
 
 
 def _still(moved: Motion, parent: int, scene: Scene, k: int) -> tuple[Array, Array]:
-    """Axes, shape (3, 3), columns, and origin of the frame of a body that does not spin with it, in the world."""
+    """Axes (columns) and origin of the frame of a body that does not spin with it, in the world."""
     turned = moved.spinning(parent)[0] if parent else np.eye(3)
     origin = moved.place[0, parent] if parent else np.zeros(3)
     body = scene.bodies[k]

@@ -149,7 +149,9 @@ def test_two_parameters_of_one_number_add_and_ranges_hold(helical):
     _, unit = helical
     ends = []
     for order in ((BACKLASH, DISTANCE), (DISTANCE, BACKLASH)):
-        one = unit.instance().initialise(**{name: {BACKLASH: 1.5e-4, DISTANCE: 0.1321}[name] for name in order})
+        one = unit.instance().initialise(
+            **{name: {BACKLASH: 1.5e-4, DISTANCE: 0.1321}[name] for name in order}
+        )
         ends.append(one.steps(0, 5, 5e-5, unit.references("output")))
         one.free()
     assert same_bits(*ends)
