@@ -66,12 +66,10 @@ def view(
     direction: str,
     parallel: bool,
     section: str | None,
-    film: str | None,
-    live: bool,
     output: str | None,
     allow_code: bool,
     quiet: bool,
-    **running: Any,
+    **how: Any,
 ) -> None:
     """Write the 3-D scene of FILE, a result (.h5) or a model, to one HTML page for any browser.
 
@@ -83,17 +81,18 @@ def view(
     from pitchpoint.report.view import write_view
     from pitchpoint.viz.scene.page import SceneStart
 
+    film = how.pop("film")
     # missing programs are reported before anything is computed
     maker = None if film is None else film_maker(film)
-    if live:
+    if how.pop("live"):
         taken = {"--modes": modes, "a second file": other, "--film": film}
         if unfit := [name for name, value in taken.items() if value]:
             raise click.UsageError(f"--live cannot be combined with {', '.join(unfit)}")
         start = SceneStart(view=direction, parallel=parallel, section=section or "")
-        _live(file, output, start, allow_code=allow_code, quiet=quiet, **running)
+        _live(file, output, start, allow_code=allow_code, quiet=quiet, **how)
         return
     names = {"scenario": "--scenario", "parameters": "--parameter", "more_inputs": "--input"}
-    refuse_without_effect("without --live", {names[key]: value or None for key, value in running.items()})
+    refuse_without_effect("without --live", {names[key]: value or None for key, value in how.items()})
     refuse_without_effect("without --live", {"--set": settings_of_command() or None})
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:

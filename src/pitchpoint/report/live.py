@@ -29,8 +29,10 @@ STEPS = 10
 """Time steps per sample."""
 MESHES = 2
 """Number of meshes up to which sliders are offered without being named."""
-NUMBERS = ("backlash.normal", "backlash.circumferential", "backlash.base_tangent", "center_distance")
-NUMBERS += ("damping.ratio", "damping.value", "damper.ratio", "damper.value", "damping", "damper")
+NUMBERS = (
+    *("backlash.normal", "backlash.circumferential", "backlash.base_tangent", "center_distance"),
+    *("damping.ratio", "damping.value", "damper.ratio", "damper.value", "damping", "damper"),
+)
 """Numbers of a mesh for which sliders are offered."""
 
 
@@ -100,7 +102,7 @@ def live_text(
         for k, v in enumerate(unit.variables)
         if v.kind in (INPUT, SPEED, PARAMETER)
     ]
-    times = {"start": run.t0, "sample": STEPS * run.h}
+    times: dict[str, Any] = {"start": run.t0, "sample": STEPS * run.h}
     scene, follow = live_scene(model, scenario, run)
     shown: dict[str, Any] = {}
     if scene.solids:

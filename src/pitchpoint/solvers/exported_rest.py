@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.kind import DRIVE
+from pitchpoint.elements.kind import CLUTCH, DRIVE
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.element_batches import free_flying
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
@@ -17,7 +17,6 @@ from pitchpoint.solvers.load_cycle import load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants
 from pitchpoint.system.system import State, System
 
-CLUTCH = "friction_clutch"
 LARGEST = 400
 """Largest number of coordinates: the matrix of the equilibrium is dense."""
 
@@ -64,7 +63,7 @@ def exported_rest(system: System, state: State, scenario: Scenario) -> ExportedR
     drives = sum(len(system.records[kind]) for kind in system.kinds(DRIVE))
     held, driven = held_spins(system), driven_coordinates(system)
     unfit = scenario.start == "assembled" or system.states.size or system.sizes["nc"] != drives
-    if unfit or CLUTCH in system.records or system.sizes["nd"] > LARGEST or scenario.quasi_static is not None:
+    if unfit or system.kinds(CLUTCH) or system.sizes["nd"] > LARGEST or scenario.quasi_static is not None:
         return ExportedRest()
     if load_cycle(system, state, held, driven) is not None:
         return ExportedRest()

@@ -164,7 +164,7 @@ class _Study:
     def affine(self, values: Sequence[float]) -> Found | None:
         """Words and slopes if all are affine functions of the parameter, else None.
 
-        Values with which the model cannot be compiled are no reason to refuse a parameter.
+        None too if the model cannot be compiled with one of the values.
         """
         try:
             variants = [_words(self.system(value)) for value in values]

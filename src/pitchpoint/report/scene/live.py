@@ -80,7 +80,7 @@ def live_scene(model: Model, scenario: str, run: ExportedRun) -> tuple[Scene, di
     parents = {k: int(system.program["body"]["parent"][b]) for b, k in numbers.items()}
     back = {k: b for b, k in numbers.items()}
     bodies = [[back[k], back.get(scene.bodies[k].parent, 0)] for k in sorted(parents)]
-    fields = FRAME.fields or {}
+    fields: Any = FRAME.fields
     frame = {"size": FRAME.itemsize} | {name: fields[name][1] for name in ("r", "R", "phi")}
     return replace(scene, arrows=arrows), {"frame": frame, "bodies": bodies, "arrows": terms}
 
