@@ -106,7 +106,9 @@ def test_directional_derivatives_are_those_of_the_linearisation(version, tmp_pat
         dq, dv = np.array(seed[:2]), np.array(seed[2:])
         want = np.concatenate([dv, -np.linalg.solve(M, K @ dq + D @ dv)])
         got = one.directional(slopes, states, seed)
-        np.testing.assert_allclose(got, want, rtol=0, atol=1e-8 * np.abs(want).max())
+        # the forces of both flanks may cancel: relative to the size of their parts
+        parts = np.abs(np.linalg.solve(M, K)) @ np.abs(dq) + np.abs(np.linalg.solve(M, D)) @ np.abs(dv)
+        np.testing.assert_allclose(got, want, rtol=0, atol=1e-8 * parts.max())
     load = [reference["loads.input.torque"]]
     np.testing.assert_allclose(
         one.directional(slopes, load, [2.0]), [0, 0, 2.0 / 0.0115, 0], rtol=1e-6, atol=1e-6
