@@ -28,11 +28,18 @@ const run = {
   begin() {
     code.fmi3EnterInitializationMode(this.one, 0, 0, model.start, 0, 0);
     for (const each of model.settable) {
-      if (!each.references) this.set(each.reference, each.value);
-      else each.references.forEach((k, i) => this.set(k, each.values[i] * (each.value / each.start)));
+      if (!each.references && each.given) this.set(each.reference, each.value);
+      else if (each.references) each.references.forEach((k, i) => this.set(k, each.values[i] * (each.value / each.start)));
     }
     this.failed = code.fmi3ExitInitializationMode(this.one) > 1; // 1: no equilibrium was found, the run starts with a transient
     this.steps = 0;
+    // the model has balanced loads that were not given
+    for (const each of model.settable) if (!each.references) each.value = this.read(each.reference);
+  },
+  read(reference) {
+    words(this.reference, 1)[0] = reference;
+    code.fmi3GetFloat64(this.one, this.reference, 1, this.value, 1);
+    return doubles(this.value, 1)[0];
   },
   reset() { code.fmi3Reset(this.one); this.begin(); },
   set(reference, value) {
@@ -76,8 +83,12 @@ for (const each of model.settable) {
   const change = (value) => {
     if (!Number.isFinite(value)) return;
     each.value = Math.min(Math.max(value, each.least ?? -Infinity), each.most ?? Infinity);
+    each.given = true;
     if (each.references) begin();
     else run.set(each.reference, each.value);
+    each.show();
+  };
+  each.show = () => {
     slider.value = (400 * (each.value - least)) / (most - least);
     number.value = shown(each.value);
   };
@@ -91,7 +102,7 @@ for (const each of model.settable) {
 
 let running = true;
 button.addEventListener("click", () => { running = !running; show(); });
-const begin = () => { run.reset(); clear(); running = true; show(); };
+const begin = () => { run.reset(); clear(); running = true; show(); model.settable.forEach((each) => each.show()); };
 document.getElementById("reset").addEventListener("click", begin);
 const show = () => {
   button.textContent = running && !run.failed ? "Pause" : "Run";
