@@ -17,9 +17,10 @@ from typing import Any
 from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.implicit.force_jump import continue_after_jump
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
-from pitchpoint.system.requests import RESIDUAL, send_request
 from pitchpoint.system.signals import kind_of_signals
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
@@ -87,11 +88,18 @@ class Sampler:
         return self.t0 + self._calls[k] * self.system.controllers[k].period
 
     def follow(self, run: Any) -> int:
-        """Make the updates due at the time of a run; restart it if a force jumps. Returns the status."""
+        """Make the updates due at the time of a run, and continue it after the jumps of the forces."""
         if self.next() > run.t + self._room():
             return OK
         self.status, changed = self.update(run.t)
-        return begin_anew(run) if changed else self.status
+        if not changed:
+            return self.status
+        if not isinstance(run, generalized_alpha.Run):
+            return begin_anew(run)
+        forces = self.system.workspace.R
+        before = forces.copy()
+        status = signals.evaluate_signals(self.system, run.t)
+        return status if status != OK else continue_after_jump(run, forces - before)
 
     def save(self) -> dict[str, Any]:
         """Copy of all that changes from call to call, for `restore`."""
@@ -108,7 +116,7 @@ class Sampler:
         """Make the updates due at the state in the workspace; returns the status and if an output changed."""
         system = self.system
         room = self._room()
-        status = send_request(system.workspace, RESIDUAL, t)
+        status = signals.evaluate_signals(system, t)
         if status != OK:
             return status, False
         due = [k for k in range(len(self._calls)) if self._instant(k) <= t + room]

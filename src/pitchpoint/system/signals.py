@@ -12,10 +12,13 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError, Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.system.controller import SampledController
+from pitchpoint.system.requests import RESIDUAL, send_request
+from pitchpoint.system.residual import RECORDS
 from pitchpoint.system.system import System, assemble
 
 OBSERVED = "use the name of a result channel"
@@ -100,6 +103,28 @@ def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
     slots = [int(system.records[kind]["slot"][labels.index(name)]) for name in names]
     found: NDArray[np.float64] = system.pools[kind][slots].copy()
     return found
+
+
+def evaluate_signals(system: System, t: float) -> int:
+    """Evaluate all signals at the state in the workspace; returns the status.
+
+    The residual R in the workspace then contains the forces that signals change, besides others. Elements
+    that signals neither read nor change are omitted, unless signals read loads or results of elements.
+    """
+    w = system.workspace
+    mach, table = w.mach[0], w.tables["forces"]
+    bank = system.records[kind_of_signals(system)]
+    mine = table[table[:, RECORDS] == bank.ctypes.data]
+    if mach["watch"] != 0 or not len(mine):
+        return send_request(w, RESIDUAL, t)
+    whole = [(name, int(mach[name])) for name in ("forces", "nforces", "nfrictions")]
+    mach["forces"], mach["nforces"], mach["nfrictions"] = mine.ctypes.data, len(mine), 0
+    try:
+        status = send_request(w, RESIDUAL, t)
+    finally:
+        for name, value in whole:
+            mach[name] = value
+    return status if status == OK else send_request(w, RESIDUAL, t)  # names the element that has failed
 
 
 def hold(system: System, name: str, value: float) -> None:
