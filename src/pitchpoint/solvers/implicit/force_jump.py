@@ -26,6 +26,7 @@ from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK
 from pitchpoint.solvers.implicit.generalized_alpha import Run
 from pitchpoint.solvers.implicit.step import coefficients
+from pitchpoint.system.link import NO_MATTER
 from pitchpoint.system.linear import factor_entry, solve_entry
 from pitchpoint.system.requests import RESIDUAL, send_request
 from pitchpoint.system.residual import NEWTON
@@ -78,5 +79,6 @@ def _solve(system: System, change: NDArray[np.float64]) -> bool:
 
 
 def _size(system: System, a: NDArray[np.float64]) -> float:
-    """Weighted size of accelerations."""
-    return float(np.abs(a * system.workspace.arrays["weight"]).max(initial=0.0))
+    """Weighted size of the accelerations of bodies, without those of signals."""
+    moving = system.workspace.arrays["relative"] < NO_MATTER
+    return float(np.abs(a * system.workspace.arrays["weight"])[moving].max(initial=0.0))
