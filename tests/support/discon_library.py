@@ -107,7 +107,8 @@ def input_file(folder: Path, what: str) -> Path:
 
 
 def processes_of_controllers() -> list[str]:
-    """Processes of controllers that run now, as listed by ps."""
+    """Processes of controllers that run now, with this library or one in the working directory."""
     listed = subprocess.run(["ps", "-ww", "-eo", "pid,args"], capture_output=True, text=True, check=True)
-    mine = str(discon_library())
-    return [line for line in listed.stdout.splitlines() if "host.py" in line and mine in line]
+    mine = (str(discon_library()), str(Path.cwd() / "libprobe.so"))
+    lines = listed.stdout.splitlines()
+    return [line for line in lines if "host.py" in line and any(library in line for library in mine)]

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import copy
 import math
+from contextlib import ExitStack
 from fractions import Fraction
 from typing import Any
 
@@ -21,6 +22,7 @@ from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.implicit.force_jump import continue_after_jump
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
+from pitchpoint.system.controller import SampledController
 from pitchpoint.system.signals import kind_of_signals
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
@@ -68,12 +70,14 @@ class Sampler:
 
     def close(self) -> None:
         """End the controllers; processes of libraries end too."""
-        for controller, state in zip(self.system.controllers, self._states, strict=True):
-            if controller.finish is not None:
-                self.notes += tuple(
-                    note(f"{_named(self.system, controller.name)[1]} {remark}")
-                    for remark in controller.finish(state)
-                )
+        with ExitStack() as stack:  # an interrupted end does not keep the others
+            for controller, state in zip(self.system.controllers, self._states, strict=True):
+                stack.callback(self._finish, controller, state)
+
+    def _finish(self, controller: SampledController, state: Any) -> None:
+        if controller.finish is not None:
+            said = _named(self.system, controller.name)[1]
+            self.notes += tuple(note(f"{said} {remark}") for remark in controller.finish(state))
 
     def next(self) -> float:
         """Time of the next instant [s]."""

@@ -28,7 +28,8 @@ controllers:
 """
 SCENARIO = """
 scenarios:
-  run: {{start: assembled, duration: 0.5 s, step: {step} s, settle_time: 0 s, sample_rate: 20 Hz, method: {method}}}
+  run: {{start: assembled, duration: 0.5 s, step: {step} s, settle_time: 0 s, sample_rate: 20 Hz,
+    method: {method}}}
 """
 OSCILLATOR = """
 bodies: {rotor: {motion: torsion, inertia: 1 kg m^2}}
@@ -39,8 +40,10 @@ actuators: {motor: {type: torque, signal: u, bodies: [rotor]}}
 PENDULUM = """
 gravity: [0, -9.81, 0]
 bodies:
-  upper: {position: [0, 0, 0], mass: 2 kg, center_of_mass: [0.3, 0, 0], inertia_tensor: [1, 1, 0.05, 0, 0, 0]}
-  lower: {position: [0.6, 0, 0], mass: 1 kg, center_of_mass: [0.25, 0, 0], inertia_tensor: [1, 1, 0.02, 0, 0, 0]}
+  upper: {position: [0, 0, 0], mass: 2 kg, center_of_mass: [0.3, 0, 0],
+    inertia_tensor: [1, 1, 0.05, 0, 0, 0]}
+  lower: {position: [0.6, 0, 0], mass: 1 kg, center_of_mass: [0.25, 0, 0],
+    inertia_tensor: [1, 1, 0.02, 0, 0, 0]}
 joints:
   shoulder: {type: revolute, bodies: [ground, upper]}
   elbow: {type: revolute, bodies: [upper, lower]}

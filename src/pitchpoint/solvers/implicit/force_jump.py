@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jumps of the forces between two steps of generalised-alpha, such as by the outputs of sampled controllers.
 
-With a jump Delta f of the forces, the accelerations and multipliers at the end of a step and those at the start
-of the next one differ by the solution of
+With a jump Delta f of the forces, the accelerations and multipliers at the end of a step and those at the
+start of the next one differ by the solution of
 
     M delta + G^T mu = Delta f,   G delta = 0
 
-and so do the algorithmic acceleration and the values of the step before, with which the method continues: then
-the rates of the next step have no error, and the predictions keep their slopes. Here delta is computed with the
-matrix A = cm M + cd D + K of the iteration: cm A^-1 Delta f = delta (1 + O(h)). An error epsilon of delta
-changes the rates by h epsilon / 2 at most, once per jump, so the method keeps its second order. Stiff
-parts, for which A is mainly K, get an acceleration of the size that their displacement requires, whereas a
-restart with the mass matrix would let them swing with their own frequency. Without any correction the jump
-would act half a step late, with an error of the first order.
+and so do the algorithmic acceleration and the values of the step before, with which the method continues:
+then the rates of the next step have no error, and the predictions keep their slopes. Here delta is computed
+with the matrix A = cm M + cd D + K of the iteration: cm A^-1 Delta f = delta (1 + O(h)). An error epsilon of
+delta changes the rates by h epsilon / 2, once per jump, so the method keeps its second order. Stiff parts,
+for which A is mainly K, get an acceleration of the size that their displacement requires, whereas a restart
+with the mass matrix would let them swing with their own frequency. Without any correction the jump would act
+half a step late, with an error of the first order.
 
 Method: M. Arnold, O. Bruels, Multibody System Dynamics 18 (2007) 185-202.
 """
@@ -26,16 +26,16 @@ from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK
 from pitchpoint.solvers.implicit.generalized_alpha import Run
 from pitchpoint.solvers.implicit.step import coefficients
-from pitchpoint.system.link import NO_MATTER
 from pitchpoint.system.linear import factor_entry, solve_entry
+from pitchpoint.system.link import NO_MATTER
 from pitchpoint.system.requests import RESIDUAL, send_request
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import EVALUATIONS, VALID
 
 SMALL = 0.1
-"""Largest error of delta by a matrix of earlier steps, relative to the change of the accelerations in the last
-step: with shorter steps it vanishes, too."""
+"""Largest error of delta by a matrix of earlier steps, relative to the change of the accelerations in the
+last step: with shorter steps it vanishes, too."""
 
 
 def continue_after_jump(run: Run, change: NDArray[np.float64]) -> int:
