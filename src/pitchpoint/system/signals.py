@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -105,26 +106,36 @@ def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
     return found
 
 
+@contextmanager
+def only_signals(system: System, signals: bool = True) -> Iterator[bool]:
+    """Context: evaluations contain no elements besides signals and actuators, or without `signals` none at all.
+
+    Its value is whether the signals are independent of other elements.
+    """
+    w = system.workspace
+    kept, mach = {}, w.mach[0]
+    bank = system.records[kind_of_signals(system)].ctypes.data if signals else 0
+    mine = {name: w.tables[name][w.tables[name][:, RECORDS] == bank] for name in ("forces", "frictions")}
+    for name, rows in mine.items():
+        kept |= {key: int(mach[key]) for key in (name, f"n{name}")}
+        mach[name], mach[f"n{name}"] = rows.ctypes.data, len(rows)
+    try:
+        yield bool(mach["watch"] == 0 and len(mine["forces"]))
+    finally:
+        for key, value in kept.items():
+            mach[key] = value
+
+
 def evaluate_signals(system: System, t: float) -> int:
     """Evaluate all signals at the state in the workspace; returns the status.
 
     The residual R in the workspace then contains the forces that signals change, besides others. Elements
     that signals neither read nor change are omitted, unless signals read loads or results of elements.
     """
-    w = system.workspace
-    mach, table = w.mach[0], w.tables["forces"]
-    bank = system.records[kind_of_signals(system)]
-    mine = table[table[:, RECORDS] == bank.ctypes.data]
-    if mach["watch"] != 0 or not len(mine):
-        return send_request(w, RESIDUAL, t)
-    whole = [(name, int(mach[name])) for name in ("forces", "nforces", "nfrictions")]
-    mach["forces"], mach["nforces"], mach["nfrictions"] = mine.ctypes.data, len(mine), 0
-    try:
-        status = send_request(w, RESIDUAL, t)
-    finally:
-        for name, value in whole:
-            mach[name] = value
-    return status if status == OK else send_request(w, RESIDUAL, t)  # names the element that has failed
+    with only_signals(system) as alone:
+        if alone and send_request(system.workspace, RESIDUAL, t) == OK:
+            return OK
+    return send_request(system.workspace, RESIDUAL, t)  # also names the element that has failed
 
 
 def hold(system: System, name: str, value: float) -> None:

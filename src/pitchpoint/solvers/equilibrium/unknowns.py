@@ -153,14 +153,14 @@ def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> N
     found = np.intersect1d(found, free)
     if not found.size:
         return found
-    loose = _without_limits(system)
+    loose = without_limits(system)
     by_place = np.abs(slopes(loose, state, EXACT)[np.ix_(found, free)]).max(axis=1)
     by_rate = np.abs(evaluate.matrix(loose, state, 0.0, 1.0, 0.0, EXACT)[found])
     by_rate[:, system.states] = 0.0
     return found[by_place <= SLIGHT * (by_rate @ np.abs(state.v))]
 
 
-def _without_limits(system: System) -> System:
+def without_limits(system: System) -> System:
     """Copy of the system without signal limits."""
     kind = system.kinds(SIGNAL)[0]
     records = system.records[kind].copy()
