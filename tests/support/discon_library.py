@@ -54,6 +54,9 @@ void DISCON(float *r, int *fail, const char *in, char *out, char *message)
         integral += 0.02 * (double)r[2] * error;
         demand = 0.05 * error + integral;
         r[44] = (float)(demand < 0.0 ? 0.0 : demand > 1.5 ? 1.5 : demand);
+    } else if (strcmp(what, "individual.in") == 0) { /* each blade by its root moment */
+        for (k = 0; k < 3; k++)
+            r[41 + k] = r[27] * (0.1f + 2e-3f * r[29 + k] + 0.5f * r[k == 0 ? 3 : 31 + k]);
     } else if (strcmp(what, "late.in") == 0 && r[1] < 0.045f) {
         r[46] = 1.0f;
     } else if (strcmp(what, "crash.in") == 0 || strcmp(what, "late.in") == 0) {

@@ -108,7 +108,7 @@ def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
 
 @contextmanager
 def only_signals(system: System, signals: bool = True) -> Iterator[bool]:
-    """Context: evaluations contain no elements besides signals and actuators, or without `signals` none at all.
+    """Context: evaluations contain no elements but signals and actuators, or without `signals` none at all.
 
     Its value is whether the signals are independent of other elements.
     """

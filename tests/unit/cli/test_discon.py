@@ -177,7 +177,8 @@ def test_wrong_controllers_are_refused(file: Path, what: str) -> None:
     struct.pack_into("<H", data, 18, 243)
     (file.parent / "other.so").write_bytes(data)
     variant(file, change)
-    assert run_command(["check", str(file), "--allow-code"]) == 2
+    assert run_command(["check", str(file), "--allow-code"]) == run(file) == 2
+    assert not Path("run.h5").exists()
     with pytest.raises(ModelError) as found:
         load_model(file, allow_code=True)
     said = [p for p in found.value.problems if p.where == f"controllers.turbine.{key}"]

@@ -127,20 +127,18 @@ def test_the_time_limit_counts_from_the_begin_of_a_call():
 
 def test_an_answer_that_arrives_at_the_time_limit(tmp_path):
     """The answer is complete, but the process was ended: this call fails, and not the next one."""
-    with (
-        pytest.raises(ControllerError, match=r"did not return within 60 s; its process was ended"),
-        opened(tmp_path, "count", timeout=60.0) as controller,
-    ):
-        controller.call(0.0)
-        watch, end = controller._watch, controller._watch.end
+    controller = opened(tmp_path, "count", timeout=60.0)
+    controller.call(0.0)
+    watch, end = controller._watch, controller._watch.end
 
-        def late():
-            """As if the thread had been faster than the end of the call."""
-            controller._process.kill()
-            watch._expired = True
-            return end()
+    def late():
+        """As if the thread had been faster than the end of the call."""
+        controller._process.kill()
+        watch._expired = True
+        return end()
 
-        watch.end = late
+    watch.end = late
+    with pytest.raises(ControllerError, match=r"did not return within 60 s; its process was ended"):
         controller.call(0.1)
     assert not processes_of_controllers()
 
