@@ -80,3 +80,28 @@ def test_the_run_stays_there():
     model = pp.load_model(text=MODEL.format(torque=LINEAR, more="", blocks="", speeds="hub: 5 rad/s"))
     data = pp.solve_time(pp.compile_model(model, "run"))
     np.testing.assert_allclose(data["signal[angle]"], 0.6, atol=1e-9)
+
+
+FILTERED = """
+bodies: {{rotor: {{motion: torsion, inertia: 2 kg m^2}}}}
+sensors: {{speed: {{type: joint, coordinate: rotor, derivative: 1}}}}
+blocks:
+  seen: {{type: filter, input: speed, time_constant: 0.1 s}}
+  error: {{type: sum, inputs: {{seen: -1}}, offset: 5}}
+  wanted: {{type: pid, input: error, proportional: 3, integral: 2}}
+  least: {{type: formula, formula: "max(wanted, 0)", inputs: [wanted]}}
+  lag: {{type: {lag}, input: least, time_constant: 50 ms{rate}}}
+  torque: {{type: formula, formula: "lag^2", inputs: [lag], unit: N m}}
+actuators: {{motor: {{type: torque, signal: torque, bodies: [rotor]}}}}
+loads: {{fan: {{body: rotor, torque: -9 N m}}}}
+scenarios: {{run: {{speed: {{rotor: 5 rad/s}}, duration: 2 s, step: 5 ms, method: adams}}}}
+"""
+
+
+@pytest.mark.parametrize(("lag", "rate"), [("filter", ""), ("rate_limit", ", rate: 100")])
+def test_an_integral_behind_a_filter_and_before_a_lag(lag, rate):
+    """At 5 rad/s no state determines the integral: it starts at 3, where the torque is 9 N m, as it ends."""
+    model = pp.load_model(text=FILTERED.format(lag=lag, rate=rate))
+    data = pp.solve_time(pp.compile_model(model, "run"))
+    np.testing.assert_allclose(data["speed[rotor]"], 5.0, atol=1e-7)
+    np.testing.assert_allclose(data["signal[torque]"], 9.0, atol=1e-6)
