@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK
 from pitchpoint.solvers.implicit.generalized_alpha import Run
+from pitchpoint.solvers.implicit.newton import EXTRA
 from pitchpoint.solvers.implicit.step import coefficients
 from pitchpoint.system.linear import factor_entry, solve_entry
 from pitchpoint.system.link import NO_MATTER
@@ -63,6 +64,7 @@ def continue_after_jump(run: Run, change: NDArray[np.float64]) -> int:
             return status
         if invoke(factor_entry, w.at, 0, 0) != OK or not _solve(run.system, change):
             return run.go_on()
+        w.arrays["real"][EXTRA] = -1.0
         w.clock[VALID] = run.iteration is None  # the stabilised form has further factors
     for history in histories:
         history += cm * w.arrays["x"]
