@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.openfast.aerodyn import read_aerodyn
     from pitchpoint.model.openfast.airfoil import read_airfoil
+    from pitchpoint.model.openfast.beamdyn import read_beamdyn
     from pitchpoint.model.openfast.elastodyn import read_elastodyn
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.wind.box import WindBox
@@ -78,6 +79,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.wind.steady import SteadyWind
     from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.model.wind.turbulence import KaimalTurbulence
+    from pitchpoint.model.windio.beam import read_windio_beam
+    from pitchpoint.model.windio.rotor import read_windio_rotor
     from pitchpoint.report.exported_model import export_fmu
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
@@ -191,11 +194,14 @@ __all__ = [
     "plot",
     "read_aerodyn",
     "read_airfoil",
+    "read_beamdyn",
     "read_elastodyn",
     "read_mann",
     "read_measured",
     "read_rexs",
     "read_turbsim",
+    "read_windio_beam",
+    "read_windio_rotor",
     "reduce_system",
     "run_cases",
     "run_study",
@@ -241,7 +247,10 @@ _HOMES = {
     "io.measured.reading": ("read_measured",),
     "model.openfast.aerodyn": ("read_aerodyn",),
     "model.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.beamdyn": ("read_beamdyn",),
     "model.openfast.elastodyn": ("read_elastodyn",),
+    "model.windio.beam": ("read_windio_beam",),
+    "model.windio.rotor": ("read_windio_rotor",),
     "geometry.beam_table": ("BeamTable",),
     "model.components.wind": ("Wind",),
     "model.components.wind_rotor": ("WindRotor",),
