@@ -76,8 +76,8 @@ class Sampler:
 
     def _finish(self, controller: SampledController, state: Any) -> None:
         if controller.finish is not None:
-            said = _named(self.system, controller.name)[1]
-            self.notes += tuple(note(f"{said} {remark}") for remark in controller.finish(state))
+            where = _named(self.system, controller.name)[1]
+            self.notes += tuple(note(f"{where} {remark}") for remark in controller.finish(state))
 
     def next(self) -> float:
         """Time of the next instant [s]."""

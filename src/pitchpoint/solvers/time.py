@@ -384,9 +384,8 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     settled = chosen.statistics_start
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
-    notes = (*done.notes, *sample_notes(system, chosen, done, chosen.sample_rate))
-    solver = json.dumps(done.contact_solver)
-    attrs |= {"steps": done.steps, "notes": join_notes(notes), "contact_solver": solver}
+    attrs |= {"steps": done.steps, "contact_solver": json.dumps(done.contact_solver)}
+    attrs["notes"] = join_notes((*done.notes, *sample_notes(system, chosen, done, chosen.sample_rate)))
     times = np.concatenate(memory.times)
     data = channel_dataset(system, "time", times, np.concatenate(memory.rows), attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}
@@ -394,7 +393,8 @@ def solve_time(
         data[name].attrs["statistics"] = [numbers[key] for key in ("mean", "rms", "min", "max")]
         data[name].attrs |= {key: numbers[key] for key in CONTACT_NUMBERS if key in numbers}
     if chosen.events:
-        data = data.assign(event_variables(*done.events.T, done.event_names))
+        when, index, direction = done.events.T
+        data = data.assign(event_variables(when, index, direction, done.event_names))
     if done.status != OK and on_failure == "raise":
         raise SolverError(done.sentence, done.status, data)
     return data

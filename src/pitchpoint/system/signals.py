@@ -113,7 +113,8 @@ def only_signals(system: System, signals: bool = True) -> Iterator[bool]:
     Its value is whether the signals are independent of other elements.
     """
     w = system.workspace
-    kept, mach = {}, w.mach[0]
+    kept: dict[str, int] = {}
+    mach = w.mach[0]
     bank = system.records[kind_of_signals(system)].ctypes.data if signals else 0
     mine = {name: w.tables[name][w.tables[name][:, RECORDS] == bank] for name in ("forces", "frictions")}
     for name, rows in mine.items():

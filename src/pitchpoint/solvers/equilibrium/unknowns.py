@@ -137,7 +137,7 @@ def signal_states(system: System) -> NDArray[np.int64]:
 
 
 def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
-    """States of signals that neither rates nor free coordinates determine, such as integrals of a speed error.
+    """States of signals that neither rates nor free coordinates determine, such as a sum of speed errors.
 
     The error may be filtered, and the integral may pass a lag, as that of a pitch drive. They have no
     equilibrium and retain their values. Limits are ignored: an integrator that is constant only
