@@ -87,7 +87,7 @@ def test_steps_far_longer_than_the_period_of_the_mesh_do_not_fail(law, rpm, h, t
 
 
 def test_a_matrix_is_kept_until_further_corrections_have_cost_as_much():
-    """A pendulum with a hardening spring: the matrix is new exactly when six further corrections were made."""
+    """A pendulum with a hardening spring: the matrix is new exactly after six further corrections."""
     text = """
 bodies: {arm: {motion: torsion, inertia: 1 kg m^2}}
 loads: {spring: {body: arm, torque: "-40*angle - 300*angle^3"}}
