@@ -117,6 +117,7 @@ GROUPS = {
         "BeamTable",
         "solve_rotor_performance",
         "solve_rotor_transient",
+        "solve_multiblade_modes",
     ),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (

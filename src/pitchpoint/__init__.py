@@ -94,6 +94,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.mesh_response import solve_mesh_response
     from pitchpoint.solvers.modal import solve_modal
+    from pitchpoint.solvers.multiblade import solve_multiblade_modes
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
@@ -212,6 +213,7 @@ __all__ = [
     "solve_frequency_response",
     "solve_mesh_response",
     "solve_modal",
+    "solve_multiblade_modes",
     "solve_quasistatic",
     "solve_rotor_performance",
     "solve_rotor_transient",
@@ -315,6 +317,7 @@ _HOMES = {
     "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.mesh_response": ("solve_mesh_response",),
     "solvers.modal": ("solve_modal",),
+    "solvers.multiblade": ("solve_multiblade_modes",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
     "solvers.rotor_performance": ("solve_rotor_performance",),

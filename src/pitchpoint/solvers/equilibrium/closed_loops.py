@@ -87,8 +87,10 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
-        # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
-        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + 1.0))
+        # positions are rounded as those in the world, at least as 1 m, and angles as 1 rad: the resulting
+        # force error limits the residual
+        far = max(1.0, float(np.abs(system.workspace.fr["r"]).max()))
+        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + np.where(system.weight == 1.0, far, 1.0)))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):
