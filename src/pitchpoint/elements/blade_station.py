@@ -18,7 +18,7 @@ from pitchpoint.elements.rotor.loads import (
     station_loads,
     steady_inflow,
 )
-from pitchpoint.elements.rotor.polar import coefficient, interval
+from pitchpoint.elements.rotor.polar import coefficient
 from pitchpoint.elements.rotor.slopes import load_slopes, steady_slopes
 from pitchpoint.elements.rotor.station import (
     BODIES,
@@ -116,7 +116,7 @@ def _unsteady_loads(b, knots, fr, jac):
     state_rates(blade, p, x, steady, b["rates"])
     _write_rates(b, fr)
     if jac != 0:
-        steady_slopes(blade, b["air"], knots, p, b["steady"])
+        steady_slopes(blade, b["air"], p, b["steady"])
         held_velocities(b["flow"])
         lift_slopes(blade, p, knots, i, b["stall"], x, b["lift"])
         load_slopes(blade, b["air"], knots, p, b["flow"], b["lift"], b["slopes"])
@@ -131,9 +131,8 @@ def _steady_loads(b, knots, jac):
     blade = b["blade"]
     status = station_loads(blade, b["air"], knots, p)
     if jac != 0:
-        steady_slopes(blade, b["air"], knots, p, b["flow"])
-        i = interval(knots, blade["first"], blade["last"], p["alpha"])
-        lift_slopes(blade, p, knots, i, 0, b["state"], b["lift"])
+        steady_slopes(blade, b["air"], p, b["flow"])
+        lift_slopes(blade, p, knots, p["row"], 0, b["state"], b["lift"])
         load_slopes(blade, b["air"], knots, p, b["flow"], b["lift"], b["slopes"])
     return status
 
