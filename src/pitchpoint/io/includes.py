@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Model files of several parts: sections of included files are merged by name.
 
-``include: [gears.yaml, bearings/main.yaml]`` names files below the folder of the model file. Every name may
-be given once: a second one, also in another file, is an error. All file names of all parts are relative to
-the folder of the model file.
+``include: [gears.yaml, ../common/bearings.yaml]`` names model files, by their paths from the folder of the
+model file. Every name may be given once: a second one, also in another file, is an error. All file names of
+all parts are relative to the folder of the model file.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +22,7 @@ from pitchpoint.model.model import Model
 from pitchpoint.model.show import dotted, shown
 
 INCLUDE = "include"
+SUFFIXES = (".yaml", ".yml")
 MAX_FILES = 200
 
 
@@ -42,7 +44,7 @@ def with_included(tree: Tree, folder: Path, name: str) -> Whole:
     tree
         Contents of the model file.
     folder
-        Folder of the model file; included files are in it or below.
+        Folder of the model file, the base of the names of included files.
     name
         Name of the model file, for messages.
     """
@@ -89,16 +91,15 @@ class _Merger:
         if not isinstance(name, str) or not name.strip():
             self.problem(place, "is not the name of a file", line, "write [gears.yaml]", shown(name))
             return
-        base = self.folder.resolve()
         try:
             file = (self.folder / name).resolve()
+            own = Path(os.path.relpath(file, self.folder.resolve())).as_posix()
         except (OSError, ValueError):
-            file = base.parent
-        if Path(name).is_absolute() or not file.is_relative_to(base):
-            remedy = "include files in the folder of the model file or below it, by their relative names"
-            self.problem(place, "is not below the folder of the model file", line, remedy, shown(name))
+            file, own = Path(), name
+        if Path(name).is_absolute() or own.startswith("..") and file.suffix.lower() not in SUFFIXES:
+            remedy = "include files by their paths from the folder of the model file; outside of it, .yaml files"
+            self.problem(place, "is not the relative name of a model file", line, remedy, shown(name))
             return
-        own = file.relative_to(base).as_posix()
         if own in path:
             chain = " -> ".join([*path[path.index(own) :], own])
             self.problem(place, f"forms a circle: {chain}", line, "remove one of these includes")

@@ -31,6 +31,7 @@ from pitchpoint.model.mechanism import (
     ONE_WAY,
     Seat,
     axial_offset,
+    base_of,
     coordinate,
     rows_of,
     seat_frame,
@@ -321,11 +322,13 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
 
 
 def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Check that a fixed gear is at rest, or rotates with a body about the same axis."""
+    """Check that a fixed gear is at rest, at rest in a body that carries its mates, or rotates with a body."""
     root = seat
     while root.kind == "fixed" and root.parent in parts.mechanism.seats:
         root = parts.mechanism.seats[root.parent]
-    if root.kind in ("fixed", "prismatic"):
+    if root.kind in ("fixed", "prismatic") or (
+        root.body == seat.parent and all(_rides_on(parts, mate, seat.parent) for mate in _mates(parts, name))
+    ):
         return
     remedy = f"give {name} and {root.body} the same z axis"
     if root.kind not in COUNTED:
@@ -340,6 +343,20 @@ def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
         value=", ".join((*parts.bodies[name].gears, *parts.bodies[name].bevel_gears)),
         remedy=remedy,
     )
+
+
+def _mates(parts: Parts, name: str) -> list[str]:
+    """Bodies with gears in mesh with those of a body; empty names for gears without body."""
+    own = {*parts.bodies[name].gears, *parts.bodies[name].bevel_gears}
+    pairs = [mesh.gears for mesh in (*parts.meshes.values(), *parts.bevel_meshes.values())]
+    return [parts.body_of(a if b in own else b) or "" for a, b in pairs if (a in own) != (b in own)]
+
+
+def _rides_on(parts: Parts, body: str, carrier: str) -> bool:
+    """Whether the spin of a body refers to a carrier, also by way of other bodies."""
+    while body not in (GROUND, carrier) and body in parts.mechanism.seats:
+        body = base_of(parts, parts.mechanism, body)
+    return body == carrier
 
 
 # --- coordinates --------------------------------------------------------------------------------------------
