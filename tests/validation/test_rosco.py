@@ -121,9 +121,10 @@ def test_elastic_turbine(tmp_path: Path) -> None:
     """The turbine of the example, with shear of the wind: the pitch of its own control, 10.1 deg."""
     library = copied(tmp_path)
     shutil.copytree(EXAMPLE / "nrel_5mw", tmp_path / "nrel_5mw")
+    shutil.copy(EXAMPLE / "two_mass.yaml", tmp_path)
     text = (EXAMPLE / "model.yaml").read_text(encoding="utf-8")
     head, rest = text[: text.index("  overspeed:")], text[text.index("  servo_1:") :]
-    servos = rest[: rest.index("loads:")].replace("wanted_pitch", "demand")
+    servos = rest[: rest.index("  generator_torque:")].replace("inputs: {pitch:", "inputs: {demand:")
     control = CONTROL.format(servos=servos, library=library)
     file = tmp_path / "model.yaml"
     file.write_text(head + control + rest[rest.index("scenarios:") :], encoding="utf-8")

@@ -45,6 +45,8 @@ COMMANDS = {
     "dataset": "Labelled data set of many cases from a plan.",
     "compare-solvers": "Accuracy and speed of all integrators on one model.",
     "analyse": "Spectra, orders and indicators of a record.",
+    "fatigue": "Damage-equivalent loads of results, loads of all teeth.",
+    "wind": "Turbulent wind from a seed, as a TurbSim file.",
     "diagnose": "Detect damaged gears, shafts and bearings in a record.",
     "view": "3-D scene of a model or result in one HTML file.",
     "report": "Report of a model and its results in one HTML file.",

@@ -12,7 +12,7 @@ from typing import Any, TextIO
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.io.includes import Whole, with_included
+from pitchpoint.io.includes import INCLUDE, Whole, with_included
 from pitchpoint.io.model_tables import read_tables
 from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.build import build_model
@@ -119,7 +119,9 @@ def loads_model(
     >>> model.gears["a"].normal_module
     0.003
     """
-    whole, directory = _whole(text, file, progress), str(Path(file).parent if file is not None else Path())
+    changes = dict(changes or {})
+    whole = _whole(text, file, progress, changes.pop(INCLUDE, None))
+    directory = str(Path(file).parent if file is not None else Path())
 
     def build(data: Any, more: list[Message]) -> Model:
         """Model of the data of the file, or of these with changes."""
@@ -152,13 +154,16 @@ def data_of(path: str | Path) -> Any:
         return None
 
 
-def _whole(text: str, file: str | None, progress: Progress) -> Whole:
-    """Data of a model file and its included files, with lines and problems."""
+def _whole(text: str, file: str | None, progress: Progress, included: Any = None) -> Whole:
+    """Data of a model file and its included files, or of others, with lines and problems."""
     try:
         tree = Tree(text, progress)
     except TreeError as error:
         raise ModelError([error.problem], file) from None
     directory = Path(file).parent if file is not None else Path()
+    if included is not None and isinstance(tree.data, dict):
+        tree.data[INCLUDE] = included
+        tree.lines.setdefault((INCLUDE,), 1)
     return with_included(tree, directory, Path(file).name if file is not None else "")
 
 

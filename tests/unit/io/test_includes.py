@@ -90,8 +90,9 @@ def test_messages_name_the_included_file(files):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"model": MAIN.replace("gears.yaml", "../gears.yaml")}, "is not below the folder of the model file"),
-        ({"model": MAIN.replace("gears.yaml", "/etc/hosts")}, "is not below the folder of the model file"),
+        ({"model": MAIN.replace("gears.yaml", "../gears.yaml")}, "'../gears.yaml' names a file that does not"),
+        ({"model": MAIN.replace("gears.yaml", "../../etc/hosts")}, "is not the relative name of a model file"),
+        ({"model": MAIN.replace("gears.yaml", "/etc/g.yaml")}, "is not the relative name of a model file"),
         ({"model": MAIN.replace("gears.yaml", "gear.yaml")}, "'gear.yaml' names a file that does not exist"),
         ({"model": MAIN.replace("gears.yaml", "3")}, "3 is not the name of a file"),
         ({"model": MAIN.replace("[gears.yaml, drives/loads.yaml]", "{a: b}")}, "is not a list of files"),
@@ -118,13 +119,34 @@ def test_what_cannot_be_included_is_refused_with_file_and_line(files, changes, w
     assert any(words in problem for problem in found), found
 
 
-def test_a_link_out_of_the_folder_is_refused(files, tmp_path):
-    outside = tmp_path.parent / f"{tmp_path.name}-outside.yaml"
+def test_files_beside_the_folder_of_the_model(files, tmp_path):
+    file = files(gears="include: ../common/teeth.yaml\n")
+    (tmp_path.parent / "common").mkdir()
+    teeth = tmp_path.parent / "common" / "teeth.yaml"
+    teeth.write_text(GEARS, encoding="utf-8")
+    assert load_model(file).origin.files == ("gears.yaml", "../common/teeth.yaml", "drives/loads.yaml")
+    teeth.write_text(GEARS.replace("40,", "40 mm,"), encoding="utf-8")
+    assert any("(../common/teeth.yaml, line 4)" in problem for problem in problems_of(file))
+
+
+def test_a_link_to_another_kind_of_file_is_refused(files, tmp_path):
+    outside = tmp_path.parent / f"{tmp_path.name}-outside.txt"
     outside.write_text(GEARS)
     file = files()
     (tmp_path / "gears.yaml").unlink()
     (tmp_path / "gears.yaml").symlink_to(outside)
-    assert any("is not below the folder" in problem for problem in problems_of(file))
+    assert any("is not the relative name of a model file" in problem for problem in problems_of(file))
+
+
+def test_other_included_files(files, tmp_path):
+    """`include` is set like any other key, also in a file without it."""
+    file = files(other=GEARS.replace("40,", "60,") + LOADS.partition("\n")[2])
+    other = load_model(file, changes={"include": "other.yaml"})
+    assert other.gears["wheel"].number_of_teeth == 60 and other.origin.files == ("other.yaml",)
+    changes = {"include": ["other.yaml"], "parameters.m_n": "4 mm"}
+    assert load_model(file, changes=changes).gears["wheel"].normal_module == 0.004
+    file.write_text(MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", ""), encoding="utf-8")
+    assert load_model(file, changes={"include": "other.yaml"}).gears["wheel"].number_of_teeth == 60
 
 
 def test_a_result_contains_the_whole_model(files, capsys, tmp_path):

@@ -50,6 +50,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     GROWTH,
     ROUNDING,
     SOFTENING,
+    extent,
     inverse_of,
     rest_matrix,
     unsettled_states,
@@ -202,12 +203,12 @@ def _pseudo_time(
     tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
-    mu, floats = first, False
+    mu, floats, size = first, False, extent(system)
     learned: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # last step, residual missed
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
-        # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
-        rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
+        # the force error of rounded positions limits the residual
+        rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + size) + damping)
         goal = np.maximum(rounded, wanted)[free]
         left = np.abs((R * weight)[free])
         if (left <= goal).all():

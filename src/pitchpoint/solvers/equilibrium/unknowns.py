@@ -192,3 +192,16 @@ def wrapped(system: System, state: State) -> State:
                 state.q[spin] -= 2.0 * np.pi * turns
                 state.turns[b] += turns
     return state
+
+
+def extent(system: System) -> float:
+    """Largest distance of a body from the origin of the world as drawn [m], at least 1 m.
+
+    Positions have the rounding error of this distance, angles that of one radian: the forces of stiff parts
+    of a tall machine have the error of stiffness times distance.
+    """
+    bodies = system.program["body"]
+    distance = np.zeros(len(bodies))
+    for b in range(1, len(bodies)):
+        distance[b] = distance[bodies["parent"][b]] + float(np.linalg.norm(bodies["pos"][b]))
+    return float(max(1.0, distance.max(initial=0.0)))

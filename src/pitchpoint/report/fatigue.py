@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Fatigue loads of results: rain-flow cycles of channels, load pulses of the teeth, over all load cases."""
+
+from __future__ import annotations
+
+import fnmatch
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.rainflow import equivalent_load, load_duration, rainflow
+from pitchpoint.analysis.tooth_pulses import Pulses, find_pulses, tooth_loads
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.model.carried_trains import line_carrier
+from pitchpoint.model.frames import body_frame
+from pitchpoint.model.mechanism import base_of, spinner_of
+from pitchpoint.viz.quantities import settle_time_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+SLOPES = (4.0, 10.0)
+"""Exponents of the Wöhler line: welded and forged steel, glass-fibre blades."""
+TOOTH_SLOPE = 8.738
+"""Of the force of a tooth over life: tooth root of case-hardened gears (ISO 6336-6)."""
+FREE = 1e-3
+"""Moment over the largest one of the same beam up to which an end counts as free."""
+TRUNCATED = 10.0
+"""Samples per mesh period below which the peaks of tooth forces are noticeably too low."""
+
+
+@dataclass
+class LoadCases:
+    """Results as load cases, each with its time in the life.
+
+    Attributes
+    ----------
+    hours
+        Time of each result in the life [h]; None: its own duration.
+    """
+
+    model: Model
+    results: Sequence[xr.Dataset]
+    hours: Sequence[float | None]
+    notes: list[str] = field(default_factory=list)
+
+    def time(self, data: xr.Dataset) -> tuple[slice, Array]:
+        """Evaluated samples, from the settle time of the run, and their times."""
+        time = np.asarray(data["time"], float)
+        first = int(np.searchsorted(time, time[0] + settle_time_of(data.attrs)))
+        if time.size - first < 2:
+            raise PitchpointError("the result has less than two samples after its settle time")
+        return slice(first, None), time[first:]
+
+    def weights(self) -> list[float]:
+        """Repetitions of each result in the life."""
+        found = []
+        for data, hours in zip(self.results, self.hours, strict=True):
+            _, time = self.time(data)
+            found.append(1.0 if hours is None else 3600.0 * hours / float(time[-1] - time[0]))
+        return found
+
+    def life(self) -> float:
+        """Whole time [s]."""
+        times = [self.time(data)[1] for data in self.results]
+        return sum(w * float(t[-1] - t[0]) for w, t in zip(self.weights(), times, strict=True))
+
+
+def fatigue_loads(
+    cases: LoadCases,
+    patterns: Sequence[str] = (),
+    slopes: Sequence[float] = SLOPES,
+    cycles: float | None = None,
+    tooth_slope: float = TOOTH_SLOPE,
+) -> dict[str, Any]:
+    """Damage-equivalent loads of channels, and loads of all teeth, of one or more results.
+
+    Parameters
+    ----------
+    cases
+        The results.
+    patterns
+        Names of channels, * matches any characters; default: `main_loads`.
+    slopes
+        Exponents of the Wöhler line.
+    cycles
+        Number of the equivalent cycles; default: one per second of the whole time.
+    tooth_slope
+        Exponent for the forces of teeth.
+
+    Returns
+    -------
+    dict
+        `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by slope),
+        `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank: `pulses`,
+        `largest` and `equivalent` force [N] per tooth, the `worst` tooth, `levels` and `exceeded`.
+    """
+    names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)
+    number = cases.life() if cycles is None else cycles
+    channels = {name: _channel(cases, name, slopes, number) for name in names}
+    return {
+        "duration": cases.life(),
+        "cycles": number,
+        "slopes": list(slopes),
+        "tooth_slope": tooth_slope,
+        "channels": channels if patterns else _without_small(channels),
+        "teeth": {} if patterns else _teeth(cases, tooth_slope),
+        "notes": cases.notes,
+    }
+
+
+def main_loads(model: Model, results: Sequence[xr.Dataset]) -> list[str]:
+    """Moments at both ends of all beams, torques of couplings and torsion springs, in all results."""
+    wanted = []
+    for beam, part in model.beams.items():
+        ends = ("1.i", f"{part.pieces}.j")
+        wanted += [f"beam_force[{beam}.{end}.{m}]" for end in ends for m in ("mx", "my", "mz")]
+    wanted += [f"coupling_force[{name}.mz]" for name in model.couplings]
+    wanted += [f"torque[{name}]" for name in (*model.torsion_springs, *model.torsion_maxwells)]
+    return [name for name in wanted if all(name in data for data in results)]
+
+
+def _without_small(channels: dict[str, Any]) -> dict[str, Any]:
+    """Channels without the moments at the free ends of beams."""
+    sizes: dict[str, float] = {}
+    for name, row in channels.items():
+        part = name.split(".")[0]
+        sizes[part] = max(sizes.get(part, 0.0), abs(row["min"]), abs(row["max"]))
+    largest = {name: max(abs(row["min"]), abs(row["max"])) for name, row in channels.items()}
+    return {n: row for n, row in channels.items() if largest[n] > FREE * sizes[n.split(".")[0]]}
+
+
+def _chosen(results: Sequence[xr.Dataset], patterns: Sequence[str]) -> list[str]:
+    """Channels of all results that match one of the patterns."""
+    known = [str(n) for n, v in results[0].data_vars.items() if v.dims == ("time",)]
+    found: list[str] = []
+    for pattern in patterns:
+        own = [n for n in known if n == pattern or fnmatch.fnmatchcase(n, pattern.replace("[", "[[]"))]
+        own = [n for n in own if all(n in data for data in results)]
+        if not own:
+            remedy = "`pitchpoint analyse FILE` lists the channels of a result"
+            raise PitchpointError(f"no channel {pattern!r} in all results; {remedy}")
+        found += [n for n in own if n not in found]
+    return found
+
+
+def _channel(cases: LoadCases, name: str, slopes: Sequence[float], number: float) -> dict[str, Any]:
+    ranges, counts, values, seconds = [], [], [], []
+    for data, weight in zip(cases.results, cases.weights(), strict=True):
+        window, time = cases.time(data)
+        x = np.asarray(data[name], float)[window]
+        one = rainflow(x)
+        ranges.append(one.range)
+        counts.append(weight * one.count)
+        values.append(x)
+        seconds.append(weight * np.gradient(time))
+    spread, count = np.concatenate(ranges), np.concatenate(counts)
+    x, duration = np.concatenate(values), np.concatenate(seconds)
+    levels = load_duration(x, duration)
+    return {
+        "unit": str(cases.results[0][name].attrs.get("units", "")),
+        "min": float(x.min()),
+        "mean": float((x * duration).sum() / duration.sum()),
+        "max": float(x.max()),
+        "equivalent": [equivalent_load(spread, count, m, number) for m in slopes],
+        "counted": float(count.sum()),
+        "levels": levels.level.tolist(),
+        "exceeded": levels.exceeded.tolist(),
+    }
+
+
+def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
+    """Loads of the teeth of all gears, by gear and flank."""
+    found: dict[str, dict[str, Any]] = {}
+    for gear, meshes in _meshes_of_gears(cases.model).items():
+        teeth = cases.model.gears[gear].number_of_teeth
+        pulses = [_pulses(cases, data, gear, teeth, meshes) for data in cases.results]
+        if not all(pulses):
+            continue
+        weights = cases.weights()
+        alone = [tooth_loads(one, teeth, slope) for one in pulses]
+        for flank in ("front", "back"):
+            parts = [(w, a[flank]) for w, a in zip(weights, alone, strict=True) if flank in a]
+            if not parts:
+                continue
+            count = sum(w * p.pulses for w, p in parts)
+            mean = float(np.mean(count))
+            total = sum(w * p.forces.size / teeth * p.equivalent**slope for w, p in parts)
+            equivalent = (total / mean) ** (1.0 / slope)
+            forces = np.concatenate([p.forces for _, p in parts])
+            levels = load_duration(forces, np.concatenate([np.full(p.forces.size, w) for w, p in parts]))
+            found.setdefault(gear, {})[flank] = {
+                "pulses": [float(c) for c in count],
+                "largest": np.max([p.largest for _, p in parts], axis=0).tolist(),
+                "equivalent": equivalent.tolist(),
+                "worst": int(np.argmax(equivalent)) + 1,
+                "levels": levels.level.tolist(),
+                "exceeded": levels.exceeded.tolist(),
+            }
+    return found
+
+
+def _meshes_of_gears(model: Model) -> dict[str, list[tuple[str, str, str]]]:
+    """By gear: each of its meshes with its body and that of the other gear."""
+    found: dict[str, list[tuple[str, str, str]]] = {}
+    for name, mesh in model.meshes.items():
+        one, two = (model.body_of(g) for g in mesh.gears)
+        if one is None or two is None:
+            continue
+        found.setdefault(mesh.gears[0], []).append((name, one, two))
+        found.setdefault(mesh.gears[1], []).append((name, two, one))
+    return found
+
+
+def _pulses(
+    cases: LoadCases, data: xr.Dataset, gear: str, teeth: int, meshes: Sequence[tuple[str, str, str]]
+) -> list[Pulses]:
+    """Pulses of a gear in each of its meshes; empty if a mesh has no channels of its tooth pairs."""
+    found = []
+    window, time = cases.time(data)
+    for mesh, body, other in meshes:
+        rows = [str(n) for n in data.data_vars if str(n).startswith(f"pair_force[{mesh}.")]
+        if not rows:
+            return []
+        turned = rotation(cases.model, data, body, other)[window]
+        passed = abs(turned[-1] - turned[0]) * teeth / math.tau
+        if 0.0 < time.size < TRUNCATED * passed:
+            cases.notes.append(
+                f"{mesh}: {time.size / passed:.1f} samples per mesh period; below {TRUNCATED:.0f} the peaks "
+                "of tooth forces are too low: increase sample_rate"
+            )
+        found.append(find_pulses([np.asarray(data[n], float)[window] for n in rows], turned, teeth))
+    cases.notes[:] = list(dict.fromkeys(cases.notes))
+    return found
+
+
+def rotation(model: Model, data: xr.Dataset, body: str, other: str) -> Array:
+    """Angle of a gear body relative to the line of centres with another one [rad], shape of the time.
+
+    Parameters
+    ----------
+    model, data
+        The model and a result with the channels `angle`.
+    body, other
+        Bodies of the gear and of its mate.
+    """
+    carrier = line_carrier(model, body, other)  # type: ignore[arg-type]
+    (origin, axes), (place, _) = body_frame(model, body), body_frame(model, other)
+    assert origin is not None and place is not None
+    x, y, _ = axes.T @ (place - origin)
+    angle = _angle(model, data, body) - math.atan2(y, x)
+    if base_of(model, model.mechanism, body) != carrier:
+        angle = angle - _angle(model, data, carrier)
+    return angle
+
+
+def _angle(model: Model, data: xr.Dataset, body: str) -> Array:
+    """Spin of a body; zero for one that stands still."""
+    name = f"angle[{spinner_of(model, model.mechanism, body) or body}]"
+    return np.asarray(data[name], float) if name in data else np.zeros(data.sizes["time"])
