@@ -77,7 +77,7 @@ def _step(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
         if rotor.step and scenario.method in (*ERROR_METHODS, *STIFF_METHODS):
             report.problem(
                 (*at, "step"),
-                f"requires a method of fixed steps; method of scenario {name}",
+                f"is the method of scenario {name} and has no fixed steps",
                 value=scenario.method,
                 limit="generalized_alpha, adams or rk4",
                 remedy="change the method, or omit step",
