@@ -21,6 +21,7 @@ const FEW = 6; // more arrows are smaller, and some are omitted
 const SMALLEST = 0.45; // their minimum relative size
 const THIN_OUT = 40; // distance of points of action below which only the largest force is shown [px]
 const SLIGHT = 0.06; // fraction of the largest force below which components are not shown
+const LONGEST = 300; // length on the screen of the largest force, from which arrows no longer grow with the scene [px]
 const MOST_BEARINGS = 8; // with more bearings, bearing forces are hidden by default
 
 /** Arrow of unit length along z with a head of unit diameter. */
@@ -198,13 +199,14 @@ export class Arrows {
     this.now = this.forces();
     const kept = this.hidden ? new Set() : this.#kept(onScreen);
     const slight = this.sparse ? SLIGHT * this.size : 0;
+    const longest = Math.min(this.longest, LONGEST * this.scale * this.share * visible || Infinity);
     this.now.forEach((force, k) => {
       const on = kept.has(k);
       const { parts, ball } = this.drawn[k];
       const thick = this.share * Math.min(0.055 * this.radius * Math.sqrt(this.scale), 22 * visible || Infinity);
       for (const [part, mesh] of Object.entries(parts)) {
         const vector = force.vectors[part];
-        const length = this.size > 0 ? (this.longest * vector.length()) / this.size : 0;
+        const length = this.size > 0 ? (longest * vector.length()) / this.size : 0;
         const seen = on && (force.kind === "pair" || (this.largest[k][part] ?? 0) > slight);
         mesh.visible = seen && length > 2 * visible && length > 0;
         if (!mesh.visible) continue;

@@ -75,6 +75,31 @@ def find_pulses(pair_forces: Sequence[ArrayLike], rotation: ArrayLike, teeth: in
     return Pulses(force, place)
 
 
+def find_passages(force: ArrayLike, rotation: ArrayLike, teeth: int) -> Pulses:
+    """One pulse per tooth from the force of the whole mesh: its largest value while the tooth is the nearest.
+
+    For meshes whose stiffness does not have single tooth pairs; the loads are too high, as the pairs share
+    the force.
+
+    Parameters
+    ----------
+    force
+        Shape (n,). Force of the mesh [N].
+    rotation, teeth
+        As for `find_pulses`.
+    """
+    f = np.asarray(force, float)
+    turned = as_signal(rotation, "rotation") * whole(teeth, "teeth") / (2.0 * np.pi)
+    same_length(f, turned, "force and rotation")
+    nearest = np.rint(turned).astype(np.int64)
+    edges = np.flatnonzero(np.diff(nearest)) + 1
+    if edges.size < 2:
+        return Pulses(np.zeros(0), np.zeros(0))
+    parts = [f[a:b] for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    peaks = np.array([part[np.argmax(np.abs(part))] for part in parts])
+    return Pulses(peaks, nearest[edges[:-1]].astype(float))
+
+
 @dataclass(frozen=True)
 class ToothLoads:
     """Load pulses of every tooth of a gear on one flank.

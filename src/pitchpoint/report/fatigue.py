@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.rainflow import equivalent_load, load_duration, rainflow
-from pitchpoint.analysis.tooth_pulses import Pulses, find_pulses, tooth_loads
+from pitchpoint.analysis.tooth_pulses import Pulses, find_passages, find_pulses, tooth_loads
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.carried_trains import line_carrier
 from pitchpoint.model.frames import body_frame
@@ -223,12 +223,12 @@ def _meshes_of_gears(model: Model) -> dict[str, list[tuple[str, str, str]]]:
 def _pulses(
     cases: LoadCases, data: xr.Dataset, gear: str, teeth: int, meshes: Sequence[tuple[str, str, str]]
 ) -> list[Pulses]:
-    """Pulses of a gear in each of its meshes; empty if a mesh has no channels of its tooth pairs."""
+    """Pulses of a gear in each of its meshes; empty if a mesh has no channels of its force."""
     found = []
     window, time = cases.time(data)
     for mesh, body, other in meshes:
         rows = [str(n) for n in data.data_vars if str(n).startswith(f"pair_force[{mesh}.")]
-        if not rows:
+        if not rows and f"mesh_force[{mesh}]" not in data:
             return []
         turned = rotation(cases.model, data, body, other)[window]
         passed = abs(turned[-1] - turned[0]) * teeth / math.tau
@@ -237,7 +237,12 @@ def _pulses(
                 f"{mesh}: {time.size / passed:.1f} samples per mesh period; below {TRUNCATED:.0f} the peaks "
                 "of tooth forces are too low: increase sample_rate"
             )
-        found.append(find_pulses([np.asarray(data[n], float)[window] for n in rows], turned, teeth))
+        if rows:
+            found.append(find_pulses([np.asarray(data[n], float)[window] for n in rows], turned, teeth))
+        else:
+            force = np.asarray(data[f"mesh_force[{mesh}]"], float)[window]
+            found.append(find_passages(force, turned, teeth))
+            cases.notes.append(f"{mesh}: without forces of single tooth pairs; the whole mesh force counts")
     cases.notes[:] = list(dict.fromkeys(cases.notes))
     return found
 

@@ -22,6 +22,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
+FAR = 4.0
+"""Size of a machine over that of its gear train, above which symbols have the size of the train: they would
+hide the gears of a wind turbine."""
+
+
 class Places:
     """Frames of all bodies at their positions in the model file, and the size of the machine.
 
@@ -49,6 +54,10 @@ class Places:
         gears += [2.0 * g.geometry.R_e for g in model.bevel_gears.values()]
         shafts = [s.length for s in model.shafts.values()]
         self.size = max(reach, *gears, *shafts, 0.0) or 0.2
+        carriers = [self.origin(name) for name, body in model.bodies.items() if body.gears or body.bevel_gears]
+        if carriers:
+            train = float(np.linalg.norm(np.ptp(np.array(carriers), axis=0))) + max(gears)
+            self.size = train if self.size > FAR * train else self.size
 
     def origin(self, body: str) -> Array:
         """Origin of a body in world coordinates [m]."""
