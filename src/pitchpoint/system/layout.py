@@ -246,8 +246,9 @@ def _projection(
     blocks: Mapping[tuple[int, int], int],
     places: tuple[Sequence[int], Sequence[int]],
 ) -> NDArray[np.void]:
-    """Projection programme: one row per pair of bodies and pair of joints on their paths, ordered by the joint
-    of the second body, for which `project_tangent` keeps a product.
+    """Projection programme: one row per pair of bodies and pair of joints on their paths.
+
+    Rows with the same joint of the second body follow each other: `project_tangent` keeps a product for them.
 
     Parameters
     ----------

@@ -26,7 +26,8 @@ winds:
   gust: {{speed: 8 m/s, height: 90 m, profile: power, exponent: 0.2,
     gust: {{shape: operating_gust, start: 0 s, duration: 2 s, amplitude: 3 m/s}}}}
 wind_rotors:
-  rotor: {{hub: hub, aerodyn: "{file}", hub_radius: 1.5 m, precone: 2.5 deg, tower_position: [5 km, 0], {keys}}}
+  rotor: {{hub: hub, aerodyn: "{file}", hub_radius: 1.5 m, precone: 2.5 deg,
+    tower_position: [5 km, 0], {keys}}}
 loads:
   torque: {{body: generator, torque: "-2.1286e6*speed^2"}}
 scenarios:
@@ -78,7 +79,7 @@ def full():
 
 @pytest.mark.parametrize("method", ["generalized_alpha", "adams", "rk4"])
 def test_gust_with_extrapolated_loads(full, method):
-    """Thrust, torque and speed against the full run, by the rms of the difference; all methods of fixed steps.
+    """Thrust, torque and speed against the full run, by the rms of the difference, in all fixed steps.
 
     The oldest loads in steps of 2.5 ms are 17.5 ms old with 20 ms, 7.5 ms with 10 ms: the errors of second
     order have the ratio (7.5/17.5)^2 = 0.18.
@@ -88,7 +89,9 @@ def test_gust_with_extrapolated_loads(full, method):
     for time in (20, 10):
         held = run(f"step: {time} ms", method)
         found = [held[name] - plain[name] for name in NAMES]
-        errors.append([float(np.sqrt((e**2).mean() / plain[n].max() ** 2)) for n, e in zip(NAMES, found, strict=True)])
+        errors.append(
+            [float(np.sqrt((e**2).mean() / plain[n].max() ** 2)) for n, e in zip(NAMES, found, strict=True)]
+        )
         power = held["rotor_torque[rotor]"] * held["speed[hub]"]
         rounding = 1e-6 if method == "adams" else 1e-12  # Adams observes with predicted rates
         np.testing.assert_allclose(held["aerodynamic_power[rotor]"], power, rtol=rounding)

@@ -21,7 +21,7 @@ from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
 _EDGE = 1e-9
 _TOLERANCE = 1e-15
 LAST = 1e-9
-"""Newton step [rad] that ends the iteration: as it converges quadratically, the error after it is round-off."""
+"""Newton step [rad] that ends the iteration: with quadratic convergence the error after it is round-off."""
 NEWTON_STEPS = 10
 UNDISTURBED = 0.7
 """Share of the wind of the first estimate: an axial induction of 0.3."""

@@ -27,7 +27,7 @@ def no_induction(U):
 
 @kernel
 def induced_slopes(b, p, U):
-    """Derivatives of the velocities of `induced`, shape (2, 10), in U, from the balance that it has written."""
+    """Derivatives of the velocities of `induced`, shape (2, 10), in U, from the balance written by it."""
     balance = p["balance"]
     phi = balance[0]
     if phi == 0.0:
