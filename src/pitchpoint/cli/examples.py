@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from pitchpoint.cli.options import as_json, debug
 from pitchpoint.cli.output import emit_json, show, table
 
 # Files that runs of an example create.
-_LEFTOVERS = ("build", "__pycache__", "*.h5", "*.html", "*.pyc", ".*")
+_LEFTOVERS = ("build", "__pycache__", "*.h5", "*.html", "*.pyc", "*.bts", ".*")
 
 
 def examples_folder() -> Path:
@@ -73,7 +74,10 @@ def list_examples(as_json: bool) -> None:
 @click.option("--force", is_flag=True, help="Overwrite existing files.")
 @debug
 def copy_example(name: str, directory: str | None, force: bool) -> None:
-    """Copy the example NAME to the folder DIRECTORY (default: ./NAME)."""
+    """Copy the example NAME to the folder DIRECTORY (default: ./NAME).
+
+    Examples whose files it includes are copied beside it.
+    """
     if name not in example_names():
         from pitchpoint.core.nearest import did_you_mean
 
@@ -81,15 +85,36 @@ def copy_example(name: str, directory: str | None, force: bool) -> None:
         guess = did_you_mean(name, known).strip() or f"there are {', '.join(known) or 'none'}"
         raise click.BadParameter(f"no example {name!r}; {guess}", param_hint="NAME")
     target = Path(directory if directory is not None else name)
-    if target.exists() and any(target.iterdir()) and not force:
-        raise click.BadParameter(f"{target} is not empty; use --force to overwrite", param_hint="DIRECTORY")
+    targets = {name: target} | {other: target.parent / other for other in _included(name)}
+    for folder in targets.values():
+        if folder.exists() and any(folder.iterdir()) and not force:
+            raise click.BadParameter(
+                f"{folder} is not empty; use --force to overwrite", param_hint="DIRECTORY"
+            )
+    for one, folder in targets.items():
+        _copy(examples_folder() / one, folder)
+    show(
+        " and ".join(
+            f"copied to {folder}" if folder == target else str(folder) for folder in targets.values()
+        )
+    )
+    for path in sorted(target.glob("*.yaml")):
+        if re.search("^title:", path.read_text(encoding="utf-8"), re.M):  # others are parts to be included
+            show(f"  pitchpoint check {path}")
+
+
+def _included(name: str) -> list[str]:
+    """Other examples whose files the models of an example include."""
+    texts = [path.read_text(encoding="utf-8") for path in (examples_folder() / name).glob("*.yaml")]
+    lines = [line for text in texts for line in text.splitlines() if line.startswith("include:")]
+    return sorted({other for line in lines for other in re.findall(r"\.\./([\w-]+)/", line)})
+
+
+def _copy(folder: Path, target: Path) -> None:
+    """Copy a folder without the files that runs have created."""
     from pitchpoint.io.target import write_file
 
-    folder = examples_folder() / name
     for path in sorted(folder.rglob("*")):
         below = path.relative_to(folder)
         if path.is_file() and not any(fnmatch(part, left) for part in below.parts for left in _LEFTOVERS):
             write_file(target / below, path.read_bytes())
-    show(f"copied to {target}")
-    for path in sorted(target.glob("*.yaml")):
-        show(f"  pitchpoint check {path}")

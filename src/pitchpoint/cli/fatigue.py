@@ -26,19 +26,29 @@ DIMENSIONS = {"N m": "torque", "N": "force", "m": "length", "rad": "angle", "W":
     help="Channel, * matches any characters; default: moments at the ends of beams, torques of couplings.",
 )
 @click.option(
-    "--slope", "slopes", multiple=True, type=click.FloatRange(min=1.0, max=50.0), metavar="M",
+    "--slope",
+    "slopes",
+    multiple=True,
+    type=click.FloatRange(min=1.0, max=50.0),
+    metavar="M",
     help="Exponent of the Wöhler line; may be repeated. Default: 4 and 10.",
 )
 @click.option(
-    "--tooth-slope", type=click.FloatRange(min=1.0, max=100.0), metavar="M",
+    "--tooth-slope",
+    type=click.FloatRange(min=1.0, max=100.0),
+    metavar="M",
     help="The same for the forces of teeth; default: 8.738, tooth root of case-hardened gears.",
 )
 @click.option(
-    "--cycles", type=click.FloatRange(min=0.0, min_open=True), metavar="N",
+    "--cycles",
+    type=click.FloatRange(min=0.0, min_open=True),
+    metavar="N",
     help="Number of equivalent cycles; default: one per second of the whole time.",
 )
 @click.option(
-    "--hours", multiple=True, metavar="FILE=H",
+    "--hours",
+    multiple=True,
+    metavar="FILE=H",
     help="Time of a result in the life, such as rated.h5=60000; may be repeated.",
 )
 @writes("--csv", help="Write the tables to a CSV file.")

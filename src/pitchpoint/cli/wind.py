@@ -20,20 +20,36 @@ CLASSES = tuple(f"{turbine}{turbulence}" for turbine in ("I", "II", "III") for t
 @quantity("--step", "time", "Time step; default: 0.1 s.")
 @quantity("--deviation", "speed", "Standard deviation, instead of that of the class.")
 @click.option(
-    "--class", "name", type=click.Choice(CLASSES), default="IB", show_default=True,
+    "--class",
+    "name",
+    type=click.Choice(CLASSES),
+    default="IB",
+    show_default=True,
     help="Class of the turbine and category of the turbulence, IEC 61400-1.",
 )
 @click.option("--extreme", is_flag=True, help="Extreme instead of normal turbulence of the class.")
 @click.option(
-    "--exponent", type=click.FloatRange(-1.0, 1.0), default=0.2, show_default=True, metavar="A",
+    "--exponent",
+    type=click.FloatRange(-1.0, 1.0),
+    default=0.2,
+    show_default=True,
+    metavar="A",
     help="Exponent of the mean speed over the height.",
 )
 @click.option(
-    "--points", type=click.IntRange(2, 200), default=25, show_default=True, metavar="N",
+    "--points",
+    type=click.IntRange(2, 200),
+    default=25,
+    show_default=True,
+    metavar="N",
     help="Grid points across width and height.",
 )
 @click.option(
-    "--seed", type=click.IntRange(min=0), default=1, show_default=True, metavar="N",
+    "--seed",
+    type=click.IntRange(min=0),
+    default=1,
+    show_default=True,
+    metavar="N",
     help="The same seed gives the same wind.",
 )
 @as_json

@@ -97,7 +97,9 @@ class _Merger:
         except (OSError, ValueError):
             file, own = Path(), name
         if Path(name).is_absolute() or own.startswith("..") and file.suffix.lower() not in SUFFIXES:
-            remedy = "include files by their paths from the folder of the model file; outside of it, .yaml files"
+            remedy = (
+                "include files by their paths from the folder of the model file; outside of it, .yaml files"
+            )
             self.problem(place, "is not the relative name of a model file", line, remedy, shown(name))
             return
         if own in path:

@@ -32,7 +32,7 @@ may be `balance`, the value that balances all others.
 (model-include)=
 ## include
 
-Other files below the folder of the model file, whose sections are added by name.
+Other model files, by their paths from the folder of the model file; their sections are added by name.
 
 ```yaml
 include: [gears.yaml, bearings/main.yaml]

@@ -14,7 +14,7 @@ from pitchpoint.model.sections import load_others
 from pitchpoint.model.write import quantity_text
 
 INCLUDE = "include"
-FILES = Key("names", "files below the folder of the model file, whose sections are added")
+FILES = Key("names", "model files, by their paths from the folder of this file, whose sections are added")
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 

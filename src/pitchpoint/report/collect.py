@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.campbell import KEPT as CAMPBELL
+from pitchpoint.report.fatigue import LoadCases, fatigue_loads
 from pitchpoint.report.main_channels import drawn_groups
 from pitchpoint.report.notes import own_notes
 from pitchpoint.report.planets import load_sharing
@@ -281,6 +282,8 @@ def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str
     groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
     planets = load_sharing(model, data, settle)
     about: dict[str, Any] = {"note": note, "groups": groups, "planets": planets}
+    if model.wind_rotors:
+        about["fatigue"] = fatigue_loads(LoadCases(model, [data], [None]))
     return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 

@@ -33,6 +33,8 @@ TOOTH_SLOPE = 8.738
 """Of the force of a tooth over life: tooth root of case-hardened gears (ISO 6336-6)."""
 FREE = 1e-3
 """Moment over the largest one of the same beam up to which an end counts as free."""
+FEW = 10
+"""Pulses of a tooth below which one more or less changes its equivalent force noticeably."""
 TRUNCATED = 10.0
 """Samples per mesh period below which the peaks of tooth forces are noticeably too low."""
 
@@ -99,9 +101,9 @@ def fatigue_loads(
     Returns
     -------
     dict
-        `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by slope),
-        `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank: `pulses`,
-        `largest` and `equivalent` force [N] per tooth, the `worst` tooth, `levels` and `exceeded`.
+        `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by
+        slope), `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank:
+        `pulses`, `largest` and `equivalent` force [N] per tooth, the `worst` tooth, `levels`, `exceeded`.
     """
     names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)
     number = cases.life() if cycles is None else cycles
@@ -180,6 +182,7 @@ def _channel(cases: LoadCases, name: str, slopes: Sequence[float], number: float
 def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
     """Loads of the teeth of all gears, by gear and flank."""
     found: dict[str, dict[str, Any]] = {}
+    few: list[str] = []
     for gear, meshes in _meshes_of_gears(cases.model).items():
         teeth = cases.model.gears[gear].number_of_teeth
         pulses = [_pulses(cases, data, gear, teeth, meshes) for data in cases.results]
@@ -191,11 +194,13 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
             parts = [(w, a[flank]) for w, a in zip(weights, alone, strict=True) if flank in a]
             if not parts:
                 continue
-            count = sum(w * p.pulses for w, p in parts)
+            count = np.sum([w * p.pulses for w, p in parts], axis=0)
             mean = float(np.mean(count))
             total = sum(w * p.forces.size / teeth * p.equivalent**slope for w, p in parts)
             equivalent = (total / mean) ** (1.0 / slope)
             forces = np.concatenate([p.forces for _, p in parts])
+            if count.min() < FEW:
+                few.append(gear)
             levels = load_duration(forces, np.concatenate([np.full(p.forces.size, w) for w, p in parts]))
             found.setdefault(gear, {})[flank] = {
                 "pulses": [float(c) for c in count],
@@ -205,6 +210,12 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
                 "levels": levels.level.tolist(),
                 "exceeded": levels.exceeded.tolist(),
             }
+    if few:
+        words = ", ".join(dict.fromkeys(few))
+        cases.notes.append(
+            f"less than {FEW} pulses per tooth of {words}: the equivalent forces of single teeth depend on the "
+            "length of the results"
+        )
     return found
 
 

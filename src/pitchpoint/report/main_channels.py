@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 RESULTANTS = ("radial", "axial")
 """Components of a bearing force that represent all others."""
 MESH = ("mesh_force", "transmission_error", "contact_state")
+ROTOR = ("hub_wind_speed", "aerodynamic_power", "rotor_thrust", "rotor_torque")
 CONNECTIONS = ("torque", "holding_torque", "coupling_force", "tension", "contact_force", "slip_speed")
 OTHERS = ("deflection", "mesh_stiffness", "speed", "displacement", "friction_power")
 """Quantities drawn if a machine has no main channels but speeds."""
@@ -78,6 +79,8 @@ def channel_groups(model: Model, names: Iterable[str], scenario: str = "") -> li
     ends = end_bodies(model, scenario)
     titles = {
         "Speeds of input and output": [f"speed[{body}]" for body in ends],
+        "Rotor in the wind": [f"{quantity}[{rotor}]" for rotor in model.wind_rotors for quantity in ROTOR],
+        "Moments at the roots": _root_moments(model),
         "Meshes": [f"{quantity}[{mesh}]" for mesh in model.every_mesh for quantity in MESH],
         "Bearings": _bearing_channels(given),
         "Torques in the middle of shafts": [_middle_torque(model, shaft) for shaft in model.shafts],
@@ -90,6 +93,12 @@ def channel_groups(model: Model, names: Iterable[str], scenario: str = "") -> li
         if kept:
             found.append(ChannelGroup(title, kept))
     return found
+
+
+def _root_moments(model: Model) -> list[str]:
+    """Bending moments at the first ends of all beams of a wind turbine: tower base, blade roots."""
+    beams = model.beams if model.wind_rotors else {}
+    return [f"beam_force[{beam}.1.i.{moment}]" for moment in ("my", "mx") for beam in beams]
 
 
 def drawn_groups(model: Model, names: Iterable[str], scenario: str = "") -> list[tuple[str, tuple[str, ...]]]:

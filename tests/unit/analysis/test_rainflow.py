@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rain-flow cycles, damage-equivalent loads, load duration: ASTM E1049, closed forms, another implementation."""
+"""Rain-flow cycles, equivalent loads, load duration: ASTM E1049, closed forms, another implementation."""
 
 from __future__ import annotations
 

@@ -12,6 +12,7 @@ import pytest
 
 from pitchpoint.cli import examples
 from pitchpoint.cli.main import run_command
+from pitchpoint.io.yaml_model import load_model
 from tests.support.cli_files import json_of
 
 
@@ -70,3 +71,16 @@ def test_a_wheel_brings_the_examples_and_everything_else_that_is_no_code(tmp_pat
     for name in examples.example_names():
         assert f"pitchpoint/examples/{name}/README.md" in names
     assert not [n for n in names if n.endswith((".h5", ".html", ".pyc"))]
+
+
+def test_examples_with_files_of_others(tmp_path, capsys):
+    """The wind turbine includes the gearbox of `wind-drive-5mw`: both are copied, or none."""
+    assert run_command(["examples", "copy", "wind-turbine", str(tmp_path / "mine")]) == 0
+    said = capsys.readouterr().out
+    assert "model.yaml" in said and "gearbox.yaml" not in said
+    assert (tmp_path / "wind-drive-5mw" / "gears.yaml").is_file()
+    model = load_model(tmp_path / "mine" / "model.yaml", changes={"include": "gearbox.yaml"})
+    assert model.gears["ring_1"].number_of_teeth == 56
+    assert run_command(["examples", "copy", "wind-turbine", str(tmp_path / "other")]) == 2
+    assert "wind-drive-5mw is not empty" in capsys.readouterr().err
+    assert not (tmp_path / "other").exists()

@@ -70,7 +70,7 @@ def test_meshes_without_single_pairs(capsys, tmp_path):
 
 
 def test_load_cases_are_added(result, capsys, tmp_path):
-    """Twice the same record has the loads of one; hours and cycles scale the equivalent by the Woehler line."""
+    """Hours of the life scale the equivalent by the Wöhler line; two results are one table."""
     one = json_of(["fatigue", result, "-c", "speed*"], capsys)
     assert set(one["channels"]) == {"speed[motor]", "speed[a]", "speed[b]"}
     name = "mesh_force[stage]"

@@ -90,8 +90,14 @@ def test_messages_name_the_included_file(files):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"model": MAIN.replace("gears.yaml", "../gears.yaml")}, "'../gears.yaml' names a file that does not"),
-        ({"model": MAIN.replace("gears.yaml", "../../etc/hosts")}, "is not the relative name of a model file"),
+        (
+            {"model": MAIN.replace("gears.yaml", "../gears.yaml")},
+            "'../gears.yaml' names a file that does not",
+        ),
+        (
+            {"model": MAIN.replace("gears.yaml", "../../etc/hosts")},
+            "is not the relative name of a model file",
+        ),
         ({"model": MAIN.replace("gears.yaml", "/etc/g.yaml")}, "is not the relative name of a model file"),
         ({"model": MAIN.replace("gears.yaml", "gear.yaml")}, "'gear.yaml' names a file that does not exist"),
         ({"model": MAIN.replace("gears.yaml", "3")}, "3 is not the name of a file"),

@@ -30,18 +30,12 @@ TEXTS = {
     for folder in ("examples/*", "docs/reference/snippets", "src/pitchpoint/cli/starters")
     for path in sorted(ROOT.glob(f"{folder}/*.yaml"))
 }
-INCLUDED = {
-    path.parent / name.strip()
-    for path, text in TEXTS.items()
-    for names in re.findall(r"^include: \[(.*)\]", text, re.M)
-    for name in names.split(",")
-}
 FILES = [
     path
     for path, text in TEXTS.items()
     if path.name != "precomputed.yaml"  # its table is computed first
-    and path not in INCLUDED
     and re.search(r"^(gears|bodies|include):", text, re.M)
+    and (path.parent.parent.name != "examples" or re.search(r"^title:", text, re.M))  # parts have no title
 ]
 
 TEXT = """

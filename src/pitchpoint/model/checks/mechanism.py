@@ -322,7 +322,7 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
 
 
 def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Check that a fixed gear is at rest, at rest in a body that carries its mates, or rotates with a body."""
+    """Check that a fixed gear rests in the world or a body that carries its mates, or rotates with a body."""
     root = seat
     while root.kind == "fixed" and root.parent in parts.mechanism.seats:
         root = parts.mechanism.seats[root.parent]

@@ -54,7 +54,9 @@ class Places:
         gears += [2.0 * g.geometry.R_e for g in model.bevel_gears.values()]
         shafts = [s.length for s in model.shafts.values()]
         self.size = max(reach, *gears, *shafts, 0.0) or 0.2
-        carriers = [self.origin(name) for name, body in model.bodies.items() if body.gears or body.bevel_gears]
+        carriers = [
+            self.origin(name) for name, body in model.bodies.items() if body.gears or body.bevel_gears
+        ]
         if carriers:
             train = float(np.linalg.norm(np.ptp(np.array(carriers), axis=0))) + max(gears)
             self.size = train if self.size > FAR * train else self.size

@@ -92,7 +92,9 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         # the force error of rounded positions limits the residual
         rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + size))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
-        goal = np.abs(Z).T @ np.maximum.reduce([tolerance * acting[free], least, wanted * system.weight[free]])
+        goal = np.abs(Z).T @ np.maximum.reduce(
+            [tolerance * acting[free], least, wanted * system.weight[free]]
+        )
         if np.all(np.abs(left) <= goal):
             return MechanismRest(here, R, count)
         K = Z.T @ whole[np.ix_(free, free)] @ Z

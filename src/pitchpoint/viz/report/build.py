@@ -272,6 +272,8 @@ class TimeRun:
         Sentence above the signals (status of an unfinished run).
     planets
         Load sharing of planetary stages, see `planet_table`.
+    fatigue
+        Fatigue loads, see `add_fatigue`.
     """
 
     data: Any
@@ -282,6 +284,7 @@ class TimeRun:
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
     groups: Sequence[tuple[str, Sequence[str]]] = ()
     planets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    fatigue: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,6 +14,7 @@ from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, window_words
 from pitchpoint.viz.report.bearing_forces import QUANTITY, bearing_forces, bearing_table, with_resultants
 from pitchpoint.viz.report.contact_times import contact_table
+from pitchpoint.viz.report.fatigue import add_fatigue
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.planets import planet_table
 from pitchpoint.viz.run_record import (
@@ -74,6 +75,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         section.add(f"<h4>Bearing forces</h4>{words}{table}" if table else "")
         shares = planet_table(run.planets)
         section.add(f"<h4>Load sharing of the planets</h4>{words}{shares}" if shares else "")
+        add_fatigue(section, run.fatigue, name)
         if name == seen or name not in overlaid:
             constant = [
                 words
