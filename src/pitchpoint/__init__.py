@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.openfast.aerodyn import read_aerodyn
     from pitchpoint.model.openfast.airfoil import read_airfoil
+    from pitchpoint.model.openfast.beamdyn import read_beamdyn
     from pitchpoint.model.openfast.elastodyn import read_elastodyn
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.model.wind.box import WindBox
@@ -78,6 +79,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.wind.steady import SteadyWind
     from pitchpoint.model.wind.turbsim import read_turbsim
     from pitchpoint.model.wind.turbulence import KaimalTurbulence
+    from pitchpoint.model.windio.beam import read_windio_beam
+    from pitchpoint.model.windio.rotor import read_windio_rotor
     from pitchpoint.report.exported_model import export_fmu
     from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
@@ -91,6 +94,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.mesh_response import solve_mesh_response
     from pitchpoint.solvers.modal import solve_modal
+    from pitchpoint.solvers.multiblade import solve_multiblade_modes
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.solvers.rotor_performance import solve_rotor_performance
@@ -191,11 +195,14 @@ __all__ = [
     "plot",
     "read_aerodyn",
     "read_airfoil",
+    "read_beamdyn",
     "read_elastodyn",
     "read_mann",
     "read_measured",
     "read_rexs",
     "read_turbsim",
+    "read_windio_beam",
+    "read_windio_rotor",
     "reduce_system",
     "run_cases",
     "run_study",
@@ -206,6 +213,7 @@ __all__ = [
     "solve_frequency_response",
     "solve_mesh_response",
     "solve_modal",
+    "solve_multiblade_modes",
     "solve_quasistatic",
     "solve_rotor_performance",
     "solve_rotor_transient",
@@ -241,7 +249,10 @@ _HOMES = {
     "io.measured.reading": ("read_measured",),
     "model.openfast.aerodyn": ("read_aerodyn",),
     "model.openfast.airfoil": ("read_airfoil",),
+    "model.openfast.beamdyn": ("read_beamdyn",),
     "model.openfast.elastodyn": ("read_elastodyn",),
+    "model.windio.beam": ("read_windio_beam",),
+    "model.windio.rotor": ("read_windio_rotor",),
     "geometry.beam_table": ("BeamTable",),
     "model.components.wind": ("Wind",),
     "model.components.wind_rotor": ("WindRotor",),
@@ -306,6 +317,7 @@ _HOMES = {
     "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.mesh_response": ("solve_mesh_response",),
     "solvers.modal": ("solve_modal",),
+    "solvers.multiblade": ("solve_multiblade_modes",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
     "solvers.rotor_performance": ("solve_rotor_performance",),

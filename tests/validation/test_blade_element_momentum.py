@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -180,6 +181,61 @@ def test_shear_and_yaw_as_ccblade(yaw: float, shear: float, power: float, thrust
     found = solve_rotor_performance(report_rotor(cone=2.5, tilt=5.0), 10.0, 11.431 * RPM, flow=flow)
     assert float(found.rotor_power[0]) / 1e3 == pytest.approx(power, rel=1.2e-3)
     assert float(found.rotor_thrust[0]) / 1e3 == pytest.approx(thrust, rel=1e-3)
+
+
+# CCBlade of WISDEM 4.2.9 with its own files of the airfoils, cone 2.5 deg, its tilt of -5 deg, shear exponent
+# 0.2: U, rpm, pitch [deg], power [kW], thrust [kN]
+MATCHING = [(8.0, 9.156, 0.0, 1804.9, 371.9), (12.0, 12.1, 3.823, 5142.9, 575.1)]
+
+
+def test_matching_rigid_model() -> None:
+    """The same rotor to 0.5 %, with polars smoothed as there; digits of its airfoil files differ by 0.2 %."""
+    u, rpm, pitch, power, thrust = np.array(MATCHING).T
+    polars = tuple(smoothed(p) for p in aerodyn().blade.polars)
+    flow = RotorFlow(skewed_wake=False, shear_exponent=0.2, sectors=8)
+    rotor = report_rotor(polars, cone=2.5, tilt=-5.0)
+    found = solve_rotor_performance(rotor, u, rpm * RPM, np.radians(pitch), flow=flow)
+    assert found.rotor_power.values / 1e3 == pytest.approx(power, rel=5e-3)
+    assert found.rotor_thrust.values / 1e3 == pytest.approx(thrust, rel=5e-3)
+
+
+class OwnPolar:
+    """Polar of ours with the method that CCBlade calls; angles in radians."""
+
+    def __init__(self, polar: Polar) -> None:
+        self.polar = polar
+
+    def evaluate(self, alpha: float, Re: float, return_cm: bool = False) -> tuple[float, ...]:
+        """Coefficients at an angle of attack."""
+        lift, drag, moment = (float(x) for x in self.polar.at(float(alpha)))
+        return (lift, drag, moment) if return_cm else (lift, drag)
+
+
+def test_installed_ccblade() -> None:
+    """CCBlade of an installed WISDEM at points that are not in the tables above, without cone and tilt."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        ccblade = pytest.importorskip("wisdem.ccblade.ccblade", reason="requires WISDEM")
+        rotor = report_rotor()
+        blade = rotor.blade
+        own = [OwnPolar(p) for p in blade.polars]
+        other = ccblade.CCBlade(
+            blade.span[1:-1] + rotor.hub_radius,
+            blade.chord[1:-1].copy(),
+            np.degrees(blade.twist[1:-1]),
+            [own[k] for k in blade.polar_index[1:-1]],
+            rotor.hub_radius,
+            rotor.tip_radius,
+            B=3,
+            rho=1.225,
+            shearExp=0.0,
+            nSector=1,
+        )
+        u, rpm, pitch = np.array([6.3, 9.7, 14.2]), np.array([8.2, 11.4, 12.1]), np.array([-1.0, 0.5, 8.0])
+        theirs, _ = other.evaluate(u, rpm, pitch)
+    found = solve_rotor_performance(rotor, u, rpm * RPM, np.radians(pitch), flow=RotorFlow(sectors=1))
+    assert found.rotor_power.values == pytest.approx(np.asarray(theirs["P"]), rel=1e-7)
+    assert found.rotor_thrust.values == pytest.approx(np.asarray(theirs["T"]), rel=1e-7)
 
 
 # NREL/TP-500-38060 (FAST with AeroDyn 12) as in the test of CCBlade: U, rpm, pitch, aerodynamic power [kW],

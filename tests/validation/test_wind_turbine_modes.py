@@ -152,7 +152,10 @@ blades are 0.7 % less here, as integrated over the table."""
 
 def test_modes_of_the_turbine_at_rest():
     """Generator locked, no air, no gravity. The table has no mode between 1.97 and 2.8 Hz; here is one at
-    2.66 Hz, collective bending of the blades in their plane with the second lateral mode of the tower."""
+    2.66 Hz, collective bending of the blades in their plane with the second lateral mode of the tower. With
+    gravity the first modes of the tower are 1.7 % slower, and 1.5 and 1.9 % slower than those of ADAMS, of
+    which the report does not say whether weight acts; see test_wind_turbine_matrix.py. The locked generator,
+    referred to the slow side, rolls with the nacelle, which lowers the second lateral modes by 2.3 %."""
     model = load_model(FOLDER.parent / "model.yaml").replace_all(
         {
             "wind_rotors.rotor": None,

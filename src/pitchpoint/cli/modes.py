@@ -47,6 +47,11 @@ ROUNDING = 1e-7
     metavar="FILE",
     help="Write the motion of bodies and nodes over one cycle of every mode (json, npz).",
 )
+@click.option(
+    "--multiblade",
+    metavar="ROTOR",
+    help="Modes of a turning wind rotor with its support, in axes that do not turn.",
+)
 @output("Result file (netCDF-4/HDF5); default: none.")
 @set_option
 @common
@@ -56,6 +61,7 @@ def modes(
     phase: float | None,
     count: int | None,
     animation: str | None,
+    multiblade: str | None,
     output: str | None,
     as_json: bool,
     allow_code: bool,
@@ -63,12 +69,22 @@ def modes(
 ) -> int:
     """Compute the modes of FILE about its loaded equilibrium."""
     from pitchpoint.cli.failure import OK, exit_code_of
+    from pitchpoint.cli.multiblade_modes import of_turning_rotor
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
+    from pitchpoint.cli.results import (
+        known_scenario,
+        refuse_without_effect,
+        result_path,
+        unless_it_cannot_begin,
+    )
     from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
+    if multiblade is not None:
+        unused = {"--phase": phase, "--animation": animation, "--output": output}
+        refuse_without_effect("with --multiblade", unused)
+        return of_turning_rotor(model, file, name, multiblade, count or SHOWN, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name or "") if output is not None else None
     if animation is not None:
         check_target(animation, "animation", [file])

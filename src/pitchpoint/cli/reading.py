@@ -44,7 +44,7 @@ def _read(
 ) -> Model:
     from pitchpoint.core.progress import silent
     from pitchpoint.io.yaml_model import loads_model
-    from pitchpoint.io.yaml_tree import text_of
+    from pitchpoint.model.reading.yaml_tree import text_of
 
     path = Path(file)
     text = text_of(file)

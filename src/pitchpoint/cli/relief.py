@@ -174,7 +174,7 @@ def _write(
     from pitchpoint.io.dataset_tables import write_dataset
     from pitchpoint.io.target import write_file
     from pitchpoint.io.yaml_edit import changed_text
-    from pitchpoint.io.yaml_tree import text_of
+    from pitchpoint.model.reading.yaml_tree import text_of
     from pitchpoint.model.write import quantity_text
     from pitchpoint.report.figure_picture import write_picture
     from pitchpoint.solvers.contact_analysis.relief.variables import with_values

@@ -130,7 +130,7 @@ def split_at_path(text: str, known: Callable[[str], bool] | None = None) -> tupl
 def scalar(text: str, option: str) -> Any:
     """Read a value as in a model file: number, list, mapping or text."""
     from pitchpoint.core.errors import PitchpointError
-    from pitchpoint.io.yaml_tree import value_of
+    from pitchpoint.model.reading.yaml_tree import value_of
 
     try:
         return value_of(text)

@@ -101,7 +101,8 @@ def _unsteady_loads(b, knots, fr, jac):
     steady_f, by_alpha = coefficient(knots, i, 7, p["alpha"])
     if b["stall"] != 0 and blade["slope"] > 0.0:
         attached = attached_lift(p["alpha"], blade["alpha_0"], blade["slope"])
-        p["lift"] = stalling_lift(p["lift"], steady_f, attached, x[4])
+        separated, _ = coefficient(knots, i, 9, p["alpha"])
+        p["lift"] = stalling_lift(p["lift"], steady_f, attached, separated, x[4])
     set_forces(blade, b["air"], p)
     steady = (steady_n, steady_t, steady_f)
     state_rates(blade, p, x, steady, b["rates"])

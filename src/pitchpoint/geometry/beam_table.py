@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,14 @@ FloatArray = NDArray[np.float64]
 STIFF_TORSION, STIFF_AXIAL = 100.0, 1e4
 """Torsional stiffness, and axial stiffness times the square of the length, over the larger bending stiffness,
 of a table without them."""
+_NEEDED = ("mass", "bending_1", "bending_2")
+_COLUMNS = (
+    *_NEEDED,
+    *("torsion", "axial", "twist", "center_1", "center_2", "gyration", "elastic_1", "elastic_2"),
+    *("shear_center_1", "shear_center_2", "shear_1", "shear_2", "offset_1", "offset_2"),
+)
+_POSITIVE = ("bending_1", "bending_2", "torsion", "axial", "shear_1", "shear_2")
+_NOT_NEGATIVE = ("mass", "gyration")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -37,6 +45,22 @@ class BeamTable:
         Rotation of the axes 1 and 2 about the beam axis, shape (n,) [rad]; empty for zero.
     center_1, center_2
         Centre of mass along the twisted axes, shape (n,) [m]; empty for zero.
+    gyration
+        Radius of gyration of the mass about its centre, along the beam, shape (n,) [m]; empty: that of a
+        homogeneous section with these bending and axial stiffnesses.
+    elastic_1, elastic_2
+        Elastic centre, where a tensile force does not bend, along the twisted axes, shape (n,) [m]; empty for
+        zero.
+    shear_center_1, shear_center_2
+        Shear centre, where a transverse force does not twist, along the twisted axes, shape (n,) [m]; empty:
+        the elastic centre.
+    shear_1, shear_2
+        Shear stiffness along the twisted axes, shape (n,) [N]; empty: no shear deflection.
+    offset_1, offset_2
+        Position of the curved axis of the beam from the straight line between its ends, along the axes
+        without twist, shape (n,) [m]; empty for zero.
+    length
+        Length of the line to which the table belongs [m]; 0: any.
 
     Raises
     ------
@@ -59,10 +83,20 @@ class BeamTable:
     twist: FloatArray = ()  # type: ignore[assignment]
     center_1: FloatArray = ()  # type: ignore[assignment]
     center_2: FloatArray = ()  # type: ignore[assignment]
+    gyration: FloatArray = ()  # type: ignore[assignment]
+    elastic_1: FloatArray = ()  # type: ignore[assignment]
+    elastic_2: FloatArray = ()  # type: ignore[assignment]
+    shear_center_1: FloatArray = ()  # type: ignore[assignment]
+    shear_center_2: FloatArray = ()  # type: ignore[assignment]
+    shear_1: FloatArray = ()  # type: ignore[assignment]
+    shear_2: FloatArray = ()  # type: ignore[assignment]
+    offset_1: FloatArray = ()  # type: ignore[assignment]
+    offset_2: FloatArray = ()  # type: ignore[assignment]
+    length: float = 0.0
 
     def __post_init__(self) -> None:
-        for f in fields(self):
-            object.__setattr__(self, f.name, np.array(getattr(self, f.name), dtype=float))
+        for name in ("position", *_COLUMNS):
+            object.__setattr__(self, name, np.array(getattr(self, name), dtype=float))
         if problems := list(self._problems()):
             raise ModelError(problems)
 
@@ -72,20 +106,20 @@ class BeamTable:
         if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0 or not (np.diff(x) > 0.0).all():
             shown = f"{x.size} values" if x.size < 2 else f"{x[0]:g} to {x[-1]:g}"
             found.append(Message("position", "is not a list of increasing places", shown, "0 to 1"))
-        for f in fields(self)[1:]:
-            values = getattr(self, f.name)
-            if values.size != x.size and (values.size or f.name in ("mass", "bending_1", "bending_2")):
+        for name in _COLUMNS:
+            values = getattr(self, name)
+            if values.size != x.size and (values.size or name in _NEEDED):
                 found.append(
-                    Message(f.name, "is the number of values", str(values.size), f"{x.size} as of position")
+                    Message(name, "is the number of values", str(values.size), f"{x.size} as of position")
                 )
             elif not np.isfinite(values).all():
-                found.append(Message(f.name, "contains values that are not finite", remedy="give numbers"))
-            elif f.name in ("mass", "bending_1", "bending_2", "torsion", "axial"):
-                least = f.name == "mass"
+                found.append(Message(name, "contains values that are not finite", remedy="give numbers"))
+            elif name in (*_POSITIVE, *_NOT_NEGATIVE):
+                least = name in _NOT_NEGATIVE
                 bad = np.flatnonzero(values < 0.0 if least else values <= 0.0)
                 for k in bad[:1]:
                     limit = ">= 0" if least else "> 0"
-                    found.append(Message(f"{f.name}[{k}]", "is out of range", f"{values[k]:g}", limit))
+                    found.append(Message(f"{name}[{k}]", "is out of range", f"{values[k]:g}", limit))
         return found
 
     def mean(self, start: float, end: float, length: float) -> dict[str, float]:
@@ -101,17 +135,24 @@ class BeamTable:
         inner = self.position[(self.position > start) & (self.position < end)]
         x = np.r_[start, inner, end]
         found = {}
-        for f in fields(self)[1:]:
-            values = self._values(f.name, length)
+        for name in _COLUMNS:
+            values = self._values(name, length)
             at = np.interp(x, self.position, values)
-            found[f.name] = float(np.trapezoid(at, x)) / (end - start)
+            found[name] = float(np.trapezoid(at, x)) / (end - start)
         return found
+
+    def offset(self, at: FloatArray) -> FloatArray:
+        """Curved axis of the beam from the straight line at positions, shape (m,) to (m, 2) [m]."""
+        both = [self._values(name, 1.0) for name in ("offset_1", "offset_2")]
+        return np.stack([np.interp(at, self.position, values) for values in both], axis=1)
 
     def _values(self, name: str, length: float) -> FloatArray:
         """A property at all positions, with its default."""
         given = np.asarray(getattr(self, name))
         if given.size:
             return given
+        if name.startswith("shear_center"):
+            return self._values(name.replace("shear_center", "elastic"), length)
         larger = np.maximum(self.bending_1, self.bending_2)
         if name == "torsion":
             return STIFF_TORSION * larger

@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
-from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model import sections
 from pitchpoint.model.keys import Place, keys_of
 from pitchpoint.model.model import Model
+from pitchpoint.model.reading.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.show import dotted, shown
 
 INCLUDE = "include"

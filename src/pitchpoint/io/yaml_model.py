@@ -14,11 +14,11 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.includes import INCLUDE, Whole, with_included
 from pitchpoint.io.model_tables import read_tables
-from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.build import build_model
 from pitchpoint.model.changes import Paths, named, put
 from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.reading.yaml_tree import Tree, TreeError, text_of
 
 
 def load_model(

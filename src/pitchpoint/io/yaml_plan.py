@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.dataset_plan import DatasetPlan
 from pitchpoint.model.reading.dataset_plan import read_plan
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.reading.study_plan import read_study
+from pitchpoint.model.reading.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.study_plan import StudyPlan
 
 P = TypeVar("P")

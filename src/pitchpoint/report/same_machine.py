@@ -84,7 +84,7 @@ def _read(model: Model) -> Names:
 
 
 def _written(text: str) -> Names:
-    from pitchpoint.io.yaml_tree import Tree, TreeError
+    from pitchpoint.model.reading.yaml_tree import Tree, TreeError
 
     try:
         data = Tree(text).data

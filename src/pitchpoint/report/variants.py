@@ -135,7 +135,7 @@ def _read(text: str, file: str | None) -> tuple[Leaves, Leaves]:
 
 def _as_text(text: str) -> tuple[Leaves, Leaves]:
     """Values of a model file, twice."""
-    from pitchpoint.io.yaml_tree import Tree, TreeError
+    from pitchpoint.model.reading.yaml_tree import Tree, TreeError
 
     try:
         found = _named(Tree(text).data)

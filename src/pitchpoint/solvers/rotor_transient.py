@@ -74,7 +74,8 @@ def advance_station(b, air, knots, p, x, h, inflow):
             x[4] = advance_separation(x[4], 0.5 * (x[7] + steady_f), b["chord"], p["speed"], h)
         x[7] = steady_f
         attached = attached_lift(p["alpha"], b["alpha_0"], b["slope"])
-        p["lift"] = stalling_lift(p["lift"], steady_f, attached, x[4])
+        separated, _ = coefficient(knots, i, 9, p["alpha"])
+        p["lift"] = stalling_lift(p["lift"], steady_f, attached, separated, x[4])
     set_forces(b, air, p)
     p["status"] = status
     return status

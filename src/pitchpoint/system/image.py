@@ -44,8 +44,7 @@ def arrays_of(system: System) -> dict[str, Array]:
     }
     for group, arrays in groups.items():
         found |= {f"{group}.{name}": array for name, array in arrays.items()}
-    kept = [each for each in system.keep if isinstance(each, np.ndarray)]
-    return found | {f"keep.{k}": array for k, array in enumerate(kept)}
+    return found
 
 
 def memory_image(make: Callable[[], tuple[System, Mapping[str, Array]]]) -> MemoryImage:

@@ -98,8 +98,6 @@ class System:
         Length per unit of each coordinate in error norms.
     names
         Names of the records of each kind, for messages.
-    keep
-        Objects that must live as long as the records (arrays whose addresses are stored in records).
     controllers
         Sampled controllers, called by time integration at their sample times.
     model, scenario
@@ -115,7 +113,6 @@ class System:
     laws: Mapping[str, Sequence[Law | None]] = field(default_factory=dict)
     weight: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     names: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    keep: tuple[Any, ...] = ()
     controllers: tuple[SampledController, ...] = ()
     model: Model | None = None
     scenario: Scenario | None = None
@@ -225,7 +222,6 @@ def assemble(
     pools: Mapping[str, NDArray[np.float64]] | None = None,
     laws: Mapping[str, Sequence[Law | None]] | None = None,
     weight_radius: float = 0.05,
-    keep: tuple[Any, ...] = (),
 ) -> System:
     """Assemble a system from bodies, element records and constraint records.
 
@@ -238,7 +234,7 @@ def assemble(
         here.
     names
         Names of the elements of each kind, for the observations.
-    pools, laws, keep
+    pools, laws
         See `System`.
     weight_radius
         Length equivalent to one radian in error norms [m].
@@ -289,7 +285,6 @@ def assemble(
         laws=dict(laws or {}),
         weight=np.array([weight_radius if unit == "rad" else 1.0 for _, unit in coordinates]),
         names=dict(names or {}),
-        keep=keep,
     )
 
 

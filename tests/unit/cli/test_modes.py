@@ -12,6 +12,9 @@ from pitchpoint.cli import warmup
 from pitchpoint.cli.main import run_command
 from pitchpoint.elements import registry
 from pitchpoint.io.reading import open_result
+from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.multiblade import find_multiblade_modes
+from pitchpoint.system.compile import compile_model
 from tests.support.cli_files import TORSION, json_of, written
 from tests.support.machines import pair
 
@@ -76,6 +79,25 @@ def test_the_table_shows_the_lowest_twenty_and_says_so(
 def test_unknown_scenario(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run_command(["modes", written(tmp_path, TORSION), "--scenario", "stedy"]) == 2
     assert "did you mean steady?" in capsys.readouterr().err
+
+
+def test_modes_of_a_turning_wind_rotor(capsys: pytest.CaptureFixture[str]) -> None:
+    """The rotor names hub and blades: the numbers of the function, and what is refused."""
+    file = str(Path(__file__).parents[3] / "examples" / "wind-turbine" / "model.yaml")
+    command = ["modes", file, "-s", "production", "--multiblade"]
+    rows = json_of([*command, "rotor"], capsys)
+    blades = ["blade_1", "blade_2", "blade_3"]
+    found = find_multiblade_modes(compile_model(load_model(file), "production"), hub="hub", blades=blades)
+    assert rows["speed"] == found.speed and rows["total"] == len(found.frequency)
+    assert [row["frequency"] for row in rows["modes"]] == found.frequency.tolist()
+    assert [row["backward"] for row in rows["modes"]] == found.blades[:, 2].tolist()
+    assert run_command([*command, "roter"]) == 2
+    assert "no wind rotor 'roter'; did you mean rotor?" in capsys.readouterr().err
+    assert run_command([*command, "rotor", "--phase", "0.1"]) == 2
+    assert "--phase has no effect with --multiblade" in capsys.readouterr().err
+    rigid = ["--set", "wind_rotors.rotor.beams=[]"]
+    assert run_command([*command, "rotor", *rigid]) == 2
+    assert "the blades of 'rotor' are fixed to the hub" in capsys.readouterr().err
 
 
 def test_warmup_lists_every_kind_and_method(tmp_path: Path) -> None:

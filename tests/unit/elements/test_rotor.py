@@ -76,6 +76,23 @@ def test_forces_are_those_of_the_momentum() -> None:
     assert np.abs(torque - f_t)[inner] / scale[inner] / 60.0 == pytest.approx(0.0, abs=1e-7)
 
 
+def test_heavily_loaded_stations_have_the_thrust_of_buhl() -> None:
+    """C_T = 8/9 + (4 F - 40/9) a + (50/9 - 4 F) a^2 for a > 0.4 (Buhl 2005), which continues 4 a F (1 - a)
+    with its value and slope and ends at 2."""
+    rotor = report_rotor()
+    rows = points(5000, 5, len(rotor.radius))
+    assert evaluate_stations(rotor, RotorFlow(skewed_wake=False), rows) == OK
+    rows = rows[(rows["a"] > 0.4) & (rows["a"] < 0.999) & (np.abs(rows["vx"]) > 0.3) & (rows["loss"] > 1e-3)]
+    a, F, r = rows["a"], rows["loss"], rotor.radius[rows["station"]]
+    buhl = lambda a, F: 8.0 / 9.0 + (4.0 * F - 40.0 / 9.0) * a + (50.0 / 9.0 - 4.0 * F) * a**2  # noqa: E731
+    assert buhl(1.0, 0.7) == pytest.approx(2.0)
+    assert buhl(0.4, 0.7) == pytest.approx(4.0 * 0.4 * 0.7 * 0.6)
+    assert (buhl(0.4 + 1e-6, 0.7) - buhl(0.4, 0.7)) / 1e-6 == pytest.approx(4.0 * 0.7 * 0.2, abs=1e-4)
+    thrust = 3.0 * rows["f_n"] * np.sign(rows["vx"]) / (1.225 * np.pi * r * rows["vx"] ** 2)
+    assert len(rows) > 100
+    np.testing.assert_allclose(thrust, buhl(a, F), rtol=1e-6)
+
+
 def test_power_of_the_wind_is_that_of_rotor_swirl_and_drag() -> None:
     """Thrust times speed through the disc = rotor power + swirl of the wake + drag times relative speed."""
     rotor = report_rotor()
@@ -141,6 +158,27 @@ def test_tip_loss_of_prandtl() -> None:
     tip = 2 / np.pi * np.arccos(np.exp(-1.5 * (63.0 - r) / (r * np.sin(phi))))
     assert found.loss_factor[0].values[1:-1] == pytest.approx(tip, rel=1e-9)
     assert float(found.normal_force[0, -1]) == 0.0
+
+
+def test_hub_loss_of_prandtl() -> None:
+    """F = 2/π acos exp(-B/2 (r - r_h)/(r_h sin φ)), and no load at the very root; both losses multiply."""
+    rotor = report_rotor()
+
+    def loss(**options):
+        flow = RotorFlow(sectors=1, **options)
+        found = solve_rotor_performance(rotor, 8.0, tip_speed_ratio=7.55, flow=flow)
+        sine = np.abs(np.sin(found.inflow_angle[0].values[1:-1]))
+        return found.loss_factor[0].values[1:-1], sine, float(found.normal_force[0, 0])
+
+    r = rotor.radius[1:-1]
+    factor, sine, root = loss(tip_loss=False)
+    hub = 2 / np.pi * np.arccos(np.exp(-1.5 * (r - 1.5) / (1.5 * sine)))
+    assert factor == pytest.approx(hub, rel=1e-9)
+    assert root == 0.0 and hub.min() < 0.95
+    factor, sine, _ = loss()
+    tip = 2 / np.pi * np.arccos(np.exp(-1.5 * (63.0 - r) / (r * sine)))
+    hub = 2 / np.pi * np.arccos(np.exp(-1.5 * (r - 1.5) / (1.5 * sine)))
+    assert factor == pytest.approx(tip * hub, rel=1e-9)
 
 
 def test_mirrored_rotor() -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import struct
 from dataclasses import replace
 from pathlib import Path
@@ -181,6 +182,28 @@ def test_a_mann_box_value_by_value(tmp_path: Path) -> None:
     found = WindField(box=box).velocity([[0.0, 5.0, 85.0], [0.0, -5.0, 95.0], [-12.0, 0.0, 85.0]], 0.5)
     np.testing.assert_allclose(found[:, 0], [100.0, 121.0, 310.0], rtol=1e-6)
     np.testing.assert_allclose(found[:, 2] - found[:, 0], 0.5)
+
+
+PUBLIC = (
+    "LpWPwL0NgcCt3JDAaNyPwDEOGsAiaV7AkqdcwA+UnsCyr9a/wE1Hv+pRfr8nEZc/Ku4DQHeZJkA2C6U+eeC2v68Wjj+du94/LfgN"
+    "QKHWskBFPQRBkqABQclUhEAlQCNAYKI6wJHXCcBkkvG/wnYjv3tRT0BG5DpAHrX5PtI9DsCeFZbAGJN3wIode8C8aYnAyx0owICX"
+    "asDaCFzAkeSbwN4V7L8gaC6/a1Crv6lzsT94hR5ALUUVQM/9fD9ZRZi/zjAUPyc2wj+nqgVA6y2zQJeHBUFrNPJA0yqUQMvRIkA8"
+    "py3AR0cBwLbtAsBe9C2/q4RgQMprF0DMLzc++gMOwA=="
+)
+"""`MannBox_2x4x8.bin` of openfast_toolbox (Apache 2.0): 2 planes along x, 4 columns, 8 rows."""
+
+
+def test_a_public_mann_box(tmp_path: Path) -> None:
+    """The value in the test of openfast_toolbox, of the leftmost column: second plane, row 5. InflowWind has
+    the first column of the file at the left, too, and the planes in the order of time."""
+    names = [tmp_path / f"{c}.bin" for c in "uvw"]
+    for name in names:
+        name.write_bytes(base64.b64decode("".join(PUBLIC)))
+    geometry = MannGeometry(points=(2, 4, 8), spacing=(3.0, 10.0, 10.0), mean_speed=6.0, hub_height=90.0)
+    wind = WindField(box=read_mann(names, geometry))
+    found = wind.velocity([[0.0, 15.0, 105.0], [0.0, -15.0, 105.0]], 0.5)
+    np.testing.assert_allclose(found[0], -3.6654968, rtol=1e-7)
+    assert abs(found[1, 0] + 3.6654968) > 0.1
 
 
 def test_round_trip_of_a_mann_box_is_exact(tmp_path: Path) -> None:

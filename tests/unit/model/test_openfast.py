@@ -9,10 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.model.openfast.aerodyn import read_aerodyn, read_aerodyn_blade
 from pitchpoint.model.openfast.airfoil import read_airfoil
+from pitchpoint.model.openfast.elastodyn import read_elastodyn
 from tests.support.rotors import AERODYN, AIRFOILS, BLADE, FOLDER, aerodyn
 
 
@@ -60,7 +63,7 @@ def test_files_of_version_4(copy: Path) -> None:
             "main",
             "Airfoils/DU40_A17.dat",
             "Airfoils/DU41.dat",
-            "DU41.dat: No such file or directory cannot be",
+            "DU41.dat (AeroDyn.dat, line 52): cannot be read: No such file",
         ),
         ("main", "2   WakeMod", "3   WakeMod", "3 is the free vortex wake, which is not available"),
         ("main", "ADBlFile(1)", "ADBlFile(4)", "ADBlFile(1) (AeroDyn.dat): is missing"),
@@ -152,3 +155,26 @@ def test_missing_and_large_files(tmp_path: Path) -> None:
     with pytest.raises(ModelError, match="NumAFfiles"):
         read_aerodyn(AIRFOILS / "Cylinder1.dat")
     assert AERODYN.exists()
+
+
+TABLES = [BLADE.with_name(f"NRELOffshrBsline5MW_{n}.dat") for n in ("Blade", "Onshore_ElastoDyn_Tower")]
+
+
+@settings(max_examples=80, deadline=None)
+@given(
+    source=st.sampled_from(TABLES),
+    cut=st.floats(0.0, 2.0),
+    changes=st.lists(st.tuples(st.floats(0.0, 1.0), st.binary(max_size=4), st.integers(0, 60)), max_size=3),
+)
+def test_damaged_files_of_elastodyn(tmp_path_factory, source, cut, changes) -> None:
+    """Bytes replaced, inserted or lost, and files cut: read, or refused with a sentence."""
+    path = tmp_path_factory.getbasetemp() / "elastodyn.dat"
+    data = source.read_bytes()
+    for place, new, lost in changes:
+        k = int(place * len(data))
+        data = data[:k] + new + data[k + lost :]
+    path.write_bytes(data[: int(cut * len(data))] if cut < 1.0 else data)
+    try:
+        read_elastodyn(path)
+    except PitchpointError as error:
+        assert len(str(error)) > 20

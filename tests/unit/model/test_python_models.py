@@ -128,8 +128,8 @@ def test_objects_and_dictionaries_give_the_model_of_the_file() -> None:
     ids=lambda p: f"{p.parent.name}/{p.name}",
 )
 def test_every_file_is_rebuilt_from_its_sections(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from pitchpoint.io.yaml_tree import Tree
     from pitchpoint.model.keys import keys_of
+    from pitchpoint.model.reading.yaml_tree import Tree
 
     monkeypatch.chdir(path.parent)
     data = Tree(path.read_text()).data

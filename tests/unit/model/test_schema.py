@@ -12,9 +12,9 @@ import jsonschema
 
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.io.yaml_tree import Tree
 from pitchpoint.model.keys import keys_of, walk
 from pitchpoint.model.model import Model
+from pitchpoint.model.reading.yaml_tree import Tree
 from pitchpoint.model.reference import reference_page, snippets_of
 from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.model.schema import json_schema

@@ -69,8 +69,9 @@ POINT = np.dtype(
     ],
     align=True,
 )
-COLUMNS = 9
-"""Columns of the rows of polars: those of `Polar.knots`, point of separation and its slope."""
+COLUMNS = 11
+"""Columns of the rows of polars: those of `Polar.knots`, point of separation, lift of separated flow, each
+with its slope."""
 BATCH = np.dtype(
     [("stations", "i8"), ("n", "i8"), ("knots", "i8"), ("rows", "i8"), ("air", "i8")], align=True
 )
@@ -113,7 +114,8 @@ def station_records(
 
 
 def polar_rows(rotor: Rotor) -> NDArray[np.float64]:
-    """Rows of all polars, shape (n, 9): `Polar.knots`, point of separation and its slope per radian.
+    """Rows of all polars, shape (n, 11): `Polar.knots`, point of separation and lift of separated flow, each
+    with its slope per radian.
 
     Sections without lift have attached flow and a slope of lift of zero.
     """
@@ -123,8 +125,9 @@ def polar_rows(rotor: Rotor) -> NDArray[np.float64]:
 def _rows(polar: Polar) -> NDArray[np.float64]:
     """Rows of one polar."""
     found = separation(polar)
-    f = np.ones(len(polar.alpha)) if found is None else found.f
-    apart = Polar(alpha=polar.alpha, lift=f, drag=f).knots[:, 1:3]
+    one = np.ones(len(polar.alpha))
+    f, separated = (one, 0.0 * one) if found is None else (found.f, found.separated)
+    apart = Polar(alpha=polar.alpha, lift=f, drag=separated).knots[:, 1:5]
     return np.hstack([polar.knots, apart])
 
 

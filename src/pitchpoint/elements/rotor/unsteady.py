@@ -58,16 +58,13 @@ def advance_separation(f, steady, chord, speed, h):
 
 
 @kernel
-def stalling_lift(lift, steady, attached, f):
-    """Lift with the point of separation f, from the steady lift, its point of separation and attached lift.
+def stalling_lift(lift, steady, attached, separated, f):
+    """Lift with the point of separation f, from the steady lift and its point of separation.
 
-    f c_l,att + (1 - f) c_l,sep, where c_l,sep makes the steady lift with the steady point of separation; half
-    of the attached lift where all flow is attached.
+    f c_l,att + (1 - f) c_l,sep, as the change from the steady lift: c_l,sep from the steady lift between the
+    points of a polar would be a quotient of two small errors where the flow is almost attached.
     """
-    separated = 0.5 * attached
-    if steady < 1.0 - 1e-6:
-        separated = (lift - attached * steady) / (1.0 - steady)
-    return f * attached + (1.0 - f) * separated
+    return lift + (f - steady) * (attached - separated)
 
 
 @kernel
@@ -142,18 +139,13 @@ def rate_slopes(b, p, x, steady, slopes, U, Q):
 @kernel
 def lift_slopes(b, p, knots, i, stall, x, lift):
     """Derivatives of the coefficient of lift with respect to the angle of attack and to the state f."""
-    cl, cl1 = coefficient(knots, i, 1, p["alpha"])
+    _, cl1 = coefficient(knots, i, 1, p["alpha"])
     lift[0] = cl1
     lift[1] = 0.0
     if stall == 0 or b["slope"] <= 0.0:
         return
     f, f1 = coefficient(knots, i, 7, p["alpha"])
-    attached = attached_lift(p["alpha"], b["alpha_0"], b["slope"])
-    attached1 = b["slope"] * math.cos(p["alpha"] - b["alpha_0"])
-    apart = 0.5 * attached
-    apart1 = 0.5 * attached1
-    if f < 1.0 - 1e-6:
-        apart = (cl - attached * f) / (1.0 - f)
-        apart1 = (cl1 - attached1 * f - attached * f1 + apart * f1) / (1.0 - f)
-    lift[0] = x[4] * attached1 + (1.0 - x[4]) * apart1
-    lift[1] = attached - apart
+    separated, separated1 = coefficient(knots, i, 9, p["alpha"])
+    lift[1] = attached_lift(p["alpha"], b["alpha_0"], b["slope"]) - separated
+    change = b["slope"] * math.cos(p["alpha"] - b["alpha_0"]) - separated1
+    lift[0] += (x[4] - f) * change - f1 * lift[1]

@@ -28,18 +28,23 @@ class Separation:
         Lift slope of attached flow [1/rad].
     f
         Point of separation at the angles of the polar, 1 attached, 0 separated, shape (n,).
+    separated
+        Lift of separated flow at the angles of the polar, shape (n,).
     """
 
     alpha_0: float
     slope: float
     f: FloatArray
+    separated: FloatArray
 
 
 def separation(polar: Polar) -> Separation | None:
     """Point of separation of a polar.
 
     c_l = c_lα (α - α_0) (1 + √f)²/4 of a flat plate in Kirchhoff flow, solved for f (Hansen 2008). c_lα is
-    the largest slope from the angle without lift, so that f does not exceed 1.
+    the largest slope from the angle without lift, so that f does not exceed 1. The lift of separated flow
+    makes c_l a mixture, f c_l,att + (1 - f) c_l,sep: c_l,sep = c_l,att (1 + 3 √f)/(4 + 4 √f), half of the
+    attached lift where all flow is attached, and the lift of the table where f = 0.
 
     Parameters
     ----------
@@ -58,6 +63,8 @@ def separation(polar: Polar) -> Separation | None:
     >>> found = separation(Polar(alpha=alpha, lift=2 * np.pi * alpha, drag=0 * alpha))
     >>> round(found.slope, 3), found.f[[0, 10, -1]].round(9).tolist()
     (6.283, [1.0, 1.0, 1.0])
+    >>> float((found.separated / np.sin(alpha + 1e-12)).round(3)[-1])
+    3.142
     """
     alpha, lift = polar.alpha, polar.lift
     near = np.abs(alpha) <= _LINEAR
@@ -72,5 +79,7 @@ def separation(polar: Polar) -> Separation | None:
         ratio = lift / (slope * (alpha - alpha_0))
     ratio[np.abs(alpha - alpha_0) <= 1e-9] = 1.0
     ratio[np.abs(alpha) > 0.5 * math.pi] = 0.0
-    f = (2.0 * np.sqrt(np.clip(ratio, 0.25, 1.0)) - 1.0) ** 2
-    return Separation(alpha_0, slope, f)
+    root = 2.0 * np.sqrt(np.clip(ratio, 0.25, 1.0)) - 1.0
+    attached = slope * np.sin(alpha - alpha_0)
+    separated = np.where(root > 0.0, attached * (1.0 + 3.0 * root) / (4.0 + 4.0 * root), lift)
+    return Separation(alpha_0, slope, root**2, separated)

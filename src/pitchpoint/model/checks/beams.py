@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.components.beam import IN_FILE, SHAPES
+from pitchpoint.model.components.beam import FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -19,6 +19,9 @@ from pitchpoint.model.reading.reader import Reader
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam, BeamProperties, BeamSection
     from pitchpoint.model.parts import Parts
+
+LENGTH_ERROR = 0.01
+"""Largest difference of the length of a beam from that of its file, relative."""
 
 
 def check_beams(parts: Parts, report: Reader) -> None:
@@ -33,6 +36,22 @@ def check_beams(parts: Parts, report: Reader) -> None:
             _properties(beam.properties, (*at, "properties"), report)
         if (*at, "ends") not in report.tainted:
             _place(parts, beam, at, report)
+
+
+def _length(beam: Beam, length: float, at: Place, report: Reader) -> None:
+    """Length of a beam from the places of its ends, and of its file."""
+    properties = (*at, "properties")
+    if beam.properties is None or any(properties == t[: len(properties)] for t in report.tainted):
+        return
+    own = beam_table_of(beam.properties).length
+    if own > 0.0 and abs(length / own - 1.0) > LENGTH_ERROR:
+        report.problem(
+            (*at, "ends"),
+            "is the distance of the ends",
+            value=f"{length:.6g} m",
+            limit=f"{own:.6g} m as in the file, to {100 * LENGTH_ERROR:g} %",
+            remedy="place the ends of the beam at both ends of the pitch axis or of the tower",
+        )
 
 
 def _section(section: BeamSection, at: Place, report: Reader) -> None:
@@ -67,23 +86,26 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
 
 def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     given = part.lists
-    if part.elastodyn is not None:
-        for name in set(given) & set(IN_FILE):
-            report.problem((*at, name), "is in the file too", remedy="remove it, or remove elastodyn")
-        if given and ("position" in given) != (len(given) > 1):
+    files = [name for name in FILES if getattr(part, name) is not None]
+    if len(files) > 1:
+        report.problem((*at, files[1]), f"is given together with {files[0]}", remedy="give one file")
+        return
+    if files:
+        for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
+            report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
+        if files[0] == "elastodyn" and given and ("position" in given) != (len(given) > 1):
             report.problem(at, "has lists and positions that do not belong together", remedy="give both")
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
-        report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists, or elastodyn")
+        report.problem(at, f"has no {', '.join(missing)}", remedy=f"give these lists, or {', '.join(FILES)}")
+        return
+    if any((*at, name) in report.tainted for name in (*FILES, *given)):
         return
     try:
-        plain = dict.fromkeys(IN_FILE[:3], [1.0] * len(part.position))
-        lists: dict[str, Any] = {**plain, "position": [0.0, 1.0], **given}
-        BeamTable(**lists)
+        beam_table_of(part)
     except ModelError as error:
         for p in error.problems:
             key = p.where.partition("[")[0]
-            if key in given:
-                report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
+            report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
@@ -104,6 +126,7 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
             remedy="correct the positions of the bodies or markers, so that the beam has a length",
         )
         return
+    _length(beam, length, at, report)
     if beam.axis is not None:
         _axis(beam, way / length, at, report)
 

@@ -9,6 +9,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.model.checks.references import known
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
     for name, rotor in parts.wind_rotors.items():
         at = ("wind_rotors", name)
         if at not in report.tainted:
+            _stations(rotor, at, report)
             _blades(rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
@@ -60,6 +62,22 @@ def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:
             )
     if rotor.stall == "dynamic" and rotor.inflow != "dynamic":
         report.problem((*at, "stall"), "requires dynamic inflow", remedy="give inflow: dynamic")
+
+
+def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Hub radius, and the blade of the files or lists."""
+    if rotor.tower_flow and rotor.windio is None:
+        report.problem((*at, "tower_flow"), "is the tower of a windIO file", remedy="give windio")
+    if rotor.hub_radius is None and rotor.windio is None:
+        report.problem(at, "has no hub_radius", remedy="give the distance of the blade roots from the axis")
+        return
+    if any(at == tainted[: len(at)] for tainted in report.tainted):
+        return
+    try:
+        rotor_input(rotor)
+    except ModelError as error:
+        for problem in error.problems:
+            report.hand_on(at, problem)
 
 
 def _wind(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:

@@ -8,13 +8,15 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.keys import component, integer, key, positive, quantities, quantity
+from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.materials import Material
 
 SHAPES = (("diameter",), ("width", "height"), ("area", "bending", "torsion"))
 """Keys that define a section: round, rectangular, general."""
+COMPONENTS = ("blade", "tower")
+"""Parts of a windIO file that are beams."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +56,8 @@ class BeamSection(Component):
 
 @dataclass(frozen=True, kw_only=True)
 class BeamProperties(Component):
-    """Properties over the length of a beam, linear between the given places: lists, or a file of OpenFAST."""
+    """Properties over the length of a beam, linear between the given places: lists, or a file of OpenFAST or
+    windIO."""
 
     elastodyn: str | None = key(
         "file",
@@ -62,6 +65,22 @@ class BeamProperties(Component):
         "or fore-aft",
         None,
     )
+    beamdyn: str | None = key(
+        "file",
+        "input file of BeamDyn, with the blade file that it names, instead of lists: axis 1 is flapwise, the "
+        "ends of the beam are those of the blade on the pitch axis",
+        None,
+        later=True,
+    )
+    windio: str | None = key(
+        "file",
+        "turbine in the ontology windIO, instead of lists: axis 1 is flapwise, or fore-aft; the ends are "
+        "those of the pitch axis or of the tower",
+        None,
+        needs="component",
+        later=True,
+    )
+    component: str | None = choice(COMPONENTS, "part of the windIO file", None, needs="windio", later=True)
     position: tuple[float, ...] = quantities(
         "dimensionless", "places from the first end, 0, to the second, 1", (), minimum=0.0, maximum=1.0
     )
@@ -100,6 +119,67 @@ class BeamProperties(Component):
     center_2: tuple[float, ...] = quantities(
         "length", "position of the centre of mass along the twisted axis 2", (), display="0"
     )
+    gyration: tuple[float, ...] = quantities(
+        "length",
+        "radius of gyration of the mass about its centre, along the beam",
+        (),
+        minimum=0.0,
+        display="that of a homogeneous section",
+        later=True,
+    )
+    elastic_1: tuple[float, ...] = quantities(
+        "length",
+        "position of the elastic centre, where a tensile force does not bend, along the twisted axis 1",
+        (),
+        display="0",
+        later=True,
+    )
+    elastic_2: tuple[float, ...] = quantities(
+        "length", "position of the elastic centre along the twisted axis 2", (), display="0", later=True
+    )
+    shear_center_1: tuple[float, ...] = quantities(
+        "length",
+        "position of the shear centre, where a transverse force does not twist, along the twisted axis 1",
+        (),
+        display="that of the elastic centre",
+        later=True,
+    )
+    shear_center_2: tuple[float, ...] = quantities(
+        "length",
+        "position of the shear centre along the twisted axis 2",
+        (),
+        display="that of the elastic centre",
+        later=True,
+    )
+    shear_1: tuple[float, ...] = quantities(
+        "force",
+        "shear stiffness in the direction of the twisted axis 1",
+        (),
+        minimum=0.0,
+        above=True,
+        display="no shear deflection",
+        later=True,
+    )
+    shear_2: tuple[float, ...] = quantities(
+        "force",
+        "shear stiffness in the direction of the twisted axis 2",
+        (),
+        minimum=0.0,
+        above=True,
+        display="no shear deflection",
+        later=True,
+    )
+    offset_1: tuple[float, ...] = quantities(
+        "length",
+        "prebend: position of the curved axis of the beam from the line between its ends, along axis 1 "
+        "without twist",
+        (),
+        display="0",
+        later=True,
+    )
+    offset_2: tuple[float, ...] = quantities(
+        "length", "sweep: likewise along axis 2 without twist", (), display="0", later=True
+    )
 
     @property
     def lists(self) -> dict[str, tuple[float, ...]]:
@@ -108,8 +188,13 @@ class BeamProperties(Component):
         return {name: values for name in names if (values := getattr(self, name))}
 
 
-OPTIONAL = ("torsion", "axial", "twist", "center_1", "center_2")
+OPTIONAL = (
+    *("torsion", "axial", "twist", "center_1", "center_2", "gyration", "elastic_1", "elastic_2"),
+    *("shear_center_1", "shear_center_2", "shear_1", "shear_2", "offset_1", "offset_2"),
+)
 """Lists of `BeamProperties` that have defaults."""
+FILES = ("elastodyn", "beamdyn", "windio")
+"""Files that replace lists of `BeamProperties`."""
 IN_FILE = ("mass", "bending_1", "bending_2", "twist")
 """Lists of `BeamProperties` that a file of ElastoDyn replaces."""
 

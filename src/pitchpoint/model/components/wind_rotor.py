@@ -6,7 +6,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pitchpoint.model.component import Component
-from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
+from pitchpoint.model.components.blade import BladeStations
+from pitchpoint.model.keys import (
+    boolean,
+    choice,
+    component,
+    end,
+    integer,
+    key,
+    positive,
+    quantities,
+    quantity,
+    text,
+)
 
 WAYS = ("steady", "dynamic")
 
@@ -19,11 +31,37 @@ class WindRotor(Component):
         "centre of the rotor, BODY or BODY.MARKER: z is its axis, downwind, about which it rotates in the "
         "positive direction; blade 1 is in the direction of x"
     )
-    aerodyn: str = key("file", "input file of AeroDyn v15: blade, airfoils, tower and options of the theory")
+    aerodyn: str | None = key(
+        "file",
+        "input file of AeroDyn v15: blade, airfoils, tower and options of the theory",
+        None,
+        one_of="blade",
+    )
+    windio: str | None = key(
+        "file",
+        "turbine in the ontology windIO, version 1 or 2: blade, airfoils, hub radius and precone",
+        None,
+        one_of="blade",
+        later=True,
+    )
+    blade: BladeStations | None = component(
+        BladeStations, "stations of the blade as lists", None, one_of="blade", later=True
+    )
     blades: int = integer("number of blades", 3, minimum=1, maximum=100)
-    hub_radius: float = positive("length", "distance of the blade roots from the rotor axis, along the blade")
-    precone: float = quantity(
-        "angle", "inclination of the blades from the rotor plane, upwind", 0.0, minimum=-0.5, maximum=0.5
+    hub_radius: float | None = positive(
+        "length",
+        "distance of the blade roots from the rotor axis, along the blade; required without windio",
+        None,
+        display="that of the windIO file",
+        sample="1.5 m",
+    )
+    precone: float | None = quantity(
+        "angle",
+        "inclination of the blades from the rotor plane, upwind",
+        None,
+        minimum=-0.5,
+        maximum=0.5,
+        display="0, or that of the windIO file",
     )
     pitch: float = quantity(
         "angle", "pitch of the blades with the bodies in their initial position, leading edge upwind", 0.0
@@ -59,11 +97,16 @@ class WindRotor(Component):
         "wind at the rotor, unless a scenario names another one", None, display="the only one", names="winds"
     )
     density: float | None = positive(
-        "density", "density of the air", None, display="that of the AeroDyn file", sample="1.225 kg/m^3"
+        "density",
+        "density of the air",
+        None,
+        display="that of the AeroDyn file, otherwise 1.225 kg/m^3",
+        sample="1.225 kg/m^3",
     )
     tower_position: tuple[float, float] = quantities(
         "length",
-        "axis of the tower in the world [x, y], if the AeroDyn file has the flow around it",
+        "axis of the tower in the world [x, y], if the AeroDyn file has the flow around it, or with "
+        "tower_flow",
         (0.0, 0.0),
         length=(2, 2),
     )
@@ -76,3 +119,4 @@ class WindRotor(Component):
         maximum=0.1,
         later=True,
     )
+    tower_flow: bool = boolean("potential flow around the tower of the windIO file", False, later=True)

@@ -6,17 +6,16 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.tower import Tower
 from pitchpoint.model.openfast.airfoil import read_airfoil
-from pitchpoint.model.openfast.text import InputText, Line, read_input
+from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
 
 _COLUMNS = ("BlSpn", "BlCrvAC", "BlSwpAC", "BlCrvAng", "BlTwist", "BlChord", "BlAFID")
 _MOST_AIRFOILS = 1000
@@ -73,16 +72,17 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
     polars = []
     for name in airfoils:
         try:
-            polars.append(read_airfoil(_beside(text.path, name), columns=columns))
+            polars.append(read_airfoil(beside(text.path, name), columns=columns))
         except ModelError as error:
-            problems += _in_file(error, name)
+            problems += in_file(error, name, _line_of(text, name))
     if problems or line is None:
         raise ModelError(problems, str(text.path))
     name = line.tokens[0]
     try:
-        blade = read_aerodyn_blade(_beside(text.path, name), polars)
+        blade = read_aerodyn_blade(beside(text.path, name), polars)
     except ModelError as error:
-        raise ModelError(_in_file(error, name), str(text.path)) from None
+        at = FileLine(line.number, text.path.name)
+        raise ModelError(in_file(error, name, at), str(text.path)) from None
     return AeroDynInput(blade, flow, tuple(notes))
 
 
@@ -147,16 +147,6 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
         raise ModelError(error.problems, str(text.path)) from None
 
 
-def _beside(path: Path, name: str) -> Path:
-    """File named in another one; separators of Windows are accepted."""
-    return path.parent / name.replace("\\", "/")
-
-
-def _in_file(error: ModelError, name: str) -> list[Message]:
-    """Problems of a file that another one names."""
-    return [p.changed(where=f"{name}: {p.where}".rstrip(": "), file=None) for p in error.problems]
-
-
 def _airfoil_files(text: InputText) -> list[str]:
     """Names of the airfoil files."""
     before = len(text.problems)
@@ -176,6 +166,11 @@ def _airfoil_files(text: InputText) -> list[str]:
     if len(names) < count:
         text.problem("AFNames", "names follow", str(len(names)), f"{count}, see NumAFfiles", first.number)
     return names
+
+
+def _line_of(text: InputText, name: str) -> FileLine:
+    """Line that begins with the name of a file."""
+    return FileLine(next(line.number for line in text.lines if line.tokens[0] == name), text.path.name)
 
 
 def _is_name(line: Line) -> bool:

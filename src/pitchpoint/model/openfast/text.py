@@ -110,6 +110,11 @@ class InputText:
             self.problem(name, "is not finite", token[:40], None, line.number)
         return value
 
+    @staticmethod
+    def is_number(token: str) -> bool:
+        """Whether a token is a number."""
+        return _NUMBER.fullmatch(token) is not None
+
     def rows(self, after: Line, count: int, width: int, name: str) -> list[list[float]]:
         """Rows of numbers after a line; titles and units in between are skipped.
 
@@ -155,6 +160,21 @@ class InputText:
         return out
 
 
+def beside(path: Path, name: str) -> Path:
+    """File named in another one; separators of Windows are accepted."""
+    return path.parent / name.replace("\\", "/")
+
+
+def in_file(error: ModelError, name: str, line: FileLine | None = None) -> list[Message]:
+    """Problems of a file that another one names, those of the file as a whole at the line that names it."""
+    return [
+        p.changed(
+            where=f"{name}: {p.where}".rstrip(": "), file=None, line=p.line or (None if p.where else line)
+        )
+        for p in error.problems
+    ]
+
+
 def read_input(path: str | os.PathLike[str]) -> InputText:
     """Lines of an input file; lines that begin with !, #, %, --- or === are comments.
 
@@ -177,7 +197,7 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
     except OSError as error:
         reason = error.strerror or "failed"
         raise ModelError(
-            [Message("", "cannot be read", reason, remedy="check the name")], str(path)
+            [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
         ) from None
     if b"\0" in data:
         raise ModelError(

@@ -251,7 +251,7 @@ def _assembled(
             banks[kind] = np.concatenate([*([banks[kind]] if kind in banks else []), *more])
     constraints = {k: b for k, b in banks.items() if registry.find(k).channel == CONSTRAINT}
     others = {k: b for k, b in banks.items() if k not in constraints and b.size}
-    own = assemble(bodies, others, constraints, names=names, pools=system.pools, laws=laws, keep=system.keep)
+    own = assemble(bodies, others, constraints, names=names, pools=system.pools, laws=laws)
     return replace(own, controllers=system.controllers)
 
 

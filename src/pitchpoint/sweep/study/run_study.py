@@ -56,7 +56,7 @@ def run_study(
     from pitchpoint.io.study_store import StudyFolder
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.io.yaml_plan import load_study
-    from pitchpoint.io.yaml_tree import text_of
+    from pitchpoint.model.reading.yaml_tree import text_of
 
     read = plan if isinstance(plan, StudyPlan) else load_study(os.fspath(plan))
     file = model_path(read)

@@ -45,8 +45,3 @@ def node_near(structure: Structure, word: str, place: NDArray[np.float64]) -> in
         near = ", ".join(f"{1e3 * x:.6g}" for x in structure.places[k])
         raise CompileError(f"{word}: the file has no node at this position; the nearest is at [{near}] mm")
     return k
-
-
-def change_time(path: str) -> int:
-    """Time of the last change of a file [ns], for caches of its contents; 0 if it does not exist."""
-    return Path(path).stat().st_mtime_ns if Path(path).exists() else 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,15 +16,15 @@ from pitchpoint.elements.rotor.record import air_record, polar_rows, station_rec
 from pitchpoint.elements.rotor.station import RECORD, STATES
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.rotor.blade import Rotor
+from pitchpoint.model.files import change_time
 from pitchpoint.model.frames import axes_of, beam_frame, beam_length, place_of
-from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
+from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.wind.box import WindBox
 from pitchpoint.model.wind.file_errors import WindFileError
 from pitchpoint.model.wind.turbsim import read_turbsim
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.beam import beam_nodes
 from pitchpoint.system.rules.places import Places
-from pitchpoint.system.rules.structure_files import change_time
 from pitchpoint.system.wind import WindField
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def state_names(model: Model) -> list[str]:
     found = []
     for name, part in model.wind_rotors.items():
         if part.inflow == "dynamic":
-            n = _read(part, f"wind_rotors.{name}", model.file).blade.span.size
+            n = rotor_input(part).rotor.blade.span.size
             found += [
                 f"{name}.{b + 1}.{k + 1}.{WORDS[field]}"
                 for b in range(part.blades)
@@ -76,9 +76,8 @@ def state_names(model: Model) -> list[str]:
 def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArray[np.void]:
     """Records of one rotor."""
     model, at = places.model, f"wind_rotors.{name}"
-    given = _read(part, at, model.file)
-    rotor = _rotor(part, given, at, model.file)
-    flow = given.flow if part.density is None else replace(given.flow, density=part.density)
+    given = rotor_input(part)
+    rotor, flow = given.rotor, given.flow
     row = np.zeros(1, RECORD)
     row["air"] = air_record(flow)
     _set_wind(row, pool, model, _wind_of(model, part, places))
@@ -126,8 +125,8 @@ def blades_of(model: Model, name: str) -> tuple[Rotor, list[list[Station]]]:
     name
         Name of the rotor.
     """
-    part, at = model.wind_rotors[name], f"wind_rotors.{name}"
-    rotor = _rotor(part, _read(part, at, model.file), at, model.file)
+    part = model.wind_rotors[name]
+    rotor = rotor_input(part).rotor
     return rotor, [_stations(model, part, rotor, k) for k in range(part.blades)]
 
 
@@ -140,14 +139,6 @@ def _set_wind(row: NDArray[np.void], pool: Pool, model: Model, name: str) -> Non
     if box is not None:
         numbers = box.velocity.reshape(-1)
         row["box"] = pool.add(np.resize(numbers, numbers.size + numbers.size % 2).view(np.float64))
-
-
-def _rotor(part: WindRotor, given: AeroDynInput, at: str, file: str | None) -> Rotor:
-    """Geometry of the rotor at zero tilt; the bodies have the tilt."""
-    try:
-        return Rotor(blade=given.blade, blades=part.blades, hub_radius=part.hub_radius, precone=part.precone)
-    except ModelError as error:
-        raise ModelError([p.changed(where=f"{at}: {p.where}") for p in error.problems], file) from None
 
 
 def _lengths(rotor: Rotor) -> Array:
@@ -248,20 +239,6 @@ def _on_beam(places: Places, name: str, at: str) -> Callable[[Any, Station], Non
 
 
 # --- files --------------------------------------------------------------------------------------------------
-def _read(part: WindRotor, at: str, file: str | None) -> AeroDynInput:
-    """Contents of the AeroDyn file of a rotor."""
-    try:
-        return _contents(part.aerodyn, change_time(part.aerodyn))
-    except ModelError as error:
-        problems = [p.changed(where=f"{at}.aerodyn: {p.where}", file=None) for p in error.problems]
-        raise ModelError(problems, file) from None
-
-
-@functools.lru_cache(maxsize=8)
-def _contents(path: str, stamp: int) -> AeroDynInput:
-    return read_aerodyn(path)
-
-
 def _box(path: str, at: str, file: str | None) -> WindBox:
     """Turbulence of a file."""
     try:

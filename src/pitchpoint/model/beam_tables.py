@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Properties of a beam over its length, from its lists or from its file."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.components.beam import FILES
+from pitchpoint.model.files import at_key, change_time
+from pitchpoint.model.openfast.beamdyn import read_beamdyn
+from pitchpoint.model.openfast.elastodyn import read_elastodyn
+from pitchpoint.model.windio.beam import read_windio_beam
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import BeamProperties
+
+
+def beam_table_of(given: BeamProperties) -> BeamTable:
+    """Table of a beam.
+
+    Parameters
+    ----------
+    given
+        Lists or a file; lists next to a file of ElastoDyn replace or complete its columns.
+
+    Raises
+    ------
+    ModelError
+        With every problem, at the key.
+    """
+    key = next((name for name in FILES if getattr(given, name) is not None), None)
+    if key is None:
+        return BeamTable(**given.lists)  # type: ignore[arg-type]
+    path = str(getattr(given, key))
+    try:
+        table = _contents(key, path, given.component or "", change_time(path))
+    except ModelError as error:
+        raise at_key(error, key) from None
+    own: dict[str, Any] = {
+        name: np.interp(table.position, given.position, values)
+        for name, values in given.lists.items()
+        if name != "position"
+    }
+    return replace(table, **own)
+
+
+@functools.lru_cache(maxsize=16)
+def _contents(key: str, path: str, component: str, stamp: int) -> BeamTable:
+    """Table of a file; the time of its last change makes the cache read it again."""
+    if key == "elastodyn":
+        return read_elastodyn(path)
+    return read_beamdyn(path) if key == "beamdyn" else read_windio_beam(path, component)

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elements of a beam: one section for all, or the mean properties of a table, with offset axes and masses."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam as BeamPart
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+THIN = 1e-12
+"""Area of an element whose axial stiffness is apart, relative to that of the section."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One element of a beam.
+
+    Parameters
+    ----------
+    beam
+        Stiffness, and mass unless it is apart.
+    axes
+        Section axes 1, 2 and beam axis as columns, in the axes of the beam.
+    ends
+        Offsets of the curved axis of the beam at both ends from the line between its ends [m].
+    line
+        Shear centre along the axes 1 and 2 [m], where the element is.
+    axial
+        Element with the axial stiffness alone, at the elastic centre; None if it is that of `beam`.
+    elastic
+        Elastic centre along the axes 1 and 2 [m].
+    mass
+        Element with the mass alone; None if it is that of `beam`.
+    center
+        Centre of mass along the axes 1 and 2 [m].
+    """
+
+    beam: Beam
+    axes: Array = field(default_factory=lambda: np.eye(3))
+    ends: Array = field(default_factory=lambda: np.zeros((2, 3)))
+    line: tuple[float, float] = (0.0, 0.0)
+    axial: Beam | None = None
+    elastic: tuple[float, float] = (0.0, 0.0)
+    mass: Beam | None = None
+    center: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def parts(self) -> list[tuple[str, Beam, Array]]:
+        """Elements by the end of their name, and the offsets of both nodes: one, or several lines."""
+        every = (
+            ("", self.beam, self.line),
+            (".axial", self.axial, self.elastic),
+            (".mass", self.mass, self.center),
+        )
+        return [
+            (word, beam, self.ends + self.axes @ np.array([*place, 0.0]))
+            for word, beam, place in every
+            if beam is not None
+        ]
+
+
+def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
+    """Elements of a beam, all of one length along the line between its ends.
+
+    Parameters
+    ----------
+    model
+        The model.
+    name
+        Name of the beam.
+    length
+        Length of the line between its ends [m].
+    """
+    part = model.beams[name]
+    if part.properties is None:
+        data = part.material_data
+        beam = Beam(
+            section=section_of(part, data.poisson_ratio),
+            length=length / part.pieces,
+            E=data.youngs_modulus,
+            G=data.shear_modulus,
+            rho=data.density,
+        )
+        return [Piece(beam)] * part.pieces
+    table = beam_table_of(part.properties)
+    ends = np.linspace(0.0, 1.0, part.pieces + 1)
+    line = np.column_stack([table.offset(ends), length * ends])
+    places = np.column_stack([table.offset(ends), np.zeros(ends.size)])
+    return [
+        _tapered(table.mean(a, b, length), line[k + 1] - line[k], places[k : k + 2])
+        for k, (a, b) in enumerate(itertools.pairwise(ends))
+    ]
+
+
+def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
+    """Element with given stiffnesses along a way; without a radius of gyration its rotary inertia is that
+    of a homogeneous section."""
+    length, stiff = float(np.linalg.norm(way)), mean["axial"]
+    line, elastic, center = (
+        (mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("shear_center", "elastic", "center")
+    )
+    apart = line != elastic
+    area = THIN if apart else 1.0
+    section = Section(
+        A=area,
+        I_1=mean["bending_1"] / stiff,
+        I_2=mean["bending_2"] / stiff,
+        J=mean["torsion"] / stiff,
+        kappa_1=mean["shear_1"] / (area * stiff),
+        kappa_2=mean["shear_2"] / (area * stiff),
+    )
+    beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"])
+    axes = _along(way / length) @ about_z(mean["twist"])
+    gyration = mean["gyration"]
+    if line == elastic == center == (0.0, 0.0) and gyration == 0.0:
+        return Piece(beam, axes, ends)
+    second = (section.I_1, section.I_2) if gyration == 0.0 else (0.5 * gyration**2,) * 2
+    whole = Section(A=1.0, I_1=second[0], I_2=second[1], J=0.0, kappa_1=0.0, kappa_2=0.0)
+    return Piece(
+        replace(beam, rho=0.0),
+        axes,
+        ends,
+        line,
+        Beam(section=replace(whole, I_1=0.0, I_2=0.0), length=length, E=stiff, G=0.0) if apart else None,
+        elastic,
+        Beam(section=whole, length=length, E=0.0, G=0.0, rho=mean["mass"]),
+        center,
+    )
+
+
+def about_z(angle: float) -> Array:
+    """Rotation about the z axis, shape (3, 3)."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _along(direction: Array) -> Array:
+    """Smallest rotation of the z axis to a direction, shape (3, 3)."""
+    x, y, z = direction
+    cross = np.array([[0.0, 0.0, x], [0.0, 0.0, y], [-x, -y, 0.0]])
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + z))
+
+
+def section_of(part: BeamPart, nu: float) -> Section:
+    """Cross-section of a beam from its shape or its section properties; nu is Poisson's ratio [-]."""
+    s = part.section
+    assert s is not None
+    if s.diameter is not None:
+        return tube(s.diameter, s.bore, nu)
+    if s.width is not None and s.height is not None:
+        return rectangle(s.width, s.height, nu)
+    assert s.area is not None and s.torsion is not None  # a model has no other sections
+    return Section(
+        A=s.area,
+        I_1=s.bending[0],
+        I_2=s.bending[1],
+        J=s.torsion,
+        kappa_1=s.shear[0],
+        kappa_2=s.shear[1],
+    )

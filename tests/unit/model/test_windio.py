@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files of windIO: both layouts give the same turbine; a sentence with file and line for what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from pitchpoint.core.errors import ModelError, PitchpointError
+from pitchpoint.geometry.rotor.blending import blend_polars
+from pitchpoint.model.windio.beam import read_windio_beam
+from pitchpoint.model.windio.rotor import read_windio_rotor
+from tests.support.windio import VERSION_1, VERSION_2
+
+
+@pytest.fixture
+def file(tmp_path):
+    """Function that writes a text and returns its path."""
+
+    def write(text, name="small.yaml"):
+        """Write the file."""
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write
+
+
+@pytest.mark.parametrize("text", [VERSION_1, VERSION_2])
+def test_rotor_and_tower(file, text):
+    found = read_windio_rotor(file(text))
+    rotor, blade = found.rotor, found.rotor.blade
+    assert (rotor.blades, rotor.hub_radius, rotor.hub_height) == (3, 1.5, 80.0)
+    assert (rotor.precone, rotor.tilt) == pytest.approx((0.05, 0.08))
+    assert rotor.overhang == pytest.approx(4.0 / np.cos(0.08))
+    assert blade.chord.tolist() == [2.0, 2.8, 2.2, 1.6, 0.5]
+    assert blade.span.tolist() == [0.0, 7.5, 15.0, 22.5, 30.0]
+    assert blade.twist == pytest.approx([0.2, 0.15, 0.1, 0.05, 0.0])  # PCHIP of a line
+    # aerodynamic centre at mid-chord of the round root, on the axis; 0.05 chords ahead of it at the tip
+    assert blade.sweep[[0, -1]] == pytest.approx([0.0, (0.25 - 0.3) * 0.5])
+    assert blade.prebend[[0, -1]] == pytest.approx([0.0, -1.0])
+    assert blade.polars[blade.polar_index[0]].name == "round"
+    assert blade.polars[blade.polar_index[-1]].at(0.2)[0] == pytest.approx(1.6)
+    middle = blade.polars[blade.polar_index[3]].at(0.0)[0]
+    assert 0.3 < middle < 0.4  # between thick and thin
+    assert found.tower is not None and found.tower.radius_at(40.0) == pytest.approx(2.25)
+
+
+def test_both_layouts_are_one_turbine(file):
+    """Angles of the second have six digits."""
+    one, two = (read_windio_rotor(file(t, f"{k}.yaml")).rotor for k, t in enumerate((VERSION_1, VERSION_2)))
+    for name in ("chord", "twist", "prebend", "sweep", "span", "curve_angle"):
+        np.testing.assert_allclose(getattr(one.blade, name), getattr(two.blade, name), atol=1e-12)
+    for k in range(5):
+        a, b = (blade.polars[blade.polar_index[k]] for blade in (one.blade, two.blade))
+        for alpha in (-2.0, -0.1, 0.0, 0.1, 0.3, 2.5):
+            np.testing.assert_allclose(a.at(alpha), b.at(alpha), atol=1e-5)
+    for component in ("blade", "tower"):
+        one, two = (
+            read_windio_beam(file(t, f"{component}{k}.yaml"), component)
+            for k, t in enumerate((VERSION_1, VERSION_2))
+        )
+        for name in (
+            "position",
+            "mass",
+            "bending_1",
+            "torsion",
+            "twist",
+            "elastic_2",
+            "center_1",
+            "gyration",
+        ):
+            np.testing.assert_allclose(getattr(one, name), getattr(two, name), rtol=1e-9, atol=1e-12)
+
+
+def test_blade_as_a_beam(file):
+    """At the root the elastic centre is 0.1 m and the centre of mass 0.1 m behind the axis: bending edgewise
+    about it is 1e10 - 1e10 0.1^2 N m^2, the polar inertia 400 - 500 (0.1^2 + 0.02^2) kg m."""
+    table = read_windio_beam(file(VERSION_1), "blade")
+    assert table.length == 30.0
+    assert table.offset_1[-1] == -1.0
+    assert table.twist[0] == pytest.approx(-0.2)
+    assert table.elastic_2[0] == pytest.approx(0.1)
+    assert (table.center_1[0], table.center_2[0]) == pytest.approx((0.02, 0.1))
+    assert table.bending_2[0] == pytest.approx(9.9e9)
+    assert table.bending_1[0] == pytest.approx(4e9)
+    assert 500.0 * table.gyration[0] ** 2 == pytest.approx(400.0 - 500.0 * (0.1**2 + 0.02**2))
+
+
+def test_tower_as_a_beam(file):
+    """Tube of 6 m and 30 mm: area 0.5627 m^2, I = 2.5066 m^4."""
+    table = read_windio_beam(file(VERSION_1), "tower")
+    area, second = np.pi / 4 * (6.0**2 - 5.94**2), np.pi / 64 * (6.0**4 - 5.94**4)
+    assert table.length == 76.0
+    assert table.mass[0] == pytest.approx(1.1 * 7800.0 * area)
+    assert table.axial[0] == pytest.approx(2e11 * area)
+    assert (table.bending_1[0], table.bending_2[0]) == pytest.approx((2e11 * second, 2e11 * second))
+    assert table.torsion[0] == pytest.approx(2 * 8e10 * second)
+    middle = np.pi / 64 * (4.5**4 - 4.45**4)
+    assert np.interp(0.5, table.position, table.bending_1) == pytest.approx(2e11 * middle, rel=1e-9)
+
+
+def test_polars_of_several_reynolds_numbers(file):
+    """The polar of each station is that of its Reynolds number at 2 rad/s, linear over the logarithm."""
+    old = VERSION_1[VERSION_1.index("  - name: thin") : VERSION_1.index("materials:")]
+    begin = old.index("      - configuration")
+    more = old[begin:].replace("re: 1.0e6", "re: 1.0e7").replace("1.6, 0.1, 0.0]", "1.8, 0.1, 0.0]", 1)
+    text = VERSION_1.replace(old, old + more)
+    blade = read_windio_rotor(file(text)).rotor.blade
+    number = 2.0 * 31.5 * 0.5 / 1.46e-5
+    wanted = 1.6 + 0.2 * np.log10(number / 1e6)
+    assert blade.polars[blade.polar_index[-1]].at(0.2)[0] == pytest.approx(wanted, rel=1e-9)
+    with pytest.raises(
+        ModelError, match=r"control.rated_rotor_speed .*: is missing; add it: it selects the polars"
+    ):
+        read_windio_rotor(file(text.replace("VS_maxspd", "VS_speed"), "without.yaml"))
+
+
+def test_blending_keeps_the_given_polars(file):
+    blade = read_windio_rotor(file(VERSION_1)).rotor.blade
+    polars = [blade.polars[blade.polar_index[k]] for k in (-1, 0)]
+    found = blend_polars(polars, [0.2, 1.0], [0.2, 1.0, 0.6])
+    assert found[0] is polars[0] and found[1] is polars[1]
+    assert found[2].at(0.0)[1] == pytest.approx(0.5 * (0.006 + 0.5))
+
+
+WRONG = {
+    "labels: [round, round": ("labels: [square, round", "has no airfoil 'square'"),
+    "values: [2.0, 2.8, 2.2, 1.6, 0.5]": ("values: [2.0, 2.8, 2.2, 1.6]", "5 as of grid"),
+    "grid: [0.0, 0.2, 0.6": ("grid: [0.0, 0.7, 0.6", "0.6 does not increase (limit > 0.7)"),
+    "values: [0.0, 30.0]": ("values: [30.0, 0.0]", "do not increase from the root to the tip"),
+    "diameter: 3.0": ("diameter: -3.0", "-3 is out of range (limit > 0)"),
+    "cone_angle: 0.05": ("cone_angle: 2.5", "rotor.precone"),
+    "cone_angle: 0.05}": (
+        "cone_angle: wide}",
+        "components.hub.cone_angle (small.yaml, line 28): 'wide' is not",
+    ),
+    "twist: {grid: [0.0, 0.5, 1.0], values: [0.2, 0.1": (
+        "twist: {grid: [0.0, 0.5, 1.0], values: [0.2, .nan",
+        "twist.values[1] (small.yaml, line 8): 'nan' is not a finite number",
+    ),
+    "      chord: {": ("      cord: {", "chord (small.yaml, line 5): is missing; did you mean cord?"),
+    "grid: [-3.1416, -1.6, 0.0, 0.2, 1.6, 3.1416], values: [0.0, -0.1, 0.3": (
+        "grid: [-3.0, -1.6, 0.0, 0.2, 1.6, 3.1416], values: [0.0, -0.1, 0.3",
+        "-180 to 180",
+    ),
+    "relative_thickness: 0.2": ("relative_thickness: 0.2x", "airfoils[2].relative_thickness"),
+    "number_of_blades: 3": ("number_of_blades: 2.5", "is not a whole number"),
+    "components:": ("parts:", "components"),
+    "hub_height: 80.0": ("hub_height: [80.0", "YAML syntax"),
+    "re: 1.0e6": ("re: 1.0e6, re: 2", "YAML syntax"),
+}
+
+
+@pytest.mark.parametrize("word", WRONG)
+def test_wrong_rotors_are_told(file, word):
+    new, words = WRONG[word]
+    assert word in VERSION_1
+    with pytest.raises(ModelError) as error:
+        read_windio_rotor(file(VERSION_1.replace(word, new, 1)))
+    told = [str(p) for p in error.value.problems]
+    assert any(words in each for each in told), told
+    assert "small.yaml" in str(error.value)
+
+
+WRONG_BEAMS = {
+    "blade": {
+        "[1e9, 0, 0, 0, 0, 0, 1e9": (
+            "[-1e9, 0, 0, 0, 0, 0, 1e9",
+            "station 1 of the grid is not positive def",
+        ),
+        "4e9, 0, 1e9]": ("4e9, 0]", "20 is the number of values (limit 21)"),
+        "stiff_matrix:": ("stif_matrix:", "did you mean stif_matrix?"),
+    },
+    "tower": {
+        "material: steel": (
+            "material: wood",
+            "names the material 'wood', which does not exist (limit steel)",
+        ),
+        "values: [0.03, 0.02]": ("values: [4.0, 0.02]", "is the wall at 0 of the length"),
+        "outer_diameter: {": ("diameter: {", "outer_diameter"),
+        "E: 2.0e11": ("E: much", "materials[0].E"),
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("component", "word"), [(c, word) for c, entries in WRONG_BEAMS.items() for word in entries]
+)
+def test_wrong_beams_are_told(file, component, word):
+    new, words = WRONG_BEAMS[component][word]
+    assert word in VERSION_1
+    with pytest.raises(ModelError) as error:
+        read_windio_beam(file(VERSION_1.replace(word, new, 1)), component)
+    told = [str(p) for p in error.value.problems]
+    assert any(words in each for each in told), told
+    assert "small.yaml" in str(error.value)
+
+
+def test_all_problems_at_once(file):
+    text = VERSION_1.replace("diameter: 3.0", "diameter: 0").replace("uptilt: 0.08", "uptilt: steep")
+    with pytest.raises(ModelError, match="2 problems"):
+        read_windio_rotor(file(text))
+
+
+def test_files_that_are_no_turbines(file, tmp_path):
+    with pytest.raises(ModelError, match="cannot be read"):
+        read_windio_rotor(tmp_path / "none.yaml")
+    with pytest.raises(ModelError, match="give a turbine of the ontology windIO"):
+        read_windio_rotor(file("bodies: {}"))
+    bomb = "a: &a [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + "".join(
+        f"{chr(98 + k)}: &{chr(98 + k)} [{', '.join(['*' + chr(97 + k)] * 10)}]\n" for k in range(6)
+    )
+    with pytest.raises(ModelError, match="without aliases"):
+        read_windio_rotor(file(bomb))
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    text=st.sampled_from([VERSION_1, VERSION_2]),
+    cut=st.floats(0.0, 1.0),
+    changes=st.lists(st.tuples(st.floats(0.0, 1.0), st.binary(max_size=4), st.integers(0, 30)), max_size=3),
+)
+def test_damaged_files_give_a_sentence(file, text, cut, changes):
+    """Bytes replaced, inserted or lost, and files cut: read, or refused with a sentence."""
+    data = text.encode()
+    for place, new, lost in changes:
+        k = int(place * len(data))
+        data = data[:k] + new + data[k + lost :]
+    path = file("")
+    path.write_bytes(data[: int(cut * len(data))] if cut < 0.5 else data)
+    for read in (
+        read_windio_rotor,
+        lambda p: read_windio_beam(p, "blade"),
+        lambda p: read_windio_beam(p, "tower"),
+    ):
+        try:
+            read(path)
+        except PitchpointError as error:
+            assert len(str(error)) > 20
