@@ -42,6 +42,8 @@ NO_TOOL = {
     "load_sharing.share_along_path": "of a mesh cycle, not of a record",
     "mean_turns.mean_turn": "a step of diagnose",
     "planet_frequencies.planetary_frequencies": "from tooth counts, not from a signal",
+    "rainflow.load_duration": "takes weights; the command fatigue",
+    "rainflow.rainflow": "cycles, not samples; the command fatigue",
     "rattle.rattle": "takes three channels of a mesh; stands in results and tables",
     "shaft_periods.shaft_period": "a step of diagnose",
     "shaft_periods.tooth_level": "a step of diagnose",
@@ -50,6 +52,8 @@ NO_TOOL = {
     "tacho.angle_channel": "makes the angle of every tool that takes one",
     "tacho.tacho_angle": "makes the channel of --tacho, shaft_channel.with_shaft_angle",
     "tooth_energy.tooth_energy": "a step of diagnose",
+    "tooth_pulses.find_passages": "takes the angle of a mesh; the command fatigue",
+    "tooth_pulses.find_pulses": "takes the tooth pairs of a mesh; the command fatigue",
     "turning_parts.train_parts": "from tooth counts, not from a signal",
 }
 """Public functions that give a dataclass and are no tool, and why."""

@@ -7,6 +7,7 @@ kN m (welib, data/NREL5MW/NREL5MW_Oper.csv, MIT).
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -172,6 +173,7 @@ def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
     code = page.split("```python\n")[1].split("```")[0]
     text = (FOLDER / "model.yaml").read_text(encoding="utf-8").replace("pieces: 16", "pieces: 4")
     (tmp_path / "model.yaml").write_text(text.replace("nrel_5mw", str(FOLDER / "nrel_5mw")), encoding="utf-8")
+    shutil.copy(FOLDER / "two_mass.yaml", tmp_path)
     monkeypatch.chdir(tmp_path)
     found: dict = {}
     exec(code, found)

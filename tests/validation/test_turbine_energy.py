@@ -45,7 +45,7 @@ def imbalance(model, step: float) -> tuple[float, float]:
         drives = sum(value(f"signal[servo_{k}]") * value(f"signal[pitch_rate_{k}]") for k in (1, 2, 3))
         air.append(value("aerodynamic_power[rotor]"))
         energy.append(stored)
-        power.append(air[-1] + value("torque[generator_torque]") * v["generator"] + drives - lost)
+        power.append(air[-1] + value("signal[generator_torque]") * v["generator"] + drives - lost)
         pitch.append(value("signal[pitch_1]"))
         assert run.advance(1).status == 1
     rest = energy[-1] - energy[0] - simpson(power, dx=step)
@@ -63,6 +63,7 @@ def test_power_of_the_air_is_accounted_for(air):
         "winds.gust.gust.start": 0.0,
         "winds.gust.gust.duration": 2.0,
         "blocks.overspeed.offset": "-9.1 rpm",  # the pitch drives work too
+        "blocks.speed.time_constant": 0.02,
     }
     model = load_model(FOLDER.parent / "model.yaml").replace_all(changes)
     coarse, pitch = imbalance(model, 0.005)

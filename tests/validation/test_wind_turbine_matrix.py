@@ -131,13 +131,12 @@ def test_the_tower_yields_to_the_thrust_as_in_openfast():
     """
     changes = {
         "wind_rotors.rotor": None,
-        "loads.generator_torque": None,
         "beams.tower.pieces": 20,
         **{f"beams.blade_{k}.pieces": 48 for k in (1, 2, 3)},
     }
-    push = "loads:\n  thrust: {body: hub, force: [378066.96 N, 0, -33076.55 N]}\n"
+    push = "loads:\n  thrust: {body: hub, force: [378066.96 N, 0, -33076.55 N]}\nscenarios:\n"
     file = FOLDER.parent / "model.yaml"
-    text = file.read_text(encoding="utf-8").replace("loads:\n", push)
+    text = file.read_text(encoding="utf-8").replace("scenarios:\n", push)
     model = loads_model(text, file=str(file), changes=changes)
     system = compile_model(model, "parked")
     top = prepare_start(system, system.scenario).state.q[system.layout.coordinate("tower_top.x")]

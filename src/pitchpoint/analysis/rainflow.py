@@ -188,7 +188,11 @@ def equivalent_load(ranges: ArrayLike, count: ArrayLike, slope: float, cycles: f
 
     Notes
     -----
-    (Σ n_i R_i^m / N)^(1/m); means are not considered.
+    (Σ n_i R_i^m / N)^(1/m) [1]_; means are not considered.
+
+    References
+    ----------
+    .. [1] M. A. Miner, Cumulative damage in fatigue, Journal of Applied Mechanics 12, 1945, A159-A164.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load pulses of single teeth: each tooth of a gear has one at every passage of a mesh."""
+"""Load pulses of single teeth: each tooth of a gear has one at every passage of a mesh (ISO 6336-6:2006)."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def find_pulses(pair_forces: Sequence[ArrayLike], rotation: ArrayLike, teeth: in
     -----
     A pair that separates within its contact, as in rattle, has one pulse: in one row, passages are `n_pair`
     teeth apart. The largest sample counts: with fewer than about ten samples per mesh period the peaks are
-    too low.
+    too low. Counting by tooth as in ISO 6336-6:2006, with the force of the pair instead of the torque.
     """
     turned = as_signal(rotation, "rotation") * whole(teeth, "teeth") / (2.0 * np.pi)
     rows = [np.asarray(row, float) for row in pair_forces]
@@ -79,7 +79,7 @@ def find_passages(force: ArrayLike, rotation: ArrayLike, teeth: int) -> Pulses:
     """One pulse per tooth from the force of the whole mesh: its largest value while the tooth is the nearest.
 
     For meshes whose stiffness does not have single tooth pairs; the loads are too high, as the pairs share
-    the force.
+    the force (ISO 6336-6:2006 counts the torque likewise).
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ class ToothLoads:
 
 
 def tooth_loads(meshes: Sequence[Pulses], teeth: int, slope: float) -> Mapping[str, ToothLoads]:
-    """Loads of the teeth of a gear from the pulses of all its meshes, by flank: front, back.
+    """Loads of the teeth of a gear from the pulses of all its meshes, by flank (ISO 6336-6:2006).
 
     Parameters
     ----------

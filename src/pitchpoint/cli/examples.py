@@ -76,7 +76,7 @@ def list_examples(as_json: bool) -> None:
 def copy_example(name: str, directory: str | None, force: bool) -> None:
     """Copy the example NAME to the folder DIRECTORY (default: ./NAME).
 
-    Examples whose files it includes are copied beside it.
+    Examples whose files it includes are copied next to it.
     """
     if name not in example_names():
         from pitchpoint.core.nearest import did_you_mean

@@ -122,6 +122,8 @@ def loads_model(
     changes = dict(changes or {})
     whole = _whole(text, file, progress, changes.pop(INCLUDE, None))
     directory = str(Path(file).parent if file is not None else Path())
+    if missing := [problem for problem in whole.problems if problem.where == INCLUDE]:
+        raise ModelError(missing, file)  # names of missing files would be unknown everywhere
 
     def build(data: Any, more: list[Message]) -> Model:
         """Model of the data of the file, or of these with changes."""

@@ -213,8 +213,8 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
     if few:
         words = ", ".join(dict.fromkeys(few))
         cases.notes.append(
-            f"less than {FEW} pulses per tooth of {words}: the equivalent forces of single teeth depend on the "
-            "length of the results"
+            f"less than {FEW} pulses per tooth of {words}: the equivalent forces of single teeth depend on "
+            "the length of the results"
         )
     return found
 
@@ -279,6 +279,6 @@ def rotation(model: Model, data: xr.Dataset, body: str, other: str) -> Array:
 
 
 def _angle(model: Model, data: xr.Dataset, body: str) -> Array:
-    """Spin of a body; zero for one that stands still."""
+    """Spin of a body; zero for one at rest."""
     name = f"angle[{spinner_of(model, model.mechanism, body) or body}]"
     return np.asarray(data[name], float) if name in data else np.zeros(data.sizes["time"])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.model.assembly import all_linked_known
+from pitchpoint.model.checks.fixed_gears import check_standing_gear
 from pitchpoint.model.checks.forces import TURNING
 from pitchpoint.model.checks.mobility import check_inertia
 from pitchpoint.model.components.joint import FUNCTIONS
@@ -27,11 +28,9 @@ from pitchpoint.model.frames import (
 )
 from pitchpoint.model.keys import Place
 from pitchpoint.model.mechanism import (
-    COUNTED,
     ONE_WAY,
     Seat,
     axial_offset,
-    base_of,
     coordinate,
     rows_of,
     seat_frame,
@@ -302,7 +301,7 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
     at: Place = ("bodies", name, "gears" if body.gears else "bevel_gears")
     carried = ", ".join((*body.gears, *body.bevel_gears))
     if seat.kind == "fixed" and seat.joint is not None and spinner_of(parts, parts.mechanism, name) is None:
-        _standing_gear(parts, name, seat, report)
+        check_standing_gear(parts, name, seat, report)
     if seat.kind in ("spherical", "free", "universal", *FUNCTIONS):
         report.problem(
             at,
@@ -319,44 +318,6 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
             value=carried,
             remedy=f"give {name} an origin on the axis of {seat.joint}, and axes with z along it{more}",
         )
-
-
-def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Check that a fixed gear rests in the world or a body that carries its mates, or rotates with a body."""
-    root = seat
-    while root.kind == "fixed" and root.parent in parts.mechanism.seats:
-        root = parts.mechanism.seats[root.parent]
-    if root.kind in ("fixed", "prismatic") or (
-        root.body == seat.parent and all(_rides_on(parts, mate, seat.parent) for mate in _mates(parts, name))
-    ):
-        return
-    remedy = f"give {name} and {root.body} the same z axis"
-    if root.kind not in COUNTED:
-        remedy = f"use a revolute, cylindrical, screw, planar or shaft joint for {root.body}"
-        if root.body in parts.elastic_bodies:
-            remedy = (
-                f"write rotor: true at the elastic body {root.body}, whose z axis is the axis of the gears"
-            )
-    report.problem(
-        ("bodies", name, "gears"),
-        f"are fixed to {root.body}, which does not count revolutions about their axis",
-        value=", ".join((*parts.bodies[name].gears, *parts.bodies[name].bevel_gears)),
-        remedy=remedy,
-    )
-
-
-def _mates(parts: Parts, name: str) -> list[str]:
-    """Bodies with gears in mesh with those of a body; empty names for gears without body."""
-    own = {*parts.bodies[name].gears, *parts.bodies[name].bevel_gears}
-    pairs = [mesh.gears for mesh in (*parts.meshes.values(), *parts.bevel_meshes.values())]
-    return [parts.body_of(a if b in own else b) or "" for a, b in pairs if (a in own) != (b in own)]
-
-
-def _rides_on(parts: Parts, body: str, carrier: str) -> bool:
-    """Whether the spin of a body refers to a carrier, also by way of other bodies."""
-    while body not in (GROUND, carrier) and body in parts.mechanism.seats:
-        body = base_of(parts, parts.mechanism, body)
-    return body == carrier
 
 
 # --- coordinates --------------------------------------------------------------------------------------------
