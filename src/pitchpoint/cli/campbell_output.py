@@ -167,6 +167,23 @@ def _amplification(row: dict[str, Any]) -> str:
     return "unstable" if row["damping_ratio"] < 0.0 else "∞"
 
 
+def damping_text(ratio: float, frequency: float) -> str:
+    """Damping ratio in per cent; a dash for rigid-body modes.
+
+    Examples
+    --------
+    >>> damping_text(0.05, 100.0), damping_text(-1e-12, 100.0), damping_text(0.0, 0.0)
+    ('5.000 %', '0.000 %', '–')
+    >>> damping_text(1.0, 100.0), damping_text(-1.0, 100.0)
+    ('overdamped', 'unstable')
+    """
+    if frequency == 0.0:
+        return NOTHING
+    if abs(ratio) == 1.0:
+        return "overdamped" if ratio > 0.0 else "unstable"
+    return f"{round(100.0 * ratio, 3) + 0.0:.3f} %"
+
+
 def largest(shares: dict[str, float], count: int = 2, least: float = 0.1) -> str:
     """Largest shares of an energy in words.
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.campbell_output import largest
+from pitchpoint.cli.campbell_output import damping_text, largest
 from pitchpoint.cli.options import common, model_file, output, state, writes
-from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
+from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
@@ -182,23 +182,6 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     show_notes(summary["notes"])
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
-
-
-def damping_text(ratio: float, frequency: float) -> str:
-    """Damping ratio in per cent; a dash for rigid-body modes.
-
-    Examples
-    --------
-    >>> damping_text(0.05, 100.0), damping_text(-1e-12, 100.0), damping_text(0.0, 0.0)
-    ('5.000 %', '0.000 %', '–')
-    >>> damping_text(1.0, 100.0), damping_text(-1.0, 100.0)
-    ('overdamped', 'unstable')
-    """
-    if frequency == 0.0:
-        return NOTHING
-    if abs(ratio) == 1.0:
-        return "overdamped" if ratio > 0.0 else "unstable"
-    return f"{round(100.0 * ratio, 3) + 0.0:.3f} %"
 
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.campbell_output import damping_text
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -78,8 +79,6 @@ def of_turning_rotor(
 
 def show_modes(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
     """Print frequencies, damping and amplitudes of the blades of the lowest modes."""
-    from pitchpoint.cli.modes import damping_text
-
     cells = [
         [
             str(row["mode"]),
