@@ -34,6 +34,7 @@ OTHERWISE = {
     "report/diagnosis/tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
     "report/diagnosis/words.py": {"bearing": "class of evidence"},
     "report/external_torques.py": {"drive": "key of a scenario", "torque": "dimension"},
+    "report/live.py": {"damping": "key of a mesh"},
     "report/main_channels.py": {"torque": "quantity"},
     "report/power_flow.py": {
         "damping": "name of a loss",
@@ -50,6 +51,7 @@ OTHERWISE = {
     "report/scene/build.py": {"torque": "quantity"},
     "report/scene/bearings.py": {"bearing": "class of a solid and of an arrow in the scene"},
     "report/scene/forces.py": {"bearing": "class of an arrow in the scene"},
+    "report/scene/live.py": {"bearing": "class of an arrow in the scene"},
     "report/scene/connections.py": {
         "bearing": "class of a solid in the scene",
         "bushing": "name of a schematic",
@@ -66,7 +68,7 @@ OTHERWISE = {
     "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
     "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
-    "solvers/exported_run.py": {"force": "name of an input"},
+    "solvers/input_places.py": {"force": "name of an input"},
     "solvers/locked_clutches.py": {"torque": "dimension"},
     "solvers/mean_balance.py": {"torque": "dimension"},
     "solvers/speed_drift.py": {"torque": "dimension"},
@@ -169,6 +171,7 @@ MADE = {
     "solvers/initial_state/speeds.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
     "sweep/speed.py": {"drive"},  # sets its speed
+    "solvers/input_places.py": {"drive"},  # sets its speed
     "solvers/locked_clutches.py": {"friction_clutch"},  # locks it
     "solvers/initial_state/clutches.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
     "solvers/torque_paths.py": {"ratio"},  # its coordinates

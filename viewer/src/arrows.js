@@ -101,6 +101,21 @@ export class Arrows {
     this.size = Math.max(0, ...this.arrows.map((arrow) => arrow.size ?? 0));
   }
 
+  /** Adapt the scale if the forces have become larger. */
+  grow() {
+    const sum = new Vector3();
+    this.arrows.forEach((arrow, k) => {
+      if (!arrow.components) return;
+      sum.set(0, 0, 0);
+      for (const [part, { data }] of Object.entries(arrow.components)) {
+        this.largest[k][part] = Math.max(this.largest[k][part] ?? 0, longestRow(data));
+        sum.add(SIZE.fromArray(data));
+      }
+      arrow.size = Math.max(arrow.size ?? 0, sum.length());
+      this.size = Math.max(this.size, arrow.size);
+    });
+  }
+
   /** Relative size of the arrows, which decreases with their number. */
   get share() {
     if (!this.sparse) return 1;

@@ -99,6 +99,8 @@ window.pitchpointViewer = {
   shade: (what) => changeFlanks(shown(), (flanks) => (flanks.shade = flanks.pressures ? what : "load")),
   /** @param {number} mesh -1 none @param {number} times */
   gauge: (mesh, times) => showGauge(shown(), mesh, times),
+  /** Scene of a model that runs in the page: write one-row tables and draw. @param {(scene: any) => void} change */
+  live: (change) => shown().live(change),
   mode: (number) => shown().modes.choose(number),
   /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
   file: (kind, times = 1) =>

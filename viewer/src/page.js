@@ -305,6 +305,16 @@ export class Page {
     return this.root.clientHeight > 0.8 * window.innerHeight;
   }
 
+  /**
+   * Change the tables of the scene at the pace of a running model; arrows keep the scale of the largest force so far.
+   * @param {(scene: any) => void} change
+   */
+  live(change) {
+    change(this.scenes[0]);
+    for (const { arrows } of this.stage?.pictures ?? []) arrows.grow();
+    this.changed();
+  }
+
   /** @param {string} words message, shown temporarily */
   hint(words) {
     this.status.textContent = words;

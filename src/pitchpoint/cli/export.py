@@ -3,31 +3,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from pitchpoint.cli.options import common, model_file, quantity, scenario, writes
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.output import emit_json, show, shown
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.tunable_numbers import input_option, parameter_option, ranges_of, show_settable
 
 if TYPE_CHECKING:
     from pitchpoint.io.fmu.model import FmuModel
-    from pitchpoint.solvers.exported_run import ExportedRun, Place
 
 
 @click.command()
 @model_file
 @scenario
 @writes("--fmu", "fmu", metavar="OUT.fmu", help="FMU to write.")
-@writes(
-    "--live",
-    "live",
-    metavar="OUT.html",
-    help="Page to write in which the model runs, with sliders and curves.",
-)
 @click.option(
     "--fmi", "version", type=click.Choice(["2", "3"]), default="3", show_default=True, help="Version of FMI."
 )
@@ -37,20 +29,8 @@ if TYPE_CHECKING:
     help="x86_64-linux, aarch64-linux, x86_64-windows, aarch64-darwin; default: that of this computer.",
 )
 @quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
-@click.option(
-    "--parameter",
-    "parameters",
-    multiple=True,
-    metavar="PATH",
-    help="Number of the model file as a tunable parameter: meshes.stage.backlash.normal; repeatable.",
-)
-@click.option(
-    "--input",
-    "more_inputs",
-    multiple=True,
-    metavar="PATH",
-    help="Number of the model file as a further input: blocks.error.offset; repeatable.",
-)
+@parameter_option
+@input_option
 @set_option
 @common
 def export(
@@ -61,72 +41,41 @@ def export(
     quiet: bool,
     **how: Any,
 ) -> None:
-    """Write a scenario of FILE for other programs, with the compiled model and its solver inside.
+    """Write a scenario of FILE as an FMU for other programs, with the compiled model and its solver inside.
 
-    An FMU needs neither Python nor pitchpoint; a live page runs in any browser, without a server. Constant
-    loads are inputs, all channels outputs.
+    An FMU needs neither Python nor pitchpoint. Constant loads and speeds of drives are inputs, all channels
+    outputs. `pitchpoint view FILE --live` writes the same as a page.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario
-    from pitchpoint.report.exported_model import begin_export
+    from pitchpoint.io.fmu.linking import check_linker
+    from pitchpoint.io.fmu.writing import fmu_bytes
+    from pitchpoint.io.target import check_target, write_file
+    from pitchpoint.report.exported_model import begin_export, fmu_model
 
-    targets = _targets(file, how)
+    if how["fmu"] is None:
+        raise click.UsageError("name a file to write: --fmu OUT.fmu")
+    target = check_target(how["fmu"], "fmu", [file])
+    platforms = _platforms(how["platforms"])
+    for each in platforms:
+        check_linker(each)
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
     if how["step"] is not None:
         model = model.replace(f"scenarios.{name}.step", how["step"])
-    run, tunable = begin_export(model, name, how["parameters"], how["more_inputs"])
-    title = model.title or name
-    written = [_write(way, target, run, tunable, title, how) for way, target in targets.items()]
+    run, tunable = begin_export(model, name, ranges_of(model, how["parameters"]), how["more_inputs"])
+    version = int(how["version"])
+    unit = fmu_model(run, tunable, target.stem, model.title or name)
+    data, sizes = fmu_bytes(unit, version, platforms)
+    write_file(target, data)
     if as_json:
-        emit_json({key: value for each, _ in written for key, value in each.items()})
+        emit_json(_summary(unit, str(target), version, sizes))
         return
     if not quiet:
-        rows = [[p.name, f"{p.start:.6g} {p.unit}", p.text] for p in (*run.inputs, *tunable)]
-        if rows:
-            table("inputs and parameters", ["name", "start", "meaning"], rows)
-    for _, sentence in written:
-        show(f"{sentence}, {len(run.system.layout.channels)} outputs, time step {shown(run.h, 'time', 4)}")
-
-
-def _targets(file: str, how: dict[str, Any]) -> dict[str, Path]:
-    """Files to write, checked before the computation."""
-    from pitchpoint.io.fmu.linking import check_linker
-    from pitchpoint.io.fmu.web import check_web
-    from pitchpoint.io.target import check_target
-
-    kinds = {"fmu": "fmu", "live": "page"}
-    found = {way: check_target(how[way], kind, [file]) for way, kind in kinds.items() if how[way]}
-    if not found:
-        raise click.UsageError("name a file to write: --fmu OUT.fmu or --live OUT.html")
-    if "fmu" in found:
-        how["platforms"] = _platforms(how["platforms"])
-        for each in how["platforms"]:
-            check_linker(each)
-    if "live" in found:
-        check_web()
-    return found
-
-
-def _write(
-    way: str, target: Path, run: ExportedRun, tunable: Sequence[Place], title: str, how: dict[str, Any]
-) -> tuple[dict[str, Any], str]:
-    """Write a file; returns its summary and a sentence."""
-    from pitchpoint.io.fmu.writing import fmu_bytes
-    from pitchpoint.io.target import write_file
-    from pitchpoint.report.exported_model import fmu_model, live_text
-
-    if way == "live":
-        page, size = live_text(run, tunable, title)
-        write_file(target, page)
-        sentence = f"written to {target}: live page, {len(page) / 1000:.0f} kB"
-        return {"page": str(target), "code": size}, sentence
-    version = int(how["version"])
-    unit = fmu_model(run, tunable, target.stem, title)
-    data, sizes = fmu_bytes(unit, version, how["platforms"])
-    write_file(target, data)
+        show_settable(run, tunable)
     listed = ", ".join(f"{each} {size / 1000:.0f} kB" for each, size in sizes.items())
-    return _summary(unit, str(target), version, sizes), f"written to {target}: FMI {version}.0, {listed}"
+    outputs = f"{len(run.system.layout.channels)} outputs, time step {shown(run.h, 'time', 4)}"
+    show(f"written to {target}: FMI {version}.0, {listed}, {outputs}")
 
 
 def _platforms(text: str | None) -> list[str]:

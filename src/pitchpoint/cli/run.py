@@ -55,6 +55,12 @@ NOT_BEGUN: dict[str, Any] = {
     metavar="PATTERN",
     help="Store only these channels, such as 'mesh_force[*]'; may be repeated. Default: all.",
 )
+@click.option(
+    "--communication-error",
+    "estimates",
+    is_flag=True,
+    help="Also run with half of the communication steps of FMUs, and print the error of the given ones.",
+)
 @click.option("--all", "everything", is_flag=True, help="Print the statistics of all channels.")
 @set_option
 @vary_option
@@ -102,6 +108,15 @@ def run(
     )
     refuse_without_effect("with --vary", {"--reduce": reduce} if vary else {})
     refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
+    estimates = {"--communication-error": how["estimates"] or None}
+    refuse_without_effect("on a slow roll", estimates if rolls else {})
+    refuse_without_effect(
+        "with --vary, --decimate or --reduce", estimates if vary or decimate or reduce else {}
+    )
+    if how["estimates"]:
+        from pitchpoint.solvers.communication_error import with_samples
+
+        model = with_samples(model, name)
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
     if how["channels"]:
@@ -119,6 +134,12 @@ def run(
         NOT_BEGUN,
     )
     inner = summary.pop("inner", ())
+    errors: dict[str, tuple[float, str]] = {}
+    if how["estimates"] and error is None:
+        from pitchpoint.cli.communication_error import communication_error, show_error
+
+        errors = communication_error(model, name, target, quiet=quiet)
+        summary["communication_error"] = {channel: value for channel, (value, _) in errors.items()}
     if as_json:
         emit_json(summary)
     elif not quiet and (summary["steps"] or error is None):
@@ -133,6 +154,8 @@ def run(
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
         show_planets(summary["planet_loads"])
+        if errors:
+            show_error(title, errors)
         show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Drive: constraint row for a prescribed joint coordinate (constant speed, piecewise speed or angle formula).
+"""Drive: constraint row for a prescribed joint coordinate.
+
+It has a constant speed, a piecewise speed, an angle formula, or a speed that another program gives.
 
 g = q - theta(t), with the time derivatives that explicit methods need; q is usually the spin of a body with
 its whole turns. The observation is the torque or force of the drive on the coordinate.
@@ -26,7 +28,9 @@ from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_ra
 
 TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09
 """2 pi as a sum of two parts, the first with 27 bits: exact product with the number of turns of a day."""
-SPEED, SPEED_PIECES, ANGLE_FORMULA = 0, 1, 2
+SPEED, SPEED_PIECES, ANGLE_FORMULA, RAMP, RATE = range(5)
+"""Forms. RAMP: speed + gain (t - since), from `angle` at `since`. RATE: speed and its derivative without an
+angle, for integrators of other programs, which are stabilised at the level of speeds."""
 STENCIL = 1e-5
 """Step of the finite differences for the acceleration of an angle formula [s]: relative error 1e-6 for a
 ripple of 1 kHz."""
@@ -35,14 +39,16 @@ ripple of 1 kHz."""
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("form", "i8"),  # SPEED, SPEED_PIECES or ANGLE_FORMULA
+        ("form", "i8"),
         ("dof_i", "i8"),  # first coordinate of the body and its spin; written by the layout
         ("spin_i", "i8"),
         ("q_i", "i8"),  # coordinate of the joint; SPIN: its spin
         ("linear", "i8"),  # 1: the coordinate is a length
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
-        ("speed", "f8"),  # SPEED: [rad/s]
+        ("speed", "f8"),  # SPEED, RAMP, RATE: [rad/s]
+        ("since", "f8"),  # RAMP: begin [s]
+        ("gain", "f8"),  # RAMP, RATE: derivative of the speed [rad/s^2]
         ("pool", "i8"),
         ("start", "i8"),
         ("n", "i8"),  # pieces or programme words
@@ -131,6 +137,9 @@ def _mean(b, t):
         room = view(where + 8 * n, 1 << 20, F8)
         x, speed, acceleration = evaluate_curvature(ops, n, room, t, STENCIL)
         return b["angle"] + x, speed, acceleration
+    if b["form"] == RAMP or b["form"] == RATE:
+        x = t - b["since"]
+        return b["angle"] + x * (b["speed"] + 0.5 * b["gain"] * x), b["speed"] + b["gain"] * x, b["gain"]
     return b["angle"] + b["speed"] * t, b["speed"], 0.0
 
 
@@ -169,7 +178,7 @@ def drive(rec, ctl, fr, q, g, G):
             # after some seconds exceeds the tolerance of Newton's iteration
             turns = fr[b["i"]]["turns"]
             angle = (angle - turns * TURN) - turns * TURN_REST
-        g[r] = q[d] - angle
+        g[r] = 0.0 if b["form"] == RATE else q[d] - angle
         gt[r] = -speed
         gtt[r] = -acceleration
         G[r, d] = 1.0

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Models for other programs: FMUs and live pages from a started run."""
+"""Models for other programs: FMUs from a started run."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,32 +12,33 @@ from pitchpoint.core.compiler import machine_code
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.fmi.fmu_file import own_platform
 from pitchpoint.io.fmu.model import (
+    ACCELERATION,
     INDICATOR,
     INPUT,
     OUTPUT,
     PARAMETER,
     SLOPE,
+    SPEED,
     STATE,
     TIME,
     FmuModel,
     Variable,
     identifier,
 )
-from pitchpoint.io.fmu.web import web_assembly
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.target import check_target, write_file
-from pitchpoint.solvers.exported_run import ExportedRun, Place, export_run
+from pitchpoint.solvers.exported_rest import ExportedRest
+from pitchpoint.solvers.exported_run import ExportedRun, export_run
+from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system.compile import compile_model
-from pitchpoint.viz.live_page import live_page
 
 if TYPE_CHECKING:
     import os
 
     from pitchpoint.model.model import Model
 
-STEPS = 10
-"""Time steps per sample of a live page."""
+Parameters = Sequence[str] | Mapping[str, tuple[float, float] | None]
 
 
 def export_fmu(
@@ -47,7 +48,7 @@ def export_fmu(
     *,
     version: int = 3,
     platforms: Sequence[str] = (),
-    parameters: Sequence[str] = (),
+    parameters: Parameters = (),
     inputs: Sequence[str] = (),
 ) -> Path:
     """Write a scenario of a model as an FMU; returns its path.
@@ -65,7 +66,8 @@ def export_fmu(
     platforms
         Platforms by their names in FMI 3.0, such as "x86_64-linux"; default: that of this computer.
     parameters, inputs
-        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads.
+        Paths of numbers of the model that become tunable parameters, and inputs besides constant loads. A
+        mapping gives the smallest and largest value of each parameter in SI units, or None.
 
     Raises
     ------
@@ -81,7 +83,7 @@ def export_fmu(
 
 
 def begin_export(
-    model: Model, scenario: str, parameters: Sequence[str] = (), inputs: Sequence[str] = ()
+    model: Model, scenario: str, parameters: Parameters = (), inputs: Sequence[str] = ()
 ) -> tuple[ExportedRun, tuple[Place, ...]]:
     """Started run of a scenario for other programs, and its tunable parameters.
 
@@ -93,7 +95,10 @@ def begin_export(
         As for `export_fmu`.
     """
     run = export_run(compile_model(model, scenario))
-    more, tunable = (tunable_places(model, scenario, run, paths) for paths in (inputs, parameters))
+    ranges = parameters if isinstance(parameters, Mapping) else {}
+    given = {path: limits for path, limits in ranges.items() if limits is not None}
+    more = tunable_places(model, scenario, run, inputs)
+    tunable = tunable_places(model, scenario, run, list(parameters), given)
     return replace(run, inputs=(*run.inputs, *more)), tunable
 
 
@@ -130,11 +135,18 @@ def fmu_model(
     channels = run.system.layout.channels
     variables = [
         *(Variable(OUTPUT, c.name, c.unit, c.long_name, k) for k, c in enumerate(channels)),
-        *(Variable(INPUT, p.name, p.unit, p.text, start=p.start, words=p.words) for p in run.inputs),
-        *(Variable(PARAMETER, p.name, p.unit, p.text, start=p.start, words=p.words) for p in tunable),
+        *(_settable(INPUT, p) for p in run.inputs),
+        *(_settable(PARAMETER, p) for p in tunable),
+        *(_settable(SPEED, p) for p in run.drives),
+        *_accelerations(run),
         Variable(TIME, "time", "s", "time"),
         *_state_variables(run),
     ]
+    settable = {v.name: k for k, v in enumerate(variables)}
+    balancing = [(spin, settable.get(f"loads.{load}.torque", -1)) for spin, load in run.rest.balancing]
+    rest = run.rest
+    if any(variable < 0 for _, variable in balancing):
+        rest, balancing = ExportedRest(), []
     return FmuModel(
         identifier(name),
         title,
@@ -148,7 +160,31 @@ def fmu_model(
         run.t0 + run.duration,
         run.sample,
         run.shafts,
+        {
+            "entries_of_matrix": [x for row in rest.entries for x in row],
+            "free": rest.free,
+            "free_balancing": rest.free_balancing,
+            "balancing": [x for pair in balancing for x in pair],
+            "spins": rest.spins,
+        },
+        [x for pair in zip(rest.times, rest.weights, strict=True) for x in pair],
     )
+
+
+def _settable(kind: int, p: Place) -> Variable:
+    """Variable of a number that the importing program may change."""
+    return Variable(kind, p.name, p.unit, p.text, 0, p.start, p.words, p.least, p.most)
+
+
+def _accelerations(run: ExportedRun) -> list[Variable]:
+    """Derivatives of the speeds of drives as inputs, if the unit is for model exchange."""
+    text = "derivative of the prescribed speed, for model exchange"
+    return [
+        Variable(
+            ACCELERATION, f"{p.name.rpartition('.')[0]}.acceleration", f"{p.unit}^2", text, words=p.words
+        )
+        for p in (run.drives if run.numbers["exchange"] else ())
+    ]
 
 
 def _state_variables(run: ExportedRun) -> list[Variable]:
@@ -158,10 +194,11 @@ def _state_variables(run: ExportedRun) -> list[Variable]:
     rates = [(f"rate[{name}]", f"{unit}/s") for name, unit in run.states]
     slopes = [unit for _, unit in rates] + [f"{unit}/s^2" for _, unit in run.states]
     both = [*places, *rates]
+    values = [*run.state.q.tolist(), *run.state.v.tolist()]
     texts = ["joint coordinate"] * n + ["rate of a joint coordinate"] * n
     events = run.system.layout.events
     return [
-        *(Variable(STATE, name, unit, texts[k], k) for k, (name, unit) in enumerate(both)),
+        *(Variable(STATE, name, unit, texts[k], k, values[k]) for k, (name, unit) in enumerate(both)),
         *(
             Variable(SLOPE, f"der({name})", slopes[k], f"derivative of {name}", k)
             for k, (name, _) in enumerate(both)
@@ -171,27 +208,3 @@ def _state_variables(run: ExportedRun) -> list[Variable]:
             for k, e in enumerate(run.indicators)
         ),
     ]
-
-
-def live_text(run: ExportedRun, tunable: Sequence[Place], title: str) -> tuple[str, int]:
-    """Live page of a started run, and the size of its code [bytes].
-
-    Parameters
-    ----------
-    run, tunable
-        From `begin_export`.
-    title
-        Title of the page.
-    """
-    from pitchpoint.core.compiler.portable import NARROW
-
-    unit = fmu_model(run, tunable, "live", title, NARROW)
-    code = web_assembly(unit)
-    rows = [
-        {"name": v.name, "unit": v.unit, "reference": k, "start": v.start}
-        for k, v in enumerate(unit.variables)
-    ]
-    settable = [row for row, v in zip(rows, unit.variables, strict=True) if v.is_set]
-    outputs = [row for row, v in zip(rows, unit.variables, strict=True) if v.kind == OUTPUT]
-    times = {"start": run.t0, "sample": STEPS * run.h}
-    return live_page(title, code, token=unit.token, settable=settable, outputs=outputs, **times), len(code)

@@ -48,15 +48,48 @@ def estimate_communication_error(model: Model, scenario: str, *, progress: Progr
     SolverError
         If a run fails.
     """
-    periods = {n: c.period for n, c in model.controllers.items() if isinstance(c, FmuController)}
+    model = with_samples(model, scenario)
+    coarse = solve_time(compile_model(model, scenario), progress=progress)
+    return finer_run(model, scenario, coarse, progress=progress)
+
+
+def with_samples(model: Model, scenario: str) -> Model:
+    """Model whose samples do not depend on the communication steps: by default the shortest of them.
+
+    Raises
+    ------
+    ModelError
+        If the model has no FMU.
+    """
+    periods = _periods(model)
     if not periods:
         raise ModelError([Message("controllers", "contain no FMU", remedy="name a model with an FMU")])
-    if model.scenarios[scenario].sample_rate is None:  # both runs need the same samples
-        model = model.replace(f"scenarios.{scenario}.sample_rate", 1.0 / min(periods.values()))
-    halved = model.replace_all({f"controllers.{n}.period": 0.5 * period for n, period in periods.items()})
-    coarse, fine = (solve_time(compile_model(each, scenario), progress=progress) for each in (model, halved))
+    if model.scenarios[scenario].sample_rate is not None:
+        return model
+    return model.replace(f"scenarios.{scenario}.sample_rate", 1.0 / min(periods.values()))
+
+
+def finer_run(model: Model, scenario: str, coarse: xr.Dataset, *, progress: Progress = silent) -> xr.Dataset:
+    """Run with half of the communication steps, and its `communication_error`.
+
+    Parameters
+    ----------
+    model, scenario
+        From `with_samples`.
+    coarse
+        Result of the given steps.
+    progress
+        Called with the time reached.
+    """
+    halves = {f"controllers.{n}.period": 0.5 * period for n, period in _periods(model).items()}
+    fine = solve_time(compile_model(model.replace_all(halves), scenario), progress=progress)
     for name in fine.data_vars:
         if fine[name].dims == ("time",):
             error = np.abs(coarse[name].values - fine[name].values).max()
             fine[name].attrs["communication_error"] = float(error)
     return fine
+
+
+def _periods(model: Model) -> dict[str, float]:
+    """Communication step of each FMU [s]."""
+    return {n: c.period for n, c in model.controllers.items() if isinstance(c, FmuController)}

@@ -7,7 +7,7 @@ it: the same code with the same data as `time.run_time`, so that all results hav
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -18,14 +18,16 @@ from pitchpoint.core.compiler.memory_image import MemoryImage
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.fmi.fmu_process import FmuFunction
 from pitchpoint.core.kernel import COMPILING, address
-from pitchpoint.elements.kind import DRIVE, FORCE, TORQUE
-from pitchpoint.elements.signal import CONSTANT
+from pitchpoint.elements.kind import DRIVE
+from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.exported_rest import ExportedRest, exported_rest
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
+from pitchpoint.solvers.input_places import Place, drive_places, load_places, shafts
 from pitchpoint.solvers.inputs_outputs import coordinate_units
 from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import loop_of, run_time, scenario_of
@@ -45,27 +47,6 @@ RATE = 200.0
 """Rate of the constraint stabilisation of single evaluations [1/s], as in `explicit.runge_kutta`."""
 WORDS = {FmuFunction: "an FMU", LibraryLaw: "a controller library"}
 """Words for functions of controllers."""
-
-
-@dataclass(frozen=True)
-class Place:
-    """Number in the memory of a model that may be changed: a load, at a word of the image.
-
-    Parameters
-    ----------
-    name, unit, text
-        Name, unit and description.
-    start
-        Value in the image.
-    words
-        Offset of a word, and its change per unit of the value.
-    """
-
-    name: str
-    unit: str
-    text: str
-    start: float
-    words: tuple[tuple[int, float], ...]
 
 
 @dataclass(frozen=True)
@@ -92,13 +73,17 @@ class ExportedRun:
         Duration and sample period of the scenario [s]; 100 steps without a sample rate.
     inputs
         Constant loads of the model file.
+    drives
+        Constant speeds of drives; their words are the offsets of the records.
     states
         Names and units of the coordinates.
     indicators
         Event functions of contacts and of sticking: zero where forces have a jump or kink. Functions of the
         mesh phase are not among them, because they jump where a pair of teeth follows the next.
     shafts
-        Input of every constant torque, and its body.
+        Variables of every shaft with a torque or a drive, see `input_places.shafts`.
+    rest
+        Data for the initial equilibrium.
     """
 
     system: System
@@ -113,9 +98,11 @@ class ExportedRun:
     duration: float
     sample: float
     inputs: tuple[Place, ...]
+    drives: tuple[Place, ...]
     states: tuple[tuple[str, str], ...]
     indicators: tuple[int, ...]
-    shafts: tuple[tuple[str, str], ...]
+    shafts: tuple[tuple[str, str, str, str], ...]
+    rest: ExportedRest
 
 
 def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
@@ -158,9 +145,11 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         float(chosen.duration or 0.0),
         (every if chosen.sample_rate else 100) * h,
         tuple(load_places(start.system, image.at)),
+        tuple(drive_places(start.system, image.at)),
         tuple(coordinate_units(start.system).items()),
         _indicators(start.system),
-        tuple(_shafts(start.system)),
+        tuple(shafts(start.system)),
+        exported_rest(start.system, start.state, chosen),
     )
 
 
@@ -198,13 +187,24 @@ def check_exportable(system: System, scenario: Scenario) -> None:
                 "cannot be exported",
                 scenario.method,
                 " | ".join(FIXED_METHODS),
-                "select one of these methods with fixed steps",
+                f"use {instead_of(scenario.method)}, with the step in `step`",
             )
         )
     if not COMPILING:
         problems.append(Message("NUMBA_DISABLE_JIT", "disables the compiler", remedy="unset it"))
     if problems:
         raise ModelError(problems)
+
+
+def instead_of(method: str) -> str:
+    """Method with fixed steps for a model that a method with variable steps suits.
+
+    Examples
+    --------
+    >>> instead_of("runge_kutta"), instead_of("dassl")
+    ('adams', 'generalized_alpha')
+    """
+    return "adams" if method in EXPLICIT_METHODS else "generalized_alpha"
 
 
 def started(system: System, scenario: Scenario) -> Start:
@@ -229,14 +229,15 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     """Sizes, offsets and flags of a run, by name."""
     at = image.at
     fields = _order_fields(scenario)
-    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam")}
+    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr", "R", "A")}
     found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}
     found |= {"order": at["order"], "size": len(image.data)}
     found |= {"slope_at": SLOPE_AT, "past": equal_steps.PAST, "valid": VALID}
     found["implicit"] = int(scenario.method == "generalized_alpha")
-    found["driven"] = int(bool(system.kinds(DRIVE)))
+    drives = sum(len(system.records[kind]) for kind in system.kinds(DRIVE))
+    found["driven"] = int(drives > len(drive_places(system, at)))
     # the rotation vector of a tumbling body needs a new reference attitude after half a turn
     found["exchange"] = int(not np.any(system.program["body"]["chart"] >= 0))
     return found
@@ -253,51 +254,3 @@ def _indicators(system: System) -> tuple[int, ...]:
     wanted = {*FUNCTIONS["contact"], *FUNCTIONS["stick_slip"]}
     events = enumerate(system.layout.events)
     return tuple(k for k, event in events if event.name.partition("[")[0] in wanted)
-
-
-def load_places(system: System, at: Mapping[str, int]) -> list[Place]:
-    """Constant loads of a system as inputs.
-
-    Parameters
-    ----------
-    system
-        The system.
-    at
-        Offset of each of its arrays, see `system.image.offsets`.
-    """
-    found = []
-    for role in (TORQUE, FORCE):
-        for kind in system.kinds(role):
-            bank = system.records[kind]
-            base, width = at[f"records.{kind}"], bank.dtype.itemsize
-            value = bank.dtype.fields["value"][1]  # type: ignore[index]
-            for k, label in enumerate(system.names[kind]):
-                if bank[k]["form"] == CONSTANT and bank[k]["ramp"] == 0.0:
-                    name, unit, text = _load_words(role, label)
-                    words = ((base + k * width + value, 1.0),)
-                    found.append(Place(name, unit, text, float(bank[k]["value"]), words))
-    return found
-
-
-def _shafts(system: System) -> Iterator[tuple[str, str]]:
-    """Input of every torque, and its body."""
-    for kind in system.kinds(TORQUE):
-        for record, label in zip(system.records[kind], system.names[kind], strict=True):
-            yield _load_words(TORQUE, label)[0], system.layout.bodies[int(record["i"])]
-
-
-def _load_words(role: str, label: str) -> tuple[str, str, str]:
-    """Name, unit and description of a load.
-
-    Examples
-    --------
-    >>> _load_words("torque", "drive")
-    ('loads.drive.torque', 'N m', 'torque about the spin axis')
-    >>> _load_words("force", "rotor.mx")
-    ('loads.rotor.moment_x', 'N m', 'moment x')
-    """
-    if role == TORQUE:
-        return f"loads.{label}.torque", "N m", "torque about the spin axis"
-    load, _, part = label.rpartition(".")
-    word, unit = ("moment", "N m") if part.startswith("m") else ("force", "N")
-    return f"loads.{load}.{word}_{part[-1]}", unit, f"{word} {part[-1]}"

@@ -7,7 +7,6 @@ equal time steps; the method restarts after a change of an input. The loop is th
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -18,16 +17,17 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import Message, ModelError, SolverError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers.exported_run import Place, export_run, load_places, started
+from pitchpoint.solvers.exported_run import export_run, instead_of, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.sampled_control import begin_anew
+from pitchpoint.solvers.stepper_inputs import StepperInputs
 from pitchpoint.solvers.time import Loop, scenario_of
 from pitchpoint.solvers.tunable import tunable_places
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.compile import compile_model
-from pitchpoint.system.image import arrays_of, offsets, word_at
+from pitchpoint.system.image import arrays_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,37 +121,28 @@ class Stepper:
         chosen = scenario_of(system, None)
         if chosen.method not in FIXED_METHODS:
             where, limit = f"scenarios.{scenario}.method", " | ".join(FIXED_METHODS)
-            raise ModelError(
-                [Message(where, "has variable steps", chosen.method, limit, "select one with fixed steps")]
-            )
+            remedy = f"use {instead_of(chosen.method)}"
+            raise ModelError([Message(where, "has variable steps", chosen.method, limit, remedy)])
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
         self._loop = Loop(started(system, chosen), chosen, self._record)
         self._system = self._loop.system
-        places = self._places(model, scenario, inputs)
+        self._inputs = StepperInputs(self._system, self._more_places(model, scenario, inputs))
         self._arrays = arrays_of(self._system)
-        at, _ = offsets(self._arrays)
-        self._words = {p.name: [(word_at(self._arrays, at, o), s) for o, s in p.words] for p in places}
-        self._base = {name: [float(word[0]) for word, _ in words] for name, words in self._words.items()}
-        self._start = {p.name: p.start for p in places}
-        self._values = dict(self._start)
         self._jumped, self._stale, self._failure = False, False, ""
         channels = self._system.layout.channels
         self._index = {c.name: k for k, c in enumerate(channels)}
-        self.units = {p.name: p.unit for p in places} | {c.name: c.unit for c in channels}
+        self.units = self._inputs.units | {c.name: c.unit for c in channels}
         self._loop.begin()
         sampler = self._loop.sampler
         if sampler is not None and sampler.status != OK:
             raise SolverError(self._loop.sentence(sampler.status), sampler.status)
 
-    def _places(self, model: Model, scenario: str, paths: Sequence[str]) -> list[Place]:
-        """Inputs: constant loads, and numbers of the model."""
-        at, _ = offsets(arrays_of(self._system))
-        more: Sequence[Place] = ()
-        if paths:
-            run = export_run(compile_model(model, scenario))
-            more = tunable_places(model, scenario, run, paths)
-        return [*load_places(self._system, at), *more]
+    def _more_places(self, model: Model, scenario: str, paths: Sequence[str]) -> Sequence[Place]:
+        """Inputs that are numbers of the model."""
+        if not paths:
+            return ()
+        return tunable_places(model, scenario, export_run(compile_model(model, scenario)), paths)
 
     @property
     def t(self) -> float:
@@ -161,7 +152,7 @@ class Stepper:
     @property
     def inputs(self) -> dict[str, float]:
         """Present value of each input."""
-        return dict(self._values)
+        return dict(self._inputs.values)
 
     @property
     def events(self) -> list[tuple[float, str, int]]:
@@ -182,23 +173,7 @@ class Stepper:
         ModelError
             If a name is not an input, or a value is not finite; then none is set.
         """
-        problems = []
-        for name, value in values.items():
-            if name not in self._values:
-                listed = ", ".join(self._values) or "there are none: add a constant load, or name `inputs`"
-                known = did_you_mean(name, self._values)
-                problems.append(Message(name, "is not an input", remedy=f"{known}inputs: {listed}"))
-            elif not math.isfinite(value):
-                problems.append(Message(name, "is not a finite number", str(value), remedy="check its law"))
-        if problems:
-            raise ModelError(problems)
-        for name, value in values.items():
-            if float(value) == self._values[name]:
-                continue
-            self._values[name] = float(value)
-            change = float(value) - self._start[name]
-            for (word, slope), base in zip(self._words[name], self._base[name], strict=True):
-                word[0] = base + slope * change
+        if self._inputs.set(values):
             self._jumped = self._stale = True
 
     def advance(self, step: float) -> None:
@@ -219,7 +194,7 @@ class Stepper:
         """
         loop = self._loop
         n = self._division(step)
-        if self._jumped:
+        if self._inputs.lead(self.t, step) or self._jumped:
             self._jumped, status = False, self._restart()
             if status != OK:
                 self._fail(status)
@@ -244,7 +219,7 @@ class Stepper:
             limit = f"> 0, < {MOST * loop.h:.3g} s"
             raise ModelError([Message("communication step", "is out of range", shown, limit)])
         end = loop.t_end - run.t
-        if self._system.kinds(DRIVE) and step > end + SAME * step + 1e-12 * abs(loop.t_end):
+        if self._inputs.ends and step > end + SAME * step + 1e-12 * abs(loop.t_end):
             text = "is longer than the rest of the scenario, for which its drives are defined"
             message = Message("communication step", text, shown, f"{end:.9g} s", "increase its duration")
             raise ModelError([message])
@@ -309,7 +284,7 @@ class Stepper:
             "clock": {k: x for k, x in vars(loop.run_).items() if isinstance(x, int | float)},
             "steps": loop.steps,
             "sampler": None if loop.sampler is None else loop.sampler.save(),
-            "values": dict(self._values),
+            "values": dict(self._inputs.values),
             "flags": (self._jumped, self._stale, self._failure),
             "last": record.last.copy(),
             "lengths": (len(record.times), len(loop.events)),
@@ -346,7 +321,7 @@ class Stepper:
         loop.steps = more["steps"]
         if loop.sampler is not None:
             loop.sampler.restore(more["sampler"])
-        self._values = dict(more["values"])
+        self._inputs.values = dict(more["values"])
         self._jumped, self._stale, self._failure = more["flags"]
         record.last = more["last"].copy()
         points, events = more["lengths"]

@@ -2,22 +2,26 @@
 """Parameters of a model that another program may change: the words of the memory that depend on them.
 
 The model is compiled with four values of the parameter. If every word that changes is an affine function of
-it, these words are all that has to be changed. The result is checked by the accelerations and channels of the
-changed memory against a model that was compiled with another value. Numbers that follow from the start of the
-run, such as balancing torques and damping constants of modal damping ratios, keep their values.
+it, these words are all that has to be changed. Otherwise the words are interpolated by polynomials in a range
+of the parameter, from values at Chebyshev points, and checked between them. The result is also checked by the
+accelerations and channels of the changed memory against a model that was compiled with another value. Numbers
+that follow from the start of the run, such as damping constants of modal damping ratios, keep their values.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import Message, ModelError, PitchpointError
 from pitchpoint.model.numbers import number_at
-from pitchpoint.solvers.exported_run import ExportedRun, Place
+from pitchpoint.solvers.exported_run import ExportedRun
+from pitchpoint.solvers.input_places import Place, polynomial
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.image import arrays_of, word_at
@@ -37,10 +41,22 @@ Accelerations are differences of large forces, and words differ by round-off fro
 GROUPS = ("records.", "pool.", "program.")
 """Arrays that may depend on a parameter: elements, tables, bodies."""
 
+DEGREE = 8
+"""Degree of the polynomials; for the centre distance of a pair in 0.2 % their error is round-off."""
+BETWEEN = np.array([-0.87, -0.31, 0.06, 0.55, 0.93])
+"""Points of a range from -1 to 1 at which the polynomials are checked."""
+RANGES = (0.2, 0.05, 0.01, 0.002)
+"""Ranges that are tried, relative to the value of the file; the first with sufficient accuracy is taken."""
+
+Array = NDArray[np.float64]
 Words = dict[str, NDArray[np.int64]]
+Found = tuple[tuple[int, tuple[float, ...]], ...]
+Ranges = Mapping[str, tuple[float, float]]
 
 
-def tunable_places(model: Model, scenario: str, run: ExportedRun, paths: Sequence[str]) -> tuple[Place, ...]:
+def tunable_places(
+    model: Model, scenario: str, run: ExportedRun, paths: Sequence[str], ranges: Ranges | None = None
+) -> tuple[Place, ...]:
     """Places of parameters in the memory of a run.
 
     Parameters
@@ -51,71 +67,181 @@ def tunable_places(model: Model, scenario: str, run: ExportedRun, paths: Sequenc
         Started run of the scenario.
     paths
         Paths of the parameters in the model file.
+    ranges
+        Smallest and largest value by path, where polynomials are required; default: the largest of `RANGES`.
 
     Raises
     ------
     ModelError
-        If a path is not a number, or a word depends on it in another way.
+        If a path is not a number, or a word depends on it in a way that cannot be represented, or two
+        parameters change the same word and do not add.
     """
-    return tuple(_place(model, scenario, run, path) for path in paths)
+    wanted = ranges or {}
+    found = tuple(_place(model, scenario, run, path, wanted.get(path)) for path in paths)
+    for k, place in enumerate(found):
+        for other in found[:k]:
+            if {offset for offset, _ in place.words} & {offset for offset, _ in other.words}:
+                _check_sum(model, scenario, run, other, place)
+    return found
 
 
-def _place(model: Model, scenario: str, run: ExportedRun, path: str) -> Place:
+def _place(
+    model: Model, scenario: str, run: ExportedRun, path: str, limits: tuple[float, float] | None
+) -> Place:
     found = number_at(model, path)
     if found is None:
         raise ModelError([Message(path, "is not a number of the model", remedy="name a number")])
-    value, unit = found
-    values = [value + change * (abs(value) or 1.0) for change in CHANGES]
-    variants = [_variant(model, scenario, path, each) for each in values]
-    fixed = {*run.image.moved, *(offset for offset, _ in run.code)}
-    fixed |= {offset for place in run.inputs for offset, _ in place.words}
-    words = _affine([_words(system) for system in variants], values, run, fixed, path)
-    if not words:
-        raise ModelError([Message(path, "changes nothing but inputs", remedy="leave it fixed")])
-    place = Place(path, unit or "1", "parameter of the model file", value, words)
-    _check(run, variants, place, values[2])
-    return place
+    start, unit = found
+    texts = (unit or "1", "parameter of the model file", start)
+    study = _Study(model, scenario, run, path)
+    values = [start + change * (abs(start) or 1.0) for change in CHANGES]
+    if limits is None and (words := study.affine(values)) is not None:
+        place = Place(path, *texts, words)
+        study.check(place, values[2])
+        return place
+    tried = [limits] if limits else [_around(start, share) for share in RANGES]
+    for least, most in tried:
+        try:
+            place = Place(path, *texts, study.interpolated(start, least, most), least, most)
+            study.check(place, least + 0.8 * (most - least))
+        except ModelError:
+            if (least, most) == tried[-1]:
+                raise
+        except PitchpointError as error:
+            if (least, most) == tried[-1]:
+                raise _refused(path, str(error)) from error
+        else:
+            return place
+    raise AssertionError(path)
 
 
-def _variant(model: Model, scenario: str, path: str, value: float) -> System:
-    """System with another value of the parameter."""
-    system = compile_model(model.replace(path, value), scenario)
+def _around(start: float, share: float) -> tuple[float, float]:
+    """Range around a value."""
+    room = share * (abs(start) or 1.0)
+    return start - room, start + room
+
+
+@dataclass(frozen=True)
+class _Study:
+    """Compilations of a model with several values of a parameter."""
+
+    model: Model
+    scenario: str
+    run: ExportedRun
+    path: str
+
+    @cached_property
+    def fixed(self) -> set[int]:
+        """Offsets of addresses and of inputs, which do not belong to a parameter."""
+        found = {*self.run.image.moved, *(offset for offset, _ in self.run.code)}
+        return found | {offset for place in self.run.inputs for offset, _ in place.words}
+
+    def system(self, value: float) -> System:
+        """System with another value of the parameter."""
+        return _variant(self.model.replace(self.path, value), self.scenario)
+
+    def changed(self, variants: Sequence[Words]) -> dict[int, Array]:
+        """Offset of every word that depends on the parameter, and its values, the first of the file."""
+        first, own = variants[0], np.frombuffer(self.run.image.data, np.int64)
+        sizes = [{n: len(w) for n, w in each.items()} for each in variants]
+        if any(each != sizes[0] for each in sizes):
+            raise _refused(self.path, "changes the structure of the model")
+        found = {}
+        for name, bits in first.items():
+            moved = np.any([other[name] != bits for other in variants[1:]], axis=0)
+            for k in np.flatnonzero(moved).tolist():
+                offset = self.run.image.at[name] + 8 * k
+                if offset in self.fixed:
+                    continue
+                if int(own[offset // 8]) != int(bits[k]):
+                    place = f"{name.partition('.')[2]}+{8 * k}"
+                    raise _refused(self.path, f"changes data that are not numbers of elements ({place})")
+                found[offset] = np.array([other[name][k] for other in variants]).view(np.float64)
+        if not found:
+            raise ModelError([Message(self.path, "changes nothing but inputs", remedy="leave it fixed")])
+        return found
+
+    def affine(self, values: Sequence[float]) -> Found | None:
+        """Words and slopes if all are affine functions of the parameter, else None.
+
+        None too if the model cannot be compiled with one of the values.
+        """
+        try:
+            variants = [_words(self.system(value)) for value in values]
+        except PitchpointError:
+            return None
+        words = []
+        for offset, y in self.changed(variants).items():
+            slope = (y[2] - y[3]) / (values[2] - values[3])
+            straight = y[0] + slope * (np.array(values) - values[0])
+            if not np.allclose(y, straight, rtol=STRAIGHT, atol=STRAIGHT * np.abs(y).max()):
+                return None
+            words.append((offset, (float(slope),)))
+        return tuple(words)
+
+    def interpolated(self, start: float, least: float, most: float) -> Found:
+        """Words and coefficients of polynomials in a range, checked between the points."""
+        if not least < most or not least <= start <= most:
+            remedy = "give a range around the value of the model file"
+            limit = f"{least:g} to {most:g}"
+            raise ModelError([Message(self.path, "is out of its range", f"{start:g}", limit, remedy)])
+        half, middle = 0.5 * (most - least), 0.5 * (most + least)
+        nodes = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+        values = np.concatenate([[start], middle + half * nodes, middle + half * BETWEEN])
+        x = (values - start) / half
+        rows = np.vander(x[1 : DEGREE + 2], DEGREE + 1, increasing=True)[:, 1:]
+        words = []
+        for offset, y in self.changed([_words(self.system(v)) for v in values.tolist()]).items():
+            rise = y - y[0]
+            c = np.linalg.lstsq(rows, rise[1 : DEGREE + 2], rcond=None)[0]
+            left = np.polynomial.polynomial.polyval(x, [0.0, *c]) - rise
+            if not np.isfinite(y).all() or np.abs(left).max() > STRAIGHT * np.abs(y).max():
+                what = f"changes a number that is not a smooth function of it from {least:g} to {most:g}"
+                raise _refused(self.path, f"{what} ({self.run.image.place(offset)})")
+            words.append((offset, tuple((c / half ** np.arange(1, DEGREE + 1)).tolist())))
+        return tuple(words)
+
+    def check(self, place: Place, value: float) -> None:
+        """Compare the memory with a changed parameter with a model that was compiled with it."""
+        _compare(self.run, self.system(place.start), self.system(value), ((place, value),))
+
+
+def _compare(run: ExportedRun, plain: System, other: System, changes: Sequence[tuple[Place, float]]) -> None:
+    """Refuse parameters whose words do not have the effect of a compilation with their values."""
+    mine, other = run.system.copy(), other.copy()
+    for place, value in changes:
+        _write(mine, run.image.at, [(o, polynomial(c, value - place.start)) for o, c in place.words])
+    _write(other, run.image.at, _from_the_start(run, plain), replaced=True)
+    results = [_response(system, run.state) for system in (mine, other)]
+    for a, b in zip(*results, strict=True):
+        size = float(np.abs(b).max(initial=0.0))
+        if not np.allclose(a, b, rtol=ALIKE, atol=ALIKE * size):
+            names = " with ".join(place.name for place, _ in changes)
+            raise _refused(names, "has effects that do not follow from the numbers of the elements")
+
+
+def _check_sum(model: Model, scenario: str, run: ExportedRun, one: Place, two: Place) -> None:
+    """Refuse two parameters that change the same words, unless their effects add."""
+    changes = [
+        (p, p.start + 0.3 * (min(p.most, p.start + (abs(p.start) or 1.0)) - p.start)) for p in (one, two)
+    ]
+    both = model
+    for place, value in changes:
+        both = both.replace(place.name, value)
+    _compare(run, _variant(model, scenario), _variant(both, scenario), changes)
+
+
+def _variant(model: Model, scenario: str) -> System:
+    """Compiled system of a model."""
+    system = compile_model(model, scenario)
     system.workspace  # noqa: B018 - writes addresses of tables to the records
     return system
 
 
 def _words(system: System) -> Words:
     """Words of all arrays that may depend on a parameter."""
-    found = {n: a for n, a in arrays_of(system).items() if n.startswith((*GROUPS, "keep."))}
+    found = {n: a for n, a in arrays_of(system).items() if n.startswith(GROUPS)}
     return {name: np.frombuffer(array.tobytes(), np.int64) for name, array in found.items()}
-
-
-def _affine(
-    variants: Sequence[Words], values: Sequence[float], run: ExportedRun, fixed: Collection[int], path: str
-) -> tuple[tuple[int, float], ...]:
-    """Offset and slope of every word that depends on the parameter."""
-    first, found = variants[0], []
-    if any(
-        {n: len(w) for n, w in other.items()} != {n: len(w) for n, w in first.items()} for other in variants
-    ):
-        raise _refused(path, "changes the structure of the model")
-    own = np.frombuffer(run.image.data, np.int64)
-    for name, bits in first.items():
-        moved = np.any([other[name] != bits for other in variants[1:]], axis=0)
-        for k in np.flatnonzero(moved).tolist():
-            offset = run.image.at[name] + 8 * k
-            if offset in fixed:
-                continue
-            y = np.array([other[name][k] for other in variants]).view(np.float64)
-            slope = (y[2] - y[3]) / (values[2] - values[3])
-            straight = y[0] + slope * (np.array(values) - values[0])
-            where = f"{name.partition('.')[2]}+{8 * k}"
-            if name.startswith("keep.") or int(own[offset // 8]) != int(bits[k]):
-                raise _refused(path, f"changes data that are not numbers of elements ({where})")
-            if not np.allclose(y, straight, rtol=STRAIGHT, atol=STRAIGHT * np.abs(y).max()):
-                raise _refused(path, f"changes a number that is not an affine function of it ({where})")
-            found.append((offset, float(slope)))
-    return tuple(found)
 
 
 def _refused(path: str, what: str) -> ModelError:
@@ -123,19 +249,6 @@ def _refused(path: str, what: str) -> ModelError:
         "leave it fixed, or give quantities that depend on it as values, such as damping instead of a ratio"
     )
     return ModelError([Message(path, what, remedy=remedy)])
-
-
-def _check(run: ExportedRun, variants: Sequence[System], place: Place, value: float) -> None:
-    """Compare the memory with a changed parameter with a model that was compiled with it, at the start."""
-    mine, other = run.system.copy(), variants[2].copy()
-    change = value - place.start
-    _write(mine, run.image.at, [(offset, slope * change) for offset, slope in place.words])
-    _write(other, run.image.at, _from_the_start(run, variants[0]), replaced=True)
-    results = [_response(system, run.state) for system in (mine, other)]
-    for a, b in zip(*results, strict=True):
-        size = float(np.abs(b).max(initial=0.0))
-        if not np.allclose(a, b, rtol=ALIKE, atol=ALIKE * size):
-            raise _refused(place.name, "has effects that do not follow from the numbers of the elements")
 
 
 def _from_the_start(run: ExportedRun, compiled: System) -> list[tuple[int, float]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Live page of a model: one HTML file in which the compiled model runs, with sliders and curves."""
+"""Live page of a model: one HTML file in which the compiled model runs, with sliders, curves and scene."""
 
 from __future__ import annotations
 
@@ -10,9 +10,12 @@ from html import escape
 from typing import Any
 
 from pitchpoint.viz import theme
+from pitchpoint.viz.report.page import POLICY as PAGE_POLICY
 from pitchpoint.viz.report.page import asset
+from pitchpoint.viz.scene.content import Scene
+from pitchpoint.viz.scene.page import scene_elements
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval'"
+POLICY = PAGE_POLICY.replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval'")
 CURVES = 3
 """Number of curves."""
 FIRST = ("mesh_force", "deflection", "speed", "torque", "angle", "displacement", "signal")
@@ -28,6 +31,8 @@ def live_page(
     outputs: Sequence[Mapping[str, Any]],
     start: float,
     sample: float,
+    scene: Scene | None = None,
+    follow: Mapping[str, Any] | None = None,
 ) -> str:
     """Complete HTML document; it needs no network and no server.
 
@@ -43,6 +48,8 @@ def live_page(
         Variables with `name`, `unit`, `reference`; those that can be set also with `start`.
     start, sample
         Start time and time between two samples [s].
+    scene, follow
+        Scene of the model, and how its bodies and forces follow (`report.scene.live`); None: no scene.
     """
     data = {
         "token": token,
@@ -51,6 +58,7 @@ def live_page(
         "start": start,
         "sample": sample,
         "shown": first_channels([str(each["name"]) for each in outputs]),
+        "follow": follow,
     }
     variables = {
         mode: "".join(f"--pp-{key}:{value};" for key, value in colours.items())
@@ -73,11 +81,20 @@ def live_page(
         '<button id="reset">Reset</button><label>Speed '
         '<input id="pace" type="range" min="-5" max="0" step="0.1" ></label>'
         '<span id="status" role="status"></span></div></header>\n'
-        '<main><div id="controls"></div><div id="plots"></div></main>\n'
+        f'<main><div id="controls"></div><div>{_view(scene)}<div id="plots"></div></div></main>\n'
         f'<script type="application/json" id="pp-model">{described}</script>\n'
         f'<script type="text/plain" id="pp-code">{packed}</script>\n'
         f"<script>{asset('live.js')}</script></body></html>\n"
     )
+
+
+def _view(scene: Scene | None) -> str:
+    """Element of the scene with its data and script; empty without a scene."""
+    if scene is None:
+        return ""
+    colours = "".join(f"--pp-force-{part}:{colour};" for part, colour in theme.FORCE_PARTS.items())
+    script = f"<script>{asset('viewer.js')}</script>"
+    return f'<div id="scene" style="{colours}"></div>{scene_elements(scene)}{script}'
 
 
 def first_channels(names: Sequence[str]) -> list[int]:

@@ -163,3 +163,36 @@ def test_a_model_without_shapes_is_an_empty_scene(tmp_path: Path) -> None:
     assert run_command(["view", str(model), "-o", str(tmp_path / "fixed.html"), "-q"]) == 0
     (scene,) = scenes(tmp_path / "fixed.html")
     assert scene.header["solids"] == []
+
+
+def test_a_model_that_runs_in_the_page(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One file with the compiled model, its scene and the sliders that are offered."""
+    pytest.importorskip("ziglang", reason="ziglang is not installed (extra fmi)")
+    model, page = result.with_name("pair.yaml"), result.with_name("live.html")
+    assert run_command(["view", str(model), "--live", "--scenario", "steady", "-o", str(page)]) == 0
+    printed = capsys.readouterr().out
+    assert "meshes.stage.center_distance" in printed and "live page written to" in printed
+    text = page.read_text(encoding="utf-8")
+    (scene,) = scenes(page)
+    assert [a["name"] for a in scene.header["arrows"]] == ["stage"]
+    assert '"follow": {' in text and "'wasm-unsafe-eval'" in text
+    assert not re.search(r"<(script|link|img|iframe)[^>]*(src|href)=", text)
+    assert page.stat().st_size < 2e6
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("pair.h5", "--live"), "is a result; --live requires a model"),
+        (("pair.yaml", "--live", "--modes", "2"), "--live cannot be combined with --modes"),
+        (
+            ("pair.yaml", "--parameter", "meshes.stage.backlash.normal"),
+            "--parameter has no effect without --live",
+        ),
+        (("pair.yaml", "--set", "bodies.a.mass=2 kg"), "--set has no effect without --live"),
+    ],
+)
+def test_what_a_live_page_is_not(arguments, words, result: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, *options = arguments
+    assert run_command(["view", str(result.with_name(file)), *options]) == 2
+    assert words in capsys.readouterr().err

@@ -199,8 +199,31 @@ def test_a_set_point_of_the_model_file_is_an_input():
         go_on(one, 20, 2e-3)
     assert stepper.value("speed[fan]") == pytest.approx(other.value("speed[fan]"), rel=1e-12)
     assert stepper.value("speed[fan]") > 30.0
+
+
+def test_the_speed_of_a_drive_is_an_input():
+    """Linear in a communication step: the angle is the area; a table of speeds ends with the scenario."""
+    stepper = pp.Stepper(pp.load_model(text=DRIVEN), "steady")
+    first = stepper.inputs["drive.motor.speed"]
+    stepper.advance(0.15)  # constant speeds have no end
+    angle = stepper.value("angle[motor]")
+    assert angle == pytest.approx(0.15 * first, rel=1e-9)
+    stepper.set({"drive.motor.speed": first + 8.0})
+    state = stepper.save()
+    ends = []
+    for _ in range(2):
+        stepper.restore(state)
+        stepper.advance(0.02)
+        assert stepper.value("angle[motor]") - angle == pytest.approx(0.02 * (first + 4.0), rel=1e-8)
+        stepper.advance(0.01)  # it keeps the speed
+        assert stepper.value("speed[motor]") == pytest.approx(first + 8.0, rel=1e-9)
+        ends.append(list(stepper.outputs().values()))
+    assert same_bits(*ends)
+    table = DRIVEN.replace("speed: 1000 rpm", "speed: {table: [[0 s, 1000 rpm], [0.1 s, 1100 rpm]]}")
+    stepper = pp.Stepper(pp.load_model(text=table), "steady")
+    assert list(stepper.inputs) == ["loads.brake.torque"]
     with pytest.raises(pp.ModelError, match="drives are defined"):
-        stepper.advance(0.07)
+        stepper.advance(0.11)
 
 
 def test_a_hundred_steppers_do_not_disturb_each_other():

@@ -144,7 +144,7 @@ def strange(tmp_path_factory):
 
 
 @pytest.mark.parametrize("version", [2, 3])
-def test_our_own_fmu_couples_to_first_order(version, tmp_path):
+def test_our_own_fmu_couples_to_first_order(version, tmp_path, capsys):
     """A shaft between two programs, against the same machine in one model."""
     pytest.importorskip("fmpy", reason="fmpy is not installed (extra fmi)")
     need_linker()
@@ -161,7 +161,21 @@ def test_our_own_fmu_couples_to_first_order(version, tmp_path):
     estimated = pp.estimate_communication_error(model, "run")["speed[rotor]"]
     assert np.abs(estimated.values - whole).max() == errors[-1]
     assert estimated.attrs["communication_error"] == pytest.approx(errors[-1], rel=0.1)
+    arguments = ["run", str(tmp_path / "model.yaml"), "-o", str(tmp_path / "out.h5"), "--allow-code"]
+    assert run_command([*arguments, "--communication-error", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["communication_error"]["speed[rotor]"]
+    own = 2.0 * estimated.attrs["communication_error"]
+    assert found == pytest.approx(own, rel=1e-3)  # the file has single precision
+    assert run_command([*arguments, "--communication-error"]) == 0
+    assert "speed[rotor]" in capsys.readouterr().out.partition("error of the communication steps")[2]
     assert not processes()
+
+
+def test_the_communication_error_needs_an_fmu(tmp_path, capsys):
+    (tmp_path / "model.yaml").write_text(WHOLE)
+    arguments = ["run", str(tmp_path / "model.yaml"), "-o", str(tmp_path / "out.h5"), "--communication-error"]
+    assert run_command(arguments) == 2
+    assert "controllers: contain no FMU" in capsys.readouterr().err
 
 
 def test_units_and_the_communication_points(strange):
@@ -251,6 +265,26 @@ def test_a_stepper_cannot_save_the_state_of_an_fmu(strange):
     assert stepper.value("signal[torque]") > 190.0
     with pytest.raises(pp.PitchpointError, match=r"state of the FMU strange.fmu cannot be saved"):
         stepper.save()
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_a_stepper_saves_the_state_of_an_fmu_that_can(version, tmp_path):
+    """Our own unit: the restored run has the same bits, also after another load."""
+    pytest.importorskip("fmpy", reason="fmpy is not installed (extra fmi)")
+    need_linker()
+    pp.export_fmu(pp.load_model(text=GENERATOR), tmp_path / "generator.fmu", "run", version=version)
+    (tmp_path / "model.yaml").write_text(ROTOR.replace("FILE", "generator.fmu"))
+    stepper = pp.Stepper(pp.load_model(tmp_path / "model.yaml", allow_code=True), "run")
+    stepper.advance(0.02)
+    state, ends = stepper.save(), []
+    for wind in (100.0, 500.0, 100.0):
+        stepper.restore(state)
+        stepper.set({"loads.wind.torque": wind})
+        stepper.advance(0.04)
+        ends.append(list(stepper.outputs().values()))
+    assert ends[0] == ends[2] != ends[1]
+    del stepper, state
+    assert not processes()
 
 
 def test_without_the_importer(tmp_path, monkeypatch):

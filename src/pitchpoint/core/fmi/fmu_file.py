@@ -94,6 +94,8 @@ class FmuFile:
         Entry of the library for this computer.
     variables
         Variables by name.
+    saves
+        Whether it can save and restore its state.
     """
 
     path: str
@@ -102,6 +104,7 @@ class FmuFile:
     identifier: str
     library: str
     variables: Mapping[str, FmuVariable]
+    saves: bool = False
 
     def extract(self, folder: Path) -> None:
         """Write all entries to a folder; the entries are checked again."""
@@ -173,7 +176,9 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
         raise FmuFileError("needs the program that exported it", remedy="export it with its solver inside")
     identifier = interface.get("modelIdentifier") or ""
     token = root.get("guid" if version == "2." else "instantiationToken") or ""
-    return FmuFile(path, int(version[0]), token, identifier, _library(entries, identifier), _variables(root))
+    saves = "true" in (interface.get("canGetAndSetFMUstate"), interface.get("canGetAndSetFMUState"))
+    library = _library(entries, identifier)
+    return FmuFile(path, int(version[0]), token, identifier, library, _variables(root), saves)
 
 
 def _opened(path: str) -> zipfile.ZipFile:

@@ -115,12 +115,16 @@ class FmuProcess:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
+        self.states = 0
         self._answers: queue.Queue[bytes] = queue.Queue()
         threading.Thread(target=_listen, args=(self._process.stdout, self._answers), daemon=True).start()
         self.close = weakref.finalize(self, _end, self._process, self._folder)
 
-    def __deepcopy__(self, memo: Any) -> FmuProcess:
-        raise FmuError(f"the state of the FMU {Path(self.file.path).name} cannot be saved")
+    def __deepcopy__(self, memo: Any) -> _SavedUnit:
+        """Saved state of the unit, whose copy restores it: states of controllers are saved as copies."""
+        if not self.file.saves:
+            raise FmuError(f"the state of the FMU {Path(self.file.path).name} cannot be saved")
+        return _SavedUnit(self)
 
     def begin(self, request: dict[str, Any]) -> list[float]:
         """Instantiate and initialise the unit; returns its outputs.
@@ -177,6 +181,34 @@ class FmuProcess:
             raise FmuError(f"the FMU {name} has failed: {found['failed']}")
         values: list[float] = found["values"]
         return values
+
+
+class _SavedUnit:
+    """State of a unit in its process; released with this object.
+
+    Parameters
+    ----------
+    process
+        Process of the unit.
+    """
+
+    def __init__(self, process: FmuProcess) -> None:
+        self.process = process
+        process.states += 1
+        self.number = process.states
+        process.call({"save": self.number})
+        weakref.finalize(self, _release, process, self.number)
+
+    def __deepcopy__(self, memo: Any) -> FmuProcess:
+        self.process.call({"restore": self.number})
+        return self.process
+
+
+def _release(process: FmuProcess, number: int) -> None:
+    """Delete a saved state, if the process still exists."""
+    with suppress(FmuError):
+        if process.close.alive:
+            process.call({"release": number})
 
 
 def _listen(answers: IO[bytes], waiting: queue.Queue[bytes]) -> None:

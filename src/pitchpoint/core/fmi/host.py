@@ -40,9 +40,11 @@ def main() -> None:
         try:
             if unit is None:
                 unit = _Unit(request, messages)
-            else:
+            elif "h" in request:
                 unit.messages = messages
                 unit.step(request)
+            else:
+                unit.keep(request)
             answer: dict[str, Any] = {"values": unit.values()}
         except Exception as error:  # noqa: BLE001 - whatever happens is reported
             answer = {"failed": "; ".join([str(error) or type(error).__name__, *messages[-1:]])}
@@ -72,6 +74,7 @@ class _Unit:
     def __init__(self, request: dict[str, Any], messages: list[str]) -> None:
         self.messages = messages
         self.version = request["version"]
+        self.states: dict[int, Any] = {}
         self.inputs, self.outputs = request["inputs"], request["outputs"]
         names = {"guid": request["token"], "modelIdentifier": request["identifier"], "instanceName": "unit"}
         where = {"unzipDirectory": sys.argv[1], "libraryPath": request["library"]}
@@ -121,6 +124,16 @@ class _Unit:
                 raise RuntimeError(f"it has stopped within the step, at {reached:.9g} s")
         self._set_inputs(request["values"])
 
+    def keep(self, request: dict[str, Any]) -> None:
+        """Save, restore or release a state of a number."""
+        word = "FMUstate" if self.version == 2 else "FMUState"
+        if "save" in request:
+            self.states[request["save"]] = getattr(self.unit, f"get{word}")()
+        elif "restore" in request:
+            getattr(self.unit, f"set{word}")(self.states[request["restore"]])
+        else:
+            getattr(self.unit, f"free{word}")(self.states.pop(request["release"]))
+
     def _set_inputs(self, values: list[float]) -> None:
         self._set([(*variable, value) for variable, value in zip(self.inputs, values, strict=True)])
 
@@ -128,19 +141,18 @@ class _Unit:
         """Set variables, given as type, value reference and value."""
         for kind, reference, value in given:
             exact = _cast(kind, value)
-            getattr(self.unit, f"set{_method(kind)}")([reference], [exact])
+            getattr(self.unit, f"set{self._method(kind)}")([reference], [exact])
+
+    def _method(self, kind: str) -> str:
+        """Type of the functions for a type of variable: enumerations are integers."""
+        return {2: "Integer", 3: "Int64"}[self.version] if kind == "Enumeration" else kind
 
     def values(self) -> list[float]:
         """Present values of the outputs."""
         return [
-            float(getattr(self.unit, f"get{_method(kind)}")([reference])[0])
+            float(getattr(self.unit, f"get{self._method(kind)}")([reference])[0])
             for kind, reference in self.outputs
         ]
-
-
-def _method(kind: str) -> str:
-    """Type of the functions for a type of variable."""
-    return "Integer" if kind == "Enumeration" else kind
 
 
 def _cast(kind: str, value: float) -> Any:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from xml.sax.saxutils import quoteattr
 
@@ -107,9 +108,11 @@ def _variable(model: FmuModel, reference: int, version: int) -> str:
     head = {"name": v.name, "valueReference": str(reference), "description": v.text}
     head |= {"causality": CAUSALITIES[v.kind], "variability": "tunable" if v.is_fixed else "continuous"}
     if not v.is_set and v.kind != TIME:
-        head["initial"] = "calculated"
+        head["initial"] = "exact" if v.kind == STATE else "calculated"
     more = {"unit": v.unit} if v.unit != "1" else {}
-    more |= {"start": repr(v.start)} if v.is_set else {}
+    more |= {"start": repr(v.start)} if v.is_set or v.kind == STATE else {}
+    if v.least > -math.inf:
+        more |= {"min": repr(v.least), "max": repr(v.most)}
     if v.kind == SLOPE:
         state = model.of_kind(STATE)[v.first]
         more["derivative"] = str(references(model, 2).index(state) + 1 if version == 2 else state)
@@ -131,7 +134,7 @@ def _structure_2(model: FmuModel) -> list[str]:
     return [
         *group("Outputs", (OUTPUT,)),
         *group("Derivatives", (SLOPE,)),
-        *group("InitialUnknowns", (OUTPUT, STATE, SLOPE)),
+        *group("InitialUnknowns", (OUTPUT, SLOPE)),
     ]
 
 
@@ -142,7 +145,7 @@ def _structure_3(model: FmuModel) -> list[str]:
         groups = [
             ("Output", (OUTPUT,)),
             ("ContinuousStateDerivative", (SLOPE,)),
-            ("InitialUnknown", (OUTPUT, STATE, SLOPE)),
+            ("InitialUnknown", (OUTPUT, SLOPE)),
             ("EventIndicator", (INDICATOR,)),
         ]
     return [

@@ -4,17 +4,18 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import re
 import uuid
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from pitchpoint.core.compiler.memory_image import MemoryImage
 
-OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR = range(7)
+OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR, SPEED, ACCELERATION = range(9)
 """Kinds of variables, as in `glue/instance.h`."""
-CAUSALITIES = ("output", "input", "parameter", "local", "local", "independent", "local")
+CAUSALITIES = ("output", "input", "parameter", "local", "local", "independent", "local", "input", "input")
 
 
 @dataclass(frozen=True)
@@ -30,9 +31,12 @@ class Variable:
     first
         OUTPUT: index of the channel; STATE, SLOPE, INDICATOR: index of the state or indicator.
     start
-        Start value of an INPUT, PARAMETER or STATE.
+        Start value of a variable that can be set.
     words
-        INPUT and PARAMETER: offset of each word of the memory, and its change per unit.
+        INPUT and PARAMETER: offset of each word of the memory, and coefficients of its change
+        (`solvers.input_places.Place`). SPEED and ACCELERATION: offset of the record of the drive.
+    least, most
+        Range of the value.
     """
 
     kind: int
@@ -41,12 +45,14 @@ class Variable:
     text: str
     first: int = 0
     start: float = 0.0
-    words: tuple[tuple[int, float], ...] = ()
+    words: tuple[tuple[int, tuple[float, ...]], ...] = ()
+    least: float = -math.inf
+    most: float = math.inf
 
     @property
     def is_set(self) -> bool:
         """Whether the importing program sets it."""
-        return self.kind in (INPUT, PARAMETER)
+        return self.kind in (INPUT, PARAMETER, SPEED, ACCELERATION)
 
     @property
     def is_fixed(self) -> bool:
@@ -77,7 +83,9 @@ class FmuModel:
     stop, sample
         End and communication step of the default experiment [s].
     shafts
-        Input of every torque about a spin axis, and its body.
+        Name of every shaft with a torque or a drive, and its torque, angle and speed.
+    rest, instants
+        Integers and instants of the initial equilibrium, by their names in `glue/instance.h`.
     """
 
     name: str
@@ -91,13 +99,17 @@ class FmuModel:
     indicators: tuple[int, ...]
     stop: float
     sample: float
-    shafts: tuple[tuple[str, str], ...] = ()
+    shafts: tuple[tuple[str, str, str, str], ...] = ()
+    rest: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    instants: Sequence[float] = ()
 
     @cached_property
     def token(self) -> str:
         """Identifier of the model: the same for the same memory, code and variables."""
         digest = hashlib.sha256(self.image.data)
-        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables)).encode())
+        digest.update(
+            repr((self.name, self.code, self.numbers, self.reals, self.variables, self.rest)).encode()
+        )
         for symbol, bitcode in self.entries:
             digest.update(symbol.encode() + bitcode)
         return "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"

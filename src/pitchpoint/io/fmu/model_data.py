@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 import struct
+from collections import Counter
 from collections.abc import Iterable
 from importlib.resources import files
 
 from pitchpoint.core.status import sentence
-from pitchpoint.io.fmu.model import FmuModel
+from pitchpoint.io.fmu.model import SPEED, FmuModel, Variable
 
 STATUSES = 18
 """Number of statuses of `core.status` whose sentences are part of an FMU."""
@@ -33,12 +34,20 @@ def number_names() -> tuple[list[str], list[str]]:
 def data_text(model: FmuModel) -> str:
     """LLVM text of the data of a model."""
     symbols = [symbol for symbol, _ in model.entries]
-    places = [(offset, _word(model, offset), slope) for v in model.variables for offset, slope in v.words]
+    words = [(offset, terms) for v in model.variables for offset, terms in v.words]
+    often = Counter(offset for offset, _ in words)
     counts = {
         "n_moved": len(model.image.moved),
         "n_code": len(model.code),
         "n_variables": len(model.variables),
         "n_indicators": len(model.indicators),
+        "n_drives": len(model.of_kind(SPEED)),
+        "n_entries": len(model.rest["entries_of_matrix"]) // 3,
+        "n_free": len(model.rest["free"]),
+        "n_free_balancing": len(model.rest["free_balancing"]),
+        "n_balancing": len(model.rest["balancing"]) // 2,
+        "n_instants": len(model.instants) // 2,
+        "n_spins": len(model.rest["spins"]),
     }
     integers, reals = number_names()
     values = [f"i64 {({**model.numbers, **counts})[n]}" for n in integers]
@@ -51,10 +60,17 @@ def data_text(model: FmuModel) -> str:
     lines.append(_array("pp_moved", "i32", model.image.moved))
     lines.append(_array("pp_code", "i32", (x for pair in model.code for x in pair)))
     lines.append(_array("pp_entries", "ptr", (f"@{symbol}" for symbol in symbols)))
-    lines.append(_array("pp_variables", "{ i64, i64, i64, double }", _variables(model)))
-    rows = (f"{{ i64 {a}, double {_real(b)}, double {_real(c)} }}" for a, b, c in places)
-    lines.append(_array("pp_places", "{ i64, double, double }", rows))
+    lines.append(_array("pp_variables", "{ i64, i64, i64, double, double, double }", _variables(model)))
+    rows, first = [], 0
+    for offset, terms in words:
+        head = f"i64 {offset}, i64 {first}, i64 {len(terms)}, i64 {int(often[offset] > 1)}"
+        rows.append(f"{{ {head}, double {_real(_word(model, offset))} }}")
+        first += len(terms)
+    lines.append(_array("pp_places", "{ i64, i64, i64, i64, double }", rows))
+    lines.append(_array("pp_coefficients", "double", (_real(c) for _, terms in words for c in terms)))
     lines.append(_array("pp_indicators", "i32", model.indicators))
+    lines += [_array(f"pp_{name}", "i32", numbers) for name, numbers in model.rest.items()]
+    lines.append(_array("pp_instants", "double", map(_real, model.instants)))
     lines += [_text(f"pp_sentence_{k}", sentence(k)) for k in range(STATUSES)]
     lines.append(_array("pp_sentences", "ptr", (f"@pp_sentence_{k}" for k in range(STATUSES))))
     lines.append(_constant("pp_n_sentences", "i64", str(STATUSES)))
@@ -66,8 +82,13 @@ def _variables(model: FmuModel) -> Iterable[str]:
     place = 0
     for v in model.variables:
         first = place if v.is_set else v.first
-        yield f"{{ i64 {v.kind}, i64 {first}, i64 {len(v.words)}, double {_real(v.start)} }}"
+        yield f"{{ i64 {v.kind}, i64 {first}, i64 {len(v.words)}, {_range(v)} }}"
         place += len(v.words)
+
+
+def _range(v: Variable) -> str:
+    """Start, least and largest value."""
+    return ", ".join(f"double {_real(x)}" for x in (v.start, v.least, v.most))
 
 
 def _word(model: FmuModel, offset: int) -> float:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Terminals of shafts (FMI 3.0): the torque on a body with its angle and speed, to be connected at once."""
+"""Terminals of shafts (FMI 3.0): torque, angle and speed of a body, to be connected at once.
+
+Of a load the torque is an input, of a drive the speed.
+"""
 
 from __future__ import annotations
 
@@ -14,15 +17,14 @@ def terminals(model: FmuModel) -> str:
     Parameters
     ----------
     model
-        The model; the bodies of its torques are in `shafts`.
+        The model, with its `shafts`.
     """
     names = {v.name for v in model.variables}
     lines = []
-    for torque, body in model.shafts:
-        angle, speed = f"angle[{body}]", f"speed[{body}]"
+    for shaft, torque, angle, speed in model.shafts:
         if {torque, angle, speed} <= names:
             members = (("tau", torque, "inflow"), ("phi", angle, "signal"), ("w", speed, "signal"))
-            lines.append(f'    <Terminal name={quoteattr(torque)} matchingRule="plug">')
+            lines.append(f'    <Terminal name={quoteattr(shaft)} matchingRule="plug">')
             lines += [
                 f"      <TerminalMemberVariable variableName={quoteattr(variable)} "
                 f'memberName="{member}" variableKind="{kind}"/>'

@@ -14,9 +14,10 @@ from pitchpoint.io.fmu.model_data import data_text, glue
 FUNCTIONS = (
     *("malloc", "free", "fmi3InstantiateCoSimulation", "fmi3EnterInitializationMode"),
     *("fmi3ExitInitializationMode", "fmi3DoStep", "fmi3GetFloat64", "fmi3SetFloat64", "fmi3Reset"),
+    "live_frames",
 )
 """Exported functions."""
-_SOURCES = ("instance.h", "co_simulation.h", "model_exchange.h", "fmi3.c")
+_SOURCES = ("instance.h", "co_simulation.h", "equilibrium.h", "model_exchange.h", "fmi3.c", "live.c")
 
 
 def check_web() -> None:
@@ -62,5 +63,5 @@ def web_assembly(model: FmuModel) -> bytes:
         options = ["-target", "wasm32-wasi", "-O2", "-s", "-w", "-mexec-model=reactor", "-fno-sanitize=all"]
         exports = [f"-Wl,--export={function}" for function in FUNCTIONS]
         objects = [f"{part}.o" for part in parts]
-        run_linker([zig(), "cc", *options, *exports, "-o", "model.wasm", "fmi3.c", *objects], folder)
+        run_linker([zig(), "cc", *options, *exports, "-o", "model.wasm", "live.c", *objects], folder)
         return (folder / "model.wasm").read_bytes()

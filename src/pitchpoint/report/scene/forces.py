@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -109,13 +109,24 @@ def _steadied(place: Array) -> Array:
 def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[SceneArrow]:
     """Forces of all bearings on the supported bodies or inner rings: radial, and axial if any."""
     found = []
+    for name, _, place, axes in bearing_places(system, moved):
+        parts = forces.of(*(f"bearing_force[{name}.{c}]" for c in ("fx", "fy", "fz")))
+        if parts is None:
+            continue
+        across = np.einsum("nij,nj->ni", axes[:, :, :2], parts[:, :2])
+        components = {"radial": across, "axial": parts[:, 2, None] * axes[:, :, 2]}
+        if np.abs(parts[:, 2]).max() <= NOTHING * np.abs(parts).max():
+            del components["axial"]
+        found.append(SceneArrow(name=name, kind="bearing", at=_steadied(place), components=components))
+    return found
+
+
+def bearing_places(system: System, moved: Motion) -> Iterator[tuple[str, int, Array, Array]]:
+    """Name, supported body, place (n, 3) and axes of the force (n, 3, 3) of every drawn bearing."""
     for kind, records in system.records.items():
         for record, name in zip(records, system.names.get(kind, ()), strict=False):
             drawn = registry.find(kind).arrow_of(record)
             if not drawn:
-                continue
-            parts = forces.of(*(f"bearing_force[{name}.{c}]" for c in ("fx", "fy", "fz")))
-            if parts is None:
                 continue
             i, j = int(record["i"]), int(record["j"])
             if drawn == "bearing":  # has its own axes
@@ -125,9 +136,4 @@ def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[Scene
                 place = moved.place[:, i] + moved.spinning(i) @ record["p_i"]
                 rest = int(record["rest"])
                 axes = moved.axes[:, rest] @ record["A_rest"] if rest else moved.spinning(j) @ record["A_j"]
-            across = np.einsum("nij,nj->ni", axes[:, :, :2], parts[:, :2])
-            components = {"radial": across, "axial": parts[:, 2, None] * axes[:, :, 2]}
-            if np.abs(parts[:, 2]).max() <= NOTHING * np.abs(parts).max():
-                del components["axial"]
-            found.append(SceneArrow(name=name, kind="bearing", at=_steadied(place), components=components))
-    return found
+            yield name, i, place, axes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Live page: the compiled model runs here; sliders set its inputs and parameters, curves follow.
+// Live page: the compiled model runs here; sliders set its inputs and parameters, curves and scene follow.
 "use strict";
 
 const model = JSON.parse(document.getElementById("pp-model").textContent);
@@ -19,6 +19,7 @@ const text = (s) => {
 const doubles = (at, n) => new Float64Array(code.memory.buffer, at, n);
 const words = (at, n) => new Uint32Array(code.memory.buffer, at, n);
 
+for (const each of model.settable) each.value = each.start;
 const run = {
   one: code.fmi3InstantiateCoSimulation(text("live"), text(model.token), text(""), 0, 0, 0, 0, 0, 0, 0, 0, 0),
   reference: code.malloc(4), value: code.malloc(8), flags: code.malloc(32),
@@ -26,9 +27,19 @@ const run = {
   steps: 0, failed: false,
   begin() {
     code.fmi3EnterInitializationMode(this.one, 0, 0, model.start, 0, 0);
-    for (const each of model.settable) this.set(each.reference, each.value);
-    this.failed = code.fmi3ExitInitializationMode(this.one) !== 0;
+    for (const each of model.settable) {
+      if (!each.references && each.given) this.set(each.reference, each.value);
+      else if (each.references) each.references.forEach((k, i) => this.set(k, each.values[i] * (each.value / each.start)));
+    }
+    this.failed = code.fmi3ExitInitializationMode(this.one) > 1; // 1: no equilibrium was found, the run starts with a transient
     this.steps = 0;
+    // the model has balanced loads that were not given
+    for (const each of model.settable) if (!each.references) each.value = this.read(each.reference);
+  },
+  read(reference) {
+    words(this.reference, 1)[0] = reference;
+    code.fmi3GetFloat64(this.one, this.reference, 1, this.value, 1);
+    return doubles(this.value, 1)[0];
   },
   reset() { code.fmi3Reset(this.one); this.begin(); },
   set(reference, value) {
@@ -65,27 +76,34 @@ const pace = document.getElementById("pace");
 pace.value = Math.min(0, Math.max(-5, Math.log10(200 * model.sample)));  // 200 samples per second
 
 for (const each of model.settable) {
-  const span = Math.abs(each.start) || 1;
-  each.value = each.start;
-  const slider = make("input", { type: "range", min: each.start - span, max: each.start + span, step: span / 200, value: each.start });
-  const number = make("input", { type: "number", step: "any", value: Number(each.start.toPrecision(6)) });
+  const span = Math.abs(each.start) || 1 / each.factor, least = each.least ?? each.start - span, most = each.most ?? each.start + span;
+  const shown = (value) => Number((value * each.factor).toPrecision(6));
+  const slider = make("input", { type: "range", min: 0, max: 400, step: 1, value: (400 * (each.start - least)) / (most - least) });
+  const number = make("input", { type: "number", step: "any", value: shown(each.start) });
   const change = (value) => {
     if (!Number.isFinite(value)) return;
-    each.value = value;
-    run.set(each.reference, value);
-    slider.value = number.value = value;
+    each.value = Math.min(Math.max(value, each.least ?? -Infinity), each.most ?? Infinity);
+    each.given = true;
+    if (each.references) begin();
+    else run.set(each.reference, each.value);
+    each.show();
+  };
+  each.show = () => {
+    slider.value = (400 * (each.value - least)) / (most - least);
+    number.value = shown(each.value);
   };
   slider.setAttribute("aria-label", `${each.name}, slider`);
   number.setAttribute("aria-label", each.name);
-  slider.addEventListener("input", () => change(slider.valueAsNumber));
-  number.addEventListener("change", () => change(number.valueAsNumber));
+  slider.addEventListener("input", () => change(least + (slider.valueAsNumber / 400) * (most - least)));
+  number.addEventListener("change", () => change(number.valueAsNumber / each.factor));
   const unit = each.unit === "1" ? "" : ` ${each.unit}`;
   controls.append(make("div", { className: "control" }, make("span", { textContent: each.name }), make("div", {}, number, make("span", { textContent: unit })), slider));
 }
 
 let running = true;
 button.addEventListener("click", () => { running = !running; show(); });
-document.getElementById("reset").addEventListener("click", () => { run.reset(); clear(); running = true; show(); });
+const begin = () => { run.reset(); clear(); running = true; show(); model.settable.forEach((each) => each.show()); };
+document.getElementById("reset").addEventListener("click", begin);
 const show = () => {
   button.textContent = running && !run.failed ? "Pause" : "Run";
   button.disabled = run.failed;
@@ -158,20 +176,89 @@ const draw = (curve, values) => {
   curve.range.textContent = `${digits(low)} ... ${digits(high)} in the last ${digits(Number((span * 1e3).toPrecision(3)))} ms`;
 };
 
+// ---------------------------------------------------------------------------------------------------- scene
+
+/** Matrix (three rows) of a quaternion x, y, z, w. */
+const rotation = ([x, y, z, w]) => [
+  [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+  [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+  [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+];
+/** Quaternion of a rotation matrix, written to `out`. */
+const quaternion = (r, out) => {
+  const trace = r[0][0] + r[1][1] + r[2][2];
+  const squares = [1 + 2 * r[0][0] - trace, 1 + 2 * r[1][1] - trace, 1 + 2 * r[2][2] - trace, 1 + trace];
+  const k = squares.indexOf(Math.max(...squares)), s = 2 * Math.sqrt(squares[k]);
+  if (k === 3) out.set([(r[2][1] - r[1][2]) / s, (r[0][2] - r[2][0]) / s, (r[1][0] - r[0][1]) / s, s / 4]);
+  else {
+    const i = (k + 1) % 3, j = (k + 2) % 3;
+    out[3] = (r[j][i] - r[i][j]) / s;
+    out[k] = s / 4;
+    out[i] = (r[i][k] + r[k][i]) / s;
+    out[j] = (r[j][k] + r[k][j]) / s;
+  }
+};
+const back = (r, v) => [0, 1, 2].map((k) => r[0][k] * v[0] + r[1][k] * v[1] + r[2][k] * v[2]);
+const product = (a, b) => [0, 1, 2].map((k) => back(a, b.map((row) => row[k]))); // columns of a transposed times b
+/** Origin, axes that do not spin, and angle of a body in the memory of the model. */
+const frameOf = (at, b) => {
+  const { size, r, R, phi } = model.follow.frame, first = at + b * size, m = doubles(first + R, 9);
+  return { r: [...doubles(first + r, 3)], R: [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]], phi: doubles(first + phi, 1)[0] };
+};
+const turned = ({ R, phi }) => {
+  const c = Math.cos(phi), s = Math.sin(phi);
+  return R.map(([x, y, z]) => [c * x + s * y, c * y - s * x, z]);
+};
+const row = (n) => ({ data: new Float64Array(n), shape: [1, n], width: n, count: 1 });
+/** Poses and forces of the present state, as tables of the scene with one row. */
+const poses = (scene) => {
+  const at = code.live_frames(run.one), all = run.get();
+  scene.bodies.forEach((body, k) => {
+    const numbers = model.follow.bodies[k];
+    if (!numbers) return;
+    const own = frameOf(at, numbers[0]), parent = frameOf(at, numbers[1]);
+    const inverse = turned(parent);
+    body.rest ??= rotation(body.axes);
+    body.travel ??= row(3);
+    body.quaternion ??= row(4);
+    body.spin ??= row(1);
+    const place = back(inverse, own.r.map((x, i) => x - parent.r[i]));
+    body.travel.data.set(back(body.rest, place.map((x, i) => x - body.place[i])));
+    const columns = product(inverse, own.R), axes = [0, 1, 2].map((i) => columns.map((column) => column[i]));
+    const relative = product(body.rest, axes);
+    quaternion([0, 1, 2].map((i) => relative.map((column) => column[i])), body.quaternion.data);
+    body.spin.data[0] = own.phi;
+  });
+  scene.arrows.forEach((arrow, k) => {
+    const { state, components } = model.follow.arrows[k];
+    for (const [part, terms] of Object.entries(components)) {
+      const sum = new Float64Array(3);
+      for (const [channel, ...vector] of terms) vector.forEach((x, i) => { sum[i] += x * all[channel]; });
+      arrow.components[part].data = sum;
+    }
+    if (state >= 0) arrow.state.data = Uint8Array.of(Math.round(all[state]) & 255);
+  });
+};
+let scene = false;
+if (model.follow)
+  pitchpointViewer.mount(document.getElementById("scene"), { start: model.follow.start }).then((shown) => { scene = shown; });
+
 // ----------------------------------------------------------------------------------------------------- loop
 
 let before = performance.now(), owed = 0, rate = 0;
 const frame = () => {
   const now = performance.now(), passed = Math.min(now - before, 100) * 1e-3;
   before = now;
+  const room = Math.max(12, 500 * passed); // a slow drawing leaves half of the time to the model
   if (running && !run.failed) {
     owed += (passed * 10 ** Number(pace.value)) / model.sample;
     let done = 0;
-    while (owed >= 1 && performance.now() - now < 12 && run.step()) { keep(); owed -= 1; done += 1; }
+    while (owed >= 1 && performance.now() - now < room && run.step()) { keep(); owed -= 1; done += 1; }
     owed = Math.min(owed, 1);
     rate = 0.9 * rate + (0.1 * done * model.sample) / Math.max(passed, 1e-3);
   }
   curves.forEach((curve, k) => draw(curve, samples.y[k]));
+  if (scene) pitchpointViewer.live(poses);
   const slower = rate > 0 ? `, ${rate >= 0.5 ? "real time" : `${digits(Number((1 / rate).toPrecision(2)))} times slower than real time`}` : "";
   status.textContent = run.failed
     ? `The run has failed at ${digits(run.time)} s: reset it, with smaller changes.`
@@ -179,5 +266,5 @@ const frame = () => {
   show();
   requestAnimationFrame(frame);
 };
-window.live = { run, model };
+window.live = { run, model, poses };
 requestAnimationFrame(frame);

@@ -8,6 +8,8 @@ import re
 import pytest
 
 from pitchpoint.core import status
+from pitchpoint.elements import drive as elements
+from pitchpoint.elements.drive import RECORD
 from pitchpoint.io.fmu import model
 from pitchpoint.io.fmu.glue import make
 from pitchpoint.io.fmu.model_data import STATUSES, glue, number_names
@@ -43,6 +45,11 @@ def test_records_and_codes_are_those_of_the_package():
     assert control and list(CTL.names[:5]) == ["t", "ck", "cd", "cm", "jac"]
     fields = re.search(r"typedef struct \{\n  i64 ([^;]*);\n\} Recorder;", HEADER)[1]
     assert tuple(fields.split(", ")) == RECORDER.names
+    drive = re.search(r"typedef struct \{ i64 ([^;]*); double ([^;]*); \} Drive;", HEADER)
+    names = [*drive[1].split(", "), *drive[2].split(", ")]
+    assert names == list(RECORD.names[: len(names)])
+    assert all(RECORD.fields[name][1] == 8 * k for k, name in enumerate(names))
+    assert all(getattr(elements, name) == value for name, value in enum("RAMP").items())
     assert all(getattr(requests, name) == value for name, value in enum("OBSERVE").items())
     assert all(getattr(status, name) == value for name, value in enum("OK").items())
     assert all(getattr(model, name) == value for name, value in enum("OUTPUT").items())
@@ -52,6 +59,7 @@ def test_records_and_codes_are_those_of_the_package():
 def test_every_number_of_the_header_is_given():
     run = export_run(compile_model(pair("generalized_alpha"), "steady"))
     integers, reals = number_names()
-    counted = {"n_moved", "n_code", "n_variables", "n_indicators"}
+    counted = {"n_moved", "n_code", "n_variables", "n_indicators", "n_drives"}
+    counted |= {"n_entries", "n_free", "n_free_balancing", "n_balancing", "n_instants", "n_spins"}
     assert set(integers) == counted | set(run.numbers)
     assert reals == ["t0", "h", "rate"]

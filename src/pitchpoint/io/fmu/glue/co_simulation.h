@@ -42,6 +42,7 @@ static Status do_step(Instance *f, double t, double size) {
       return fail(f, "the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it");
     change_step(f, h);
   }
+  lead(f, size);
   i64 s = f->c.stale == JUMPED ? restart(f) : OK;
   if (s == OK && n > 1) s = advance(f, n - 1, 0);
   if (s == OK) s = advance(f, 1, 1);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
    Functions of FMI 2.0. */
 #include "co_simulation.h"
+#include "equilibrium.h"
 #include "model_exchange.h"
 typedef int Bool;
 typedef void (*Logger2)(void *, Str, Status, Str, Str, ...);
@@ -20,7 +21,7 @@ API Status fmi2SetupExperiment(Component c, Bool tolerant, double tolerance, dou
   return set_start(c, start);
 }
 API Status fmi2EnterInitializationMode(Component c) { return fOK; }
-API Status fmi2ExitInitializationMode(Component c) { return refresh(c); }
+API Status fmi2ExitInitializationMode(Component c) { return end_start(c); }
 API Status fmi2Terminate(Component c) { return fOK; }
 API Status fmi2Reset(Component c) { begin(c); return fOK; }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
    Functions of FMI 3.0. */
 #include "co_simulation.h"
+#include "equilibrium.h"
 #include "model_exchange.h"
 typedef _Bool Bool;
 typedef void (*Logger3)(void *, Status, Str, Str);
@@ -31,7 +32,7 @@ API void fmi3FreeInstance(Component c) { free_instance(c); }
 API Status fmi3EnterInitializationMode(Component c, Bool tolerant, double tolerance, double start, Bool ends, double end) {
   return set_start(c, start);
 }
-API Status fmi3ExitInitializationMode(Component c) { return refresh(c); }
+API Status fmi3ExitInitializationMode(Component c) { return end_start(c); }
 API Status fmi3Terminate(Component c) { return fOK; }
 API Status fmi3Reset(Component c) { begin(c); return fOK; }
 

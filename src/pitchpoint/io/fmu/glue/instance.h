@@ -19,14 +19,17 @@ extern void *memcpy(void *, const void *, size_t);
 
 /* ------------------------------------------------------------------------------------------------- model */
 
-/* kind OUTPUT: channel `first`; INPUT and PARAMETER: `count` places from `first`; STATE, SLOPE, INDICATOR: index `first` */
-enum { OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR };
-typedef struct { i64 kind, first, count; double start; } Variable;
-/* word at `offset` of the memory = base + slope (value - start of the variable) */
-typedef struct { i64 offset; double base, slope; } Place;
+/* kind OUTPUT: channel `first`; INPUT and PARAMETER: `count` places from `first`; STATE, SLOPE, INDICATOR: index `first`;
+   SPEED, ACCELERATION: place `first` is the record of a drive */
+enum { OUTPUT, INPUT, PARAMETER, STATE, SLOPE, TIME, INDICATOR, SPEED, ACCELERATION };
+typedef struct { i64 kind, first, count; double start, least, most; } Variable;
+/* word at `offset` of the memory = base + c1 d + c2 d^2 + ... with d = value - start of the variable, c from `first`;
+   if it is shared, the changes by several variables add */
+typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
-  i64 size, n_moved, n_code, n_variables, n_indicators;
-  i64 ctl, q, v, a, lam, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
+  i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
+  i64 n_entries, n_free, n_free_balancing, n_balancing, n_instants, n_spins;
+  i64 ctl, q, v, a, lam, fr, R, A, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
   i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
   double t0, h, rate;
 } Numbers;
@@ -38,9 +41,14 @@ extern const u32 pp_moved[], pp_code[]; /* code: offset and number of the entry 
 extern const Entry pp_entries[];        /* 0: the loop, 1: single evaluations */
 extern const Variable pp_variables[];
 extern const Place pp_places[];
+extern const double pp_coefficients[];
 extern const u32 pp_indicators[];       /* event functions that are event indicators */
 extern const char *const pp_sentences[];/* by status of the compiled code */
 extern const i64 pp_n_sentences;
+/* equilibrium: rows, columns and places of the matrix; free coordinates, also while the balancing bodies are held;
+   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time */
+extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[];
+extern const double pp_instants[];
 extern int pp_processor(void);          /* 1: the processor has the instructions of the code */
 
 /* Head of multibody.channels.CTL, solvers.sampling.RECORDER, codes of system.requests and core.status. */
@@ -48,6 +56,9 @@ typedef struct { double t, ck, cd, cm; i64 jac; } Ctl;
 typedef struct {
   i64 every, stride, rows, n_rows, columns, sums, n_sums, counts, n_counts, found, n_found, done, picked, n_picked;
 } Recorder;
+/* Head of elements.drive.RECORD, and its forms. */
+typedef struct { i64 i, j, ii, ij, ji, jj, form, dof_i, spin_i, q_i, linear, row; double angle, speed, since, gain; } Drive;
+enum { RAMP = 3, RATE = 4 };
 enum { OBSERVE = 2, EVENTS = 3, ACCELERATE = 4 };
 enum { OK = 1, NOT_FINITE = 4 };
 
@@ -65,9 +76,10 @@ typedef struct {
   void (*release)(void *);
   void *step_finished, *environment;
 } Callbacks;
+enum { UNCHANGED, VALUES_SET, POSITIONS_SET, BEGUN };
 /* FRESH: channels are those of the state; STALE: to be observed; JUMPED: the forces have changed, too */
 enum { FRESH, STALE, JUMPED };
-typedef struct { double t0, h; i64 steps, stale, failed, exchange; } Clock;
+typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun; } Clock; /* begun: what the initialisation has set, or that it has ended */
 typedef struct {
   Callbacks on;
   Str name;
@@ -119,10 +131,45 @@ static void relocate(Instance *f, const void *image) {
 static void begin(Instance *f) {
   relocate(f, pp_image);
   for (i64 k = 0; k < pp_numbers.n_variables; k++) f->values[k] = pp_variables[k].start;
-  Clock c = {pp_numbers.t0, pp_numbers.h, 0, STALE, 0, f->c.exchange};
+  Clock c = {pp_numbers.t0, pp_numbers.h, 0, STALE, 0, f->c.exchange, 0};
   f->c = c;
 }
+
+/* --------------------------------------------------------------------------------- speeds of drives as inputs */
+
+static Drive *drive_of(Instance *f, i64 k) { return (Drive *)(f->m + pp_places[pp_variables[k].first].offset); }
+/* model exchange: speed and its derivative are those of the inputs at every time */
+static void follow_inputs(Instance *f) {
+  for (i64 k = 0; pp_numbers.n_drives && k < pp_numbers.n_variables; k++) {
+    i64 kind = pp_variables[k].kind;
+    if (kind != SPEED && kind != ACCELERATION) continue;
+    Drive *d = drive_of(f, k);
+    d->form = RATE;
+    d->since = now(f);
+    *(kind == SPEED ? &d->speed : &d->gain) = f->values[k];
+  }
+}
+/* from now on angle, speed and derivative of the speed are given */
+static void turn_on(Instance *f, Drive *d, double angle, double speed, double gain) {
+  d->form = RAMP; d->angle = angle; d->since = now(f); d->speed = speed; d->gain = gain;
+}
+/* co-simulation: the speed varies linearly to its input in the next communication step (solvers.input_places.lead) */
+static void lead(Instance *f, double size) {
+  for (i64 k = 0; pp_numbers.n_drives && k < pp_numbers.n_variables; k++) {
+    if (pp_variables[k].kind != SPEED) continue;
+    Drive *d = drive_of(f, k);
+    double gain = d->form == RAMP ? d->gain : 0.0, x = d->form == RAMP ? now(f) - d->since : now(f);
+    double angle = d->angle + x * (d->speed + 0.5 * gain * x), speed = d->speed + gain * x, value = f->values[k];
+    double change = value - speed, same = 1e-14 * ((value < 0 ? -value : value) + (speed < 0 ? -speed : speed));
+    if (change <= same && -change <= same) speed = value;
+    change = (value - speed) / size;
+    if (change == 0.0 && gain == 0.0) continue;
+    turn_on(f, d, angle, speed, change);
+    f->c.stale = JUMPED;
+  }
+}
 static i64 request(Instance *f, i64 what, i64 where) {
+  if (f->c.exchange) follow_inputs(f);
   Ctl *c = (Ctl *)(f->m + pp_numbers.ctl);
   c->t = now(f); c->jac = 0; c->cm = 0; c->cd = 0;
   c->ck = what == ACCELERATE ? pp_numbers.rate : 0;
@@ -202,16 +249,30 @@ static Status set_start(Instance *f, double start) {
     return fail(f, "the start time must be that of the model description: drives prescribe positions over the time");
   f->c.t0 = start;
   f->c.steps = 0;
-  if (start != pp_numbers.t0) f->c.stale = JUMPED;
+  if (start == pp_numbers.t0) return fOK;
+  f->c.stale = JUMPED;
+  for (i64 k = 0; pp_numbers.n_drives && k < pp_numbers.n_variables; k++) {
+    if (pp_variables[k].kind != SPEED) continue;
+    Drive *d = drive_of(f, k);
+    turn_on(f, d, d->angle + pp_numbers.t0 * d->speed, d->speed, 0.0);
+  }
   return fOK;
 }
 
+/* a coordinate or rate of the model */
+static double *state_at(Instance *f, i64 i) {
+  i64 nd = pp_numbers.nd;
+  return reals(f, i < nd ? pp_numbers.q : pp_numbers.v) + (i < nd ? i : i - nd);
+}
 static Status get_numbers(Instance *f, const VR *vr, size_t n, double *value) {
   for (size_t k = 0; k < n; k++) {
     if (vr[k] >= pp_numbers.n_variables) return fail(f, "no variable with a floating-point value has this value reference");
     const Variable *v = pp_variables + vr[k];
     if (v->kind == TIME) { value[k] = now(f); continue; }
-    if (v->kind == INPUT || v->kind == PARAMETER) { value[k] = f->values[vr[k]]; continue; }
+    if (v->kind == INPUT || v->kind == PARAMETER || v->kind == SPEED || v->kind == ACCELERATION) {
+      value[k] = f->values[vr[k]];
+      continue;
+    }
     if (v->kind == INDICATOR) {
       if (request(f, EVENTS, address(f->m + pp_numbers.ev1)) != OK) return fDiscard;
       value[k] = reals(f, pp_numbers.ev1)[pp_indicators[v->first]];
@@ -221,23 +282,55 @@ static Status get_numbers(Instance *f, const VR *vr, size_t n, double *value) {
     if (s != fOK) return s;
     i64 i = v->first, nd = pp_numbers.nd;
     if (v->kind == OUTPUT) value[k] = f->row[i];
-    else if (v->kind == STATE) value[k] = reals(f, i < nd ? pp_numbers.q : pp_numbers.v)[i < nd ? i : i - nd];
+    else if (v->kind == STATE) value[k] = *state_at(f, i);
     else value[k] = reals(f, i < nd ? pp_numbers.v : pp_numbers.a)[i < nd ? i : i - nd];
   }
   return fOK;
 }
+static double change_by(Instance *f, i64 variable, const Place *p) {
+  double change = f->values[variable] - pp_variables[variable].start, sum = 0.0;
+  for (i64 k = p->first + p->count; k-- > p->first;) sum = (sum + pp_coefficients[k]) * change;
+  return sum;
+}
+/* words of an input or parameter */
+static void put(Instance *f, i64 variable) {
+  const Variable *v = pp_variables + variable;
+  for (const Place *p = pp_places + v->first; p < pp_places + v->first + v->count; p++) {
+    double sum = 0.0;
+    for (i64 k = 0; p->shared && k < pp_numbers.n_variables; k++) {
+      const Variable *w = pp_variables + k;
+      if (w->kind != INPUT && w->kind != PARAMETER) continue;
+      for (const Place *r = pp_places + w->first; r < pp_places + w->first + w->count; r++)
+        if (r->offset == p->offset) sum += change_by(f, k, r);
+    }
+    *reals(f, p->offset) = p->base + (p->shared ? sum : change_by(f, variable, p));
+  }
+}
 static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *value) {
   for (size_t k = 0; k < n; k++) {
     i64 kind = vr[k] < pp_numbers.n_variables ? pp_variables[vr[k]].kind : OUTPUT;
-    if (kind != INPUT && kind != PARAMETER) return fail(f, "this variable is neither an input nor a parameter");
+    if (kind == STATE && f->c.begun == BEGUN) return fail(f, "coordinates and rates can be set before the end of the initialisation only");
+    if (kind == OUTPUT || kind == SLOPE || kind == TIME || kind == INDICATOR)
+      return fail(f, "this variable is neither an input nor a parameter");
     if (!finite_number(value[k])) return fail(f, "an input or parameter is not finite");
+    if (value[k] < pp_variables[vr[k]].least || value[k] > pp_variables[vr[k]].most)
+      return fail(f, "a parameter is out of the range in its description");
   }
   for (size_t k = 0; k < n; k++) {
     const Variable *v = pp_variables + vr[k];
+    if (v->kind == STATE) {
+      if (*state_at(f, v->first) == value[k]) continue;
+      *state_at(f, v->first) = value[k];
+      f->c.stale = JUMPED;
+      if (v->first < pp_numbers.nd) f->c.begun = POSITIONS_SET;
+      else if (f->c.begun == UNCHANGED) f->c.begun = VALUES_SET;
+      continue;
+    }
     if (f->values[vr[k]] == value[k]) continue;
     f->values[vr[k]] = value[k];
-    for (const Place *p = pp_places + v->first; p < pp_places + v->first + v->count; p++)
-      *reals(f, p->offset) = p->base + p->slope * (value[k] - v->start);
+    if (f->c.begun == UNCHANGED) f->c.begun = VALUES_SET;
+    if (v->kind == INPUT || v->kind == PARAMETER) put(f, vr[k]);
+    else if (!f->c.exchange) continue; /* speeds of drives change in the next communication step */
     f->c.stale = JUMPED;
   }
   return fOK;

@@ -77,8 +77,7 @@ static Status add(Instance *f, const VR *by, size_t n, const double *seed, doubl
     const Variable *v = pp_variables + by[k];
     double change = share * seed[k];
     if (v->kind == STATE) {
-      i64 i = v->first, nd = pp_numbers.nd;
-      reals(f, i < nd ? pp_numbers.q : pp_numbers.v)[i < nd ? i : i - nd] += change;
+      *state_at(f, v->first) += change;
       f->c.stale = JUMPED;
     } else {
       double value = f->values[by[k]] + change;
@@ -93,7 +92,8 @@ static Status directional(Instance *f, const VR *of, size_t n_of, const VR *by, 
   if (!f->c.exchange) return fail(f, "directional derivatives are for instances of model exchange");
   for (size_t k = 0; k < n_by; k++) {
     i64 kind = by[k] < pp_numbers.n_variables ? pp_variables[by[k]].kind : OUTPUT;
-    if (kind != STATE && kind != INPUT && kind != PARAMETER) return fail(f, "a known is neither a state nor an input or parameter");
+    if (kind == OUTPUT || kind == SLOPE || kind == TIME || kind == INDICATOR)
+      return fail(f, "a known is neither a state nor an input or parameter");
     if (!finite_number(seed[k])) return fail(f, "a seed is not finite");
     if (seed[k] != 0.0 && change_of(f, by[k], seed[k]) < share) share = change_of(f, by[k], seed[k]);
   }
