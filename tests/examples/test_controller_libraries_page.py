@@ -24,10 +24,8 @@ SPEED = 12.1 * RPM
 TORQUE = 5.0e6 / 0.944 / 122.9097
 
 
-def part(language: str) -> str:
-    found = re.search(rf"^```{language}\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
-    assert found is not None
-    return found[1]
+def part(language: str, number: int = 0) -> str:
+    return re.findall(rf"^```{language}\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)[number]
 
 
 @pytest.fixture(scope="module")
@@ -77,22 +75,45 @@ def test_grid_fault(results: Path) -> None:
 
 def test_emergency_stop(results: Path) -> None:
     t, speed, air, friction, pitch = read(
-        results, "emergency_stop", "speed[rotor]", "signal[air]", "signal[friction]", "signal[pitch]"
+        results, "emergency_stop", "speed[rotor]", "signal[air]", "signal[brake_torque]", "signal[pitch]"
     )
     assert f"rises to {speed.max() / RPM:.1f} rpm" in WORDS
-    # the pitch drive at its largest rate
-    assert np.diff(pitch).max() == pytest.approx(math.radians(8.0) * 0.0125, rel=1e-4)  # float32
+    # the pitch drive at its largest rate; a step after a jump of the demand has an error of second order
+    change, most = np.diff(pitch), math.radians(8.0) * 0.0125
+    assert np.median(change[(t[1:] > 11.0) & (t[1:] < 15.0)]) == pytest.approx(most, rel=1e-4)  # float32
+    assert change.max() == pytest.approx(most, rel=0.01)
     # without torque of the air, dry friction of 1.5 MN m: the speed falls at a constant rate
     alone = (air == 0.0) & (t > 14.0) & (speed > 0.05)
     slope = np.polyfit(t[alone], speed[alone], 1)[0]
-    assert slope == pytest.approx(-1.5e6 / J, rel=1e-6)
+    # the tolerance of the iteration, 1e-11 m at 0.05 m/rad, is up to 3e-8 rad/s per step of 4e-4 rad/s
+    assert slope == pytest.approx(-1.5e6 / J, rel=2e-5)
     still = t[np.argmax(speed < 0.004)]
     assert f"stops the rotor at {still:.1f} s" in WORDS
     # energy: what the air and friction did is the change of kinetic energy, with the generator before
     with open_result(results / "turbine-emergency_stop.h5") as data:
-        total = data["signal[air]"] + data["signal[electric]"] + data["signal[friction]"]
+        total = data["signal[air]"] + data["signal[electric]"] + data["signal[brake_torque]"]
         work = float((total * data["speed[rotor]"]).integrate("time"))
     assert work == pytest.approx(-0.5 * J * SPEED**2, rel=1e-3)
+
+
+def test_a_converter_in_python(results: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No torque in the fault, a recovery with 20 kN m/s, and the speed that follows from the torques."""
+    monkeypatch.chdir(results)
+    (results / "converter.py").write_text(part("python"), encoding="utf-8")
+    lines = part("yaml").splitlines(keepends=True)
+    text = "".join(line for line in lines if not line.startswith("  torque: {type: rate_limit"))
+    text = text.replace("controllers:\n", part("yaml", 1))
+    (results / "converter.yaml").write_text(text, encoding="utf-8")
+    assert run_command(["run", "converter.yaml", "-s", "grid_fault", "--allow-code"]) == 0
+    with open_result("converter-grid_fault.h5") as data:
+        t, torque, speed = (data[name].values for name in ("time", "signal[torque]", "speed[rotor]"))
+        total = (data["signal[air]"] + data["signal[electric]"]).sel(time=slice(9.0, 11.9))
+        gain = float(total.integrate("time"))
+    assert np.all(torque[(t > 10.03) & (t < 10.15)] == 0.0)
+    rising = (t > 10.3) & (t < 12.1)
+    assert np.polyfit(t[rising], torque[rising], 1)[0] == pytest.approx(20e3, rel=2e-3)
+    begun, ended = speed[(t >= 9.0) & (t <= 11.9)][[0, -1]]
+    assert J * (ended - begun) == pytest.approx(gain, rel=0.02) and ended > 1.03 * begun
 
 
 def test_table_of_records() -> None:
@@ -103,7 +124,7 @@ def test_table_of_records() -> None:
 def test_python_of_the_page(results: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(results)
     found: dict[str, float] = {}
-    exec(part("python"), found)
+    exec(part("python", 1), found)
     assert found["torque"] == pytest.approx(5e6 / 0.944 / 122.91, rel=1e-6)
     assert found["pitch"] == pytest.approx(
         0.1312418 + (0.018 + 0.008 * 0.0125) * (122.91 - 122.9097), rel=1e-5

@@ -54,6 +54,9 @@ void DISCON(float *r, int *fail, const char *in, char *out, char *message)
         integral += 0.02 * (double)r[2] * error;
         demand = 0.05 * error + integral;
         r[44] = (float)(demand < 0.0 ? 0.0 : demand > 1.5 ? 1.5 : demand);
+    } else if (strcmp(what, "individual.in") == 0) { /* each blade by its root moment */
+        for (k = 0; k < 3; k++)
+            r[41 + k] = r[27] * (0.1f + 2e-3f * r[29 + k] + 0.5f * r[k == 0 ? 3 : 31 + k]);
     } else if (strcmp(what, "late.in") == 0 && r[1] < 0.045f) {
         r[46] = 1.0f;
     } else if (strcmp(what, "crash.in") == 0 || strcmp(what, "late.in") == 0) {
@@ -107,7 +110,8 @@ def input_file(folder: Path, what: str) -> Path:
 
 
 def processes_of_controllers() -> list[str]:
-    """Processes of controllers that run now, as listed by ps."""
+    """Processes of controllers that run now, with this library or one in the working directory."""
     listed = subprocess.run(["ps", "-ww", "-eo", "pid,args"], capture_output=True, text=True, check=True)
-    mine = str(discon_library())
-    return [line for line in listed.stdout.splitlines() if "host.py" in line and mine in line]
+    mine = (str(discon_library()), str(Path.cwd() / "libprobe.so"))
+    lines = listed.stdout.splitlines()
+    return [line for line in lines if "host.py" in line and any(library in line for library in mine)]

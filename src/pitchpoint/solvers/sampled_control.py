@@ -11,15 +11,18 @@ from __future__ import annotations
 
 import copy
 import math
+from contextlib import ExitStack
 from fractions import Fraction
 from typing import Any
 
 from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.implicit.force_jump import continue_after_jump
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
-from pitchpoint.system.requests import RESIDUAL, send_request
+from pitchpoint.system.controller import SampledController
 from pitchpoint.system.signals import kind_of_signals
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
@@ -67,12 +70,14 @@ class Sampler:
 
     def close(self) -> None:
         """End the controllers; processes of libraries end too."""
-        for controller, state in zip(self.system.controllers, self._states, strict=True):
-            if controller.finish is not None:
-                self.notes += tuple(
-                    note(f"{_named(self.system, controller.name)[1]} {remark}")
-                    for remark in controller.finish(state)
-                )
+        with ExitStack() as stack:  # an interrupted end does not keep the others
+            for controller, state in zip(self.system.controllers, self._states, strict=True):
+                stack.callback(self._finish, controller, state)
+
+    def _finish(self, controller: SampledController, state: Any) -> None:
+        if controller.finish is not None:
+            where = _named(self.system, controller.name)[1]
+            self.notes += tuple(note(f"{where} {remark}") for remark in controller.finish(state))
 
     def next(self) -> float:
         """Time of the next instant [s]."""
@@ -87,11 +92,18 @@ class Sampler:
         return self.t0 + self._calls[k] * self.system.controllers[k].period
 
     def follow(self, run: Any) -> int:
-        """Make the updates due at the time of a run; restart it if a force jumps. Returns the status."""
+        """Make the updates due at the time of a run, and continue it after the jumps of the forces."""
         if self.next() > run.t + self._room():
             return OK
         self.status, changed = self.update(run.t)
-        return begin_anew(run) if changed else self.status
+        if not changed:
+            return self.status
+        if not isinstance(run, generalized_alpha.Run):
+            return begin_anew(run)
+        forces = self.system.workspace.R
+        before = forces.copy()
+        status = signals.evaluate_signals(self.system, run.t)
+        return status if status != OK else continue_after_jump(run, forces - before)
 
     def save(self) -> dict[str, Any]:
         """Copy of all that changes from call to call, for `restore`."""
@@ -108,7 +120,7 @@ class Sampler:
         """Make the updates due at the state in the workspace; returns the status and if an output changed."""
         system = self.system
         room = self._room()
-        status = send_request(system.workspace, RESIDUAL, t)
+        status = signals.evaluate_signals(system, t)
         if status != OK:
             return status, False
         due = [k for k in range(len(self._calls)) if self._instant(k) <= t + room]

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, ModelError, SolverError
+from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.solvers.controller_end import EndsControllers
 from pitchpoint.solvers.exported_run import export_run, instead_of, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.input_places import Place
@@ -67,8 +68,8 @@ class StepperState:
     _more: Mapping[str, Any] = field(repr=False)
 
 
-class Stepper:
-    """Run that is advanced step by step, for co-simulation.
+class Stepper(EndsControllers):
+    """Run that is advanced step by step, for co-simulation; a context that ends its controllers.
 
     Parameters
     ----------
@@ -126,8 +127,13 @@ class Stepper:
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
         self._loop = Loop(started(system, chosen), chosen, self._record)
+        self._end_with(self._loop.sampler)
         self._system = self._loop.system
-        self._inputs = StepperInputs(self._system, self._more_places(model, scenario, inputs))
+        try:
+            self._inputs = StepperInputs(self._system, self._more_places(model, scenario, inputs))
+        except ModelError:
+            self.close()
+            raise
         self._arrays = arrays_of(self._system)
         self._jumped, self._stale, self._failure = False, False, ""
         channels = self._system.layout.channels
@@ -136,6 +142,7 @@ class Stepper:
         self._loop.begin()
         sampler = self._loop.sampler
         if sampler is not None and sampler.status != OK:
+            self.close()
             raise SolverError(self._loop.sentence(sampler.status), sampler.status)
 
     def _more_places(self, model: Model, scenario: str, paths: Sequence[str]) -> Sequence[Place]:
@@ -212,6 +219,8 @@ class Stepper:
     def _division(self, step: float) -> int:
         """Number of time steps of a communication step; changes the time step if necessary."""
         loop, run = self._loop, self._loop.run_
+        if self.closed:
+            raise SolverError("the stepper is closed: its controllers have ended", NOT_FINITE)
         if self._failure:
             raise SolverError(f"the run has failed before ({self._failure}): restore a state", NOT_FINITE)
         shown = f"{step:.9g} s"
@@ -338,6 +347,8 @@ class Stepper:
         width = len(channels) if channels is not None and len(channels) else len(self._index)
         rows = np.array(record.rows).reshape(len(record.times), width)
         attrs = attributes(self._system, self._loop.scenario.method, step=self._loop.h)
+        if self._loop.sampler is not None:
+            attrs["notes"] = join_notes(self._loop.sampler.notes)
         stored = None if channels is None or not len(channels) else channels.tolist()
         data = channel_dataset(self._system, "time", np.array(record.times), rows, attrs, stored)
         data["time"].attrs = {"units": "s", "long_name": "time"}

@@ -112,8 +112,7 @@ def run_time(
     begin = start or with_vibration_losses(prepare_start(system, chosen), chosen, run_time)
     forget_contacts(begin.system)  # trial states of the start do not count
     loop = Loop(begin, chosen, sink, channels)
-    status = loop.run(progress)
-    return loop.summary(status, time.perf_counter() - begun)
+    return loop.summary(loop.run(progress), time.perf_counter() - begun)
 
 
 def loop_of(method: str) -> Any:
@@ -148,40 +147,40 @@ class Loop:
         self.adaptive = scenario.method in ERROR_METHODS
         self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples are interpolated in steps
         self.h, self.every = choose_step(start, scenario)
-        self.steps = 0
-        self.diverged = ""
+        self.steps, self.diverged = 0, ""
         self.sampler: Sampler | None = None
         if self.system.controllers:
             from pitchpoint.solvers.sampled_control import Sampler  # imported on demand
 
             self.sampler = Sampler(self.system, start.state)
-            if not self.dense:
-                self.h, self.every = self.sampler.common_step(self.h, scenario.sample_rate)
+        try:
+            self.run_: Any = self._begun(scenario)
+        except BaseException:  # an interrupt too
+            self.close()
+            raise
+
+    def _begun(self, scenario: Scenario) -> Any:
+        """Start the method."""
+        if self.sampler is not None and not self.dense:
+            self.h, self.every = self.sampler.common_step(self.h, scenario.sample_rate)
         if scenario.method in STIFF_METHODS:
-            self.run_: Any = self._stiff()
-            return
+            return self._stiff()
         if scenario.method == "kinematics":
             from pitchpoint.solvers.kinematics import KinematicRun
 
-            self.run_ = KinematicRun(self.system, start.state, self.h)
-            return
+            return KinematicRun(self.system, self.start.state, self.h)
         if not self.adaptive:
-            self.run_ = start_fixed_steps(self.system, start.state, scenario, self.h)
             self.more = {"picked": self.channels} if scenario.method in EXPLICIT_METHODS else {}
-            return
+            return start_fixed_steps(self.system, self.start.state, scenario, self.h)
         from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
 
-        # absolute tolerances scale with rtol; otherwise they would limit the accuracy
-        rtol = scenario.tolerance
-        self.run_ = runge_kutta.start_adaptive(
-            self.system,
-            start.state,
-            rtol=rtol,
-            atol=1e-4 * rtol,
-            atol_rate=rtol,
-            largest_step=largest_step(start, scenario),
+        rtol = scenario.tolerance  # absolute tolerances scale with it, or they would limit the accuracy
+        most = largest_step(self.start, scenario)
+        run = runge_kutta.start_adaptive(
+            self.system, self.start.state, rtol=rtol, atol=1e-4 * rtol, atol_rate=rtol, largest_step=most
         )
-        self.run_.watch(self.watch.ends)
+        run.watch(self.watch.ends)
+        return run
 
     def _stiff(self) -> Any:
         """Start a run of a BDF method."""
@@ -209,16 +208,19 @@ class Loop:
 
     def run(self, progress: Progress) -> int:
         """Advance to the end of the scenario; returns the status."""
-        self.begin()
         try:
-            if self.sampler is not None and self.sampler.status != OK:
-                return self.sampler.status
-            return self._dense(progress) if self.dense else self._fixed(progress)
+            self.begin()
+            ready = OK if self.sampler is None else self.sampler.status
+            return ready if ready != OK else self._dense(progress) if self.dense else self._fixed(progress)
         except KeyboardInterrupt:
             return INTERRUPTED
         finally:
-            if self.sampler is not None:
-                self.sampler.close()
+            self.close()
+
+    def close(self) -> None:
+        """End the controllers."""
+        if self.sampler is not None:
+            self.sampler.close()
 
     def _fixed(self, progress: Progress) -> int:
         total, rest = whole_steps(self.t_end - self.t0, self.h)
@@ -227,8 +229,7 @@ class Loop:
         n = 1000
         while self.run_.steps < total:
             begun = time.perf_counter()
-            stop = settle if self.run_.steps < settle else total
-            take = min(n, stop - self.run_.steps)
+            take = min(n, (settle if self.run_.steps < settle else total) - self.run_.steps)
             if self.sampler is not None:
                 take = min(take, self.sampler.steps(self.run_.t, self.h))
             sums = None if self.run_.steps < settle else self.sums.copy()
@@ -383,11 +384,10 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     settled = chosen.statistics_start
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
-    notes = (*done.notes, *sample_notes(system, chosen, done, chosen.sample_rate))
-    attrs |= {"steps": done.steps, "notes": join_notes(notes)}
-    attrs["contact_solver"] = json.dumps(done.contact_solver)
-    times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
-    data = channel_dataset(system, "time", times, rows, attrs, stored)
+    attrs |= {"steps": done.steps, "contact_solver": json.dumps(done.contact_solver)}
+    attrs["notes"] = join_notes((*done.notes, *sample_notes(system, chosen, done, chosen.sample_rate)))
+    times = np.concatenate(memory.times)
+    data = channel_dataset(system, "time", times, np.concatenate(memory.rows), attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}
     for name, numbers in ((n, x) for n, x in done.channels.items() if n in data):
         data[name].attrs["statistics"] = [numbers[key] for key in ("mean", "rms", "min", "max")]

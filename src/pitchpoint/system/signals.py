@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -12,10 +13,13 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError, Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.system.controller import SampledController
+from pitchpoint.system.requests import RESIDUAL, send_request
+from pitchpoint.system.residual import RECORDS
 from pitchpoint.system.system import System, assemble
 
 OBSERVED = "use the name of a result channel"
@@ -100,6 +104,39 @@ def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
     slots = [int(system.records[kind]["slot"][labels.index(name)]) for name in names]
     found: NDArray[np.float64] = system.pools[kind][slots].copy()
     return found
+
+
+@contextmanager
+def only_signals(system: System, signals: bool = True) -> Iterator[bool]:
+    """Context: evaluations contain no elements but signals and actuators, or without `signals` none at all.
+
+    Its value is whether the signals are independent of other elements.
+    """
+    w = system.workspace
+    kept: dict[str, int] = {}
+    mach = w.mach[0]
+    bank = system.records[kind_of_signals(system)].ctypes.data if signals else 0
+    mine = {name: w.tables[name][w.tables[name][:, RECORDS] == bank] for name in ("forces", "frictions")}
+    for name, rows in mine.items():
+        kept |= {key: int(mach[key]) for key in (name, f"n{name}")}
+        mach[name], mach[f"n{name}"] = rows.ctypes.data, len(rows)
+    try:
+        yield bool(mach["watch"] == 0 and len(mine["forces"]))
+    finally:
+        for key, value in kept.items():
+            mach[key] = value
+
+
+def evaluate_signals(system: System, t: float) -> int:
+    """Evaluate all signals at the state in the workspace; returns the status.
+
+    The residual R in the workspace then contains the forces that signals change, besides others. Elements
+    that signals neither read nor change are omitted, unless signals read loads or results of elements.
+    """
+    with only_signals(system) as alone:
+        if alone and send_request(system.workspace, RESIDUAL, t) == OK:
+            return OK
+    return send_request(system.workspace, RESIDUAL, t)  # also names the element that has failed
 
 
 def hold(system: System, name: str, value: float) -> None:

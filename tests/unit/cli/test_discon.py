@@ -6,13 +6,16 @@ from __future__ import annotations
 import gc
 import shutil
 import struct
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.core.errors import ModelError, PitchpointError
+from pitchpoint.core.errors import ModelError, PitchpointError, SolverError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
@@ -174,7 +177,8 @@ def test_wrong_controllers_are_refused(file: Path, what: str) -> None:
     struct.pack_into("<H", data, 18, 243)
     (file.parent / "other.so").write_bytes(data)
     variant(file, change)
-    assert run_command(["check", str(file), "--allow-code"]) == 2
+    assert run_command(["check", str(file), "--allow-code"]) == run(file) == 2
+    assert not Path("run.h5").exists()
     with pytest.raises(ModelError) as found:
         load_model(file, allow_code=True)
     said = [p for p in found.value.problems if p.where == f"controllers.turbine.{key}"]
@@ -193,11 +197,65 @@ def test_a_stepper_calls_libraries_but_cannot_save_them(
         assert stepper.value("signal[pitch]") == data["signal[pitch]"].values[-1] > 0.0
     with pytest.raises(PitchpointError, match=r"state of the controller library libprobe.so cannot be saved"):
         stepper.save()
-    del stepper
-    gc.collect()
-    assert not processes_of_controllers()
+    stepper.close()
     assert run_command(["export", str(file), "--allow-code", "--fmu", "rotor.fmu"]) == 2
     assert "controllers.turbine: is a controller library, which an exported model" in capsys.readouterr().err
+
+
+def ways_to_end(way: str, model: Model) -> None:
+    """Advance a stepper by two calls of its library, and end it."""
+    stepper = Stepper(model, "run")
+    stepper.advance(0.01)
+    assert len(processes_of_controllers()) == 1
+    if way == "close":
+        stepper.close()
+        stepper.close()
+        assert stepper.closed and stepper.t == pytest.approx(0.01)
+        with pytest.raises(SolverError, match="the stepper is closed: its controllers have ended"):
+            stepper.advance(0.01)
+    elif way == "context":
+        with stepper as same:
+            same.advance(0.01)
+    elif way == "error":
+        with pytest.raises(ZeroDivisionError), stepper:
+            1 / 0  # noqa: B018
+    else:
+        del stepper
+        gc.collect()
+
+
+@pytest.mark.parametrize("way", ["close", "context", "error", "garbage"])
+def test_the_end_of_a_stepper_ends_its_libraries(file: Path, way: str) -> None:
+    """The library gets its last call, with the status -1, and leaves no process."""
+    input_file(file.parent, "all")
+    variant(file, ("pi.in", "all.in"), ("settle_time: 0 s", "settle_time: 0 s, method: adams"))
+    ways_to_end(way, load_model(file, allow_code=True))
+    assert not processes_of_controllers()
+    later = np.fromfile(file.parent / "next.bin", np.float32).reshape(-1, 3300)
+    assert later[-1, 0] == -1.0 and np.count_nonzero(later[:, 0] == -1.0) == 1
+
+
+def test_a_program_that_ends_or_dies_leaves_no_process(file: Path) -> None:
+    variant(file, ("settle_time: 0 s", "settle_time: 0 s, method: adams"))
+    for last in ("", "raise ValueError", "os._exit(1)"):
+        text = (
+            "import os, sys; import pitchpoint as pp\n"
+            "stepper = pp.Stepper(pp.load_model(sys.argv[1], allow_code=True), 'run')\n"
+            f"stepper.advance(0.02)\n{last}"
+        )
+        subprocess.run([sys.executable, "-c", text, str(file)], stderr=subprocess.DEVNULL)
+        until = time.monotonic() + 10.0
+        while processes_of_controllers() and time.monotonic() < until:
+            time.sleep(0.05)
+        assert not processes_of_controllers(), last
+
+
+def test_a_library_that_reports_at_its_last_call(file: Path) -> None:
+    input_file(file.parent, "last")
+    variant(file, ("pi.in", "last.in"), ("settle_time: 0 s", "settle_time: 0 s, method: adams"))
+    with Stepper(load_model(file, allow_code=True), "run") as stepper:
+        stepper.advance(0.01)
+    assert "(-2): cannot write the log (at the last call)" in stepper.dataset().attrs["notes"]
 
 
 def test_libraries_need_permission(file: Path, capsys: pytest.CaptureFixture[str]) -> None:

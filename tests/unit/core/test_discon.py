@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.discon.library_file import exported_names, library_problem, own_platform, platforms_of
-from pitchpoint.core.discon.process import OWN, ControllerError, Discon
+from pitchpoint.core.discon.process import OWN, ControllerError, Discon, _Watch
 from pitchpoint.core.discon.records import RECORDS, SIZE, find_record
 from tests.support.discon_library import discon_library, input_file, processes_of_controllers
 
@@ -106,6 +106,43 @@ def test_failures_are_sentences_and_leave_no_process(tmp_path, what, words):
     controller.close()  # twice is permitted
 
 
+def test_the_time_limit_counts_from_the_begin_of_a_call():
+    """Calls begin at any time between two looks of the thread; what ends in time is never ended later."""
+    process = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    watch = _Watch(process, 0.4)
+    for rest in (0.0, 0.25, 0.1):
+        watch.begin()
+        time.sleep(0.3 - rest)
+        assert watch.end()
+        time.sleep(rest)
+    time.sleep(0.5)
+    assert process.poll() is None
+    begun = time.monotonic()
+    watch.begin()
+    process.wait(30.0)
+    assert 0.4 <= time.monotonic() - begun and not watch.end()
+    watch.close()
+    process.communicate()
+
+
+def test_an_answer_that_arrives_at_the_time_limit(tmp_path):
+    """The answer is complete, but the process was ended: this call fails, and not the next one."""
+    controller = opened(tmp_path, "count", timeout=60.0)
+    controller.call(0.0)
+    watch, end = controller._watch, controller._watch.end
+
+    def late():
+        """As if the thread had been faster than the end of the call."""
+        controller._process.kill()
+        watch._expired = True
+        return end()
+
+    watch.end = late
+    with pytest.raises(ControllerError, match=r"did not return within 60 s; its process was ended"):
+        controller.call(0.1)
+    assert not processes_of_controllers()
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_an_interrupted_call_ends_the_process(tmp_path):
     controller = opened(tmp_path, "hang")
@@ -113,6 +150,8 @@ def test_an_interrupted_call_ends_the_process(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         controller.call(0.0)
     assert not processes_of_controllers()
+    with pytest.raises(ControllerError, match="is closed"):  # and does not read the answer to the first call
+        controller.call(0.1)
     controller.close()
 
 

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Newton iteration of the implicit steps where a force jumps with the position."""
+"""Newton iteration of the implicit steps: forces that jump with the position, reuse of the matrix."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+import pitchpoint as pp
 from pitchpoint.core.status import OK
 from pitchpoint.elements.signal import OVER_ANGLE, Pool, set_constant, set_table
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.implicit.newton import MANY, WORTH
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.system import assemble
+from pitchpoint.system.workspace import FACTORISATIONS, ITERATIONS
 from tests.support.engine import couplings, torques
 from tests.support.machines import compiled, pair
 
@@ -81,3 +84,25 @@ def test_steps_far_longer_than_the_period_of_the_mesh_do_not_fail(law, rpm, h, t
     begin = prepare_start(system, model.scenarios["run"])
     run = generalized_alpha.start(begin.system, begin.state, h)
     assert run.advance(300).status == OK
+
+
+def test_a_matrix_is_kept_until_further_corrections_have_cost_as_much():
+    """A pendulum with a hardening spring: a new one after six further corrections and a step with many."""
+    text = """
+bodies: {arm: {motion: torsion, inertia: 1 kg m^2}}
+loads: {spring: {body: arm, torque: "-40*angle - 1000*angle^3"}}
+scenarios: {run: {start: assembled, speed: {arm: 4 rad/s}, duration: 20 s, step: 20 ms}}
+"""
+    system = pp.compile_model(pp.load_model(text=text), "run")
+    run = generalized_alpha.start(system, prepare_start(system, system.scenario).state, 0.02)
+    clock, fewest, extra, renewed, corrections = system.workspace.clock, 0, WORTH, 0, MANY + 1
+    for _ in range(1000):
+        wanted = extra >= WORTH and corrections > MANY
+        before, matrices = int(clock[ITERATIONS]), int(clock[FACTORISATIONS])
+        assert run.advance(1).status == OK
+        corrections, new = int(clock[ITERATIONS]) - before, int(clock[FACTORISATIONS]) - matrices
+        assert new == wanted
+        if new:
+            fewest, extra, renewed = corrections, 0, renewed + 1
+        extra += max(corrections - fewest, 0)
+    assert 10 < renewed < 400

@@ -10,6 +10,7 @@ import pytest
 
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.dry_friction import add_dry_friction
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.components.actuator import ACTUATORS
@@ -188,6 +189,7 @@ BLOCK_FILES = {
     "integrator": "{type: integrator, input: rate, start: 0.7}",
     "filter": "{type: filter, input: rate, time_constant: 20 ms}",
     "rate_limit": "{type: rate_limit, input: rate, rate: 3, time_constant: 20 ms, start: 0.7}",
+    "friction": "{type: friction, input: rate, wind_up: 2e-3, holding: 0.6, damping_time: 2 ms}",
     "input": "{type: input, value: 0.3}",
     "second_order": "{type: filter, input: rate, time_constant: 20 ms, damping_ratio: 0.4}",
     "transfer_function": "{type: transfer_function, input: rate, numerator: [1, 2, 3], "
@@ -224,6 +226,7 @@ def add_block(net, form):
         "integrator": lambda: net.integrator("b", "rate", 0.7),
         "filter": lambda: net.low_pass("b", "rate", 0.02),
         "rate_limit": lambda: net.rate_limit("b", "rate", 3.0, 0.02, 0.7),
+        "friction": lambda: add_dry_friction(net, "b", "rate", 2e-3, 0.6, 2e-3),
         "input": lambda: net.linear("b", {}, 0.3),
         "second_order": lambda: net.second_order("b", "rate", 50.0, 0.4),
         "transfer_function": lambda: net.transfer_function("b", "rate", [1.0, 2.0, 3.0], [2.0, 5.0, 4.0]),

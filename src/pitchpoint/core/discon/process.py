@@ -8,12 +8,14 @@ process ends for any reason.
 
 from __future__ import annotations
 
+import math
 import signal
 import struct
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
@@ -121,7 +123,8 @@ class Discon:
             stderr=self._printed,
             cwd=(given or self._library).parent,
         )
-        self._end = weakref.finalize(self, _end, self._process, self._printed)
+        self._watch = _Watch(self._process, timeout)
+        self._end = weakref.finalize(self, _end, self._process, self._printed, self._watch)
         flag, text, _ = self._exchange(None)
         if flag == host.NO_PROCEDURE:
             self._end()
@@ -191,7 +194,6 @@ class Discon:
                 )
 
     _first = True
-    _expired = False
 
     def _pitch_demand(self) -> float:
         return self["blade_1_pitch_demand" if self["pitch_control"] else "pitch_demand"]
@@ -241,15 +243,8 @@ class Discon:
         process = self._process
         if not self._end.alive:
             raise ControllerError("is closed")
-
-        def expire() -> None:
-            """End a process that takes too long; its answer may arrive at the same time."""
-            self._expired = True
-            process.kill()
-
-        late = threading.Timer(self.timeout, expire)
-        late.daemon = True
-        late.start()
+        answer, in_time = None, True
+        self._watch.begin()
         try:
             assert process.stdin is not None and process.stdout is not None
             if request is not None:
@@ -260,18 +255,20 @@ class Discon:
             size = length if request is None else length + SIZE * 4
             rest = process.stdout.read(size)
             if len(rest) == size:
-                return flag, rest[:length].decode("utf-8", "replace").strip(), rest[length:]
+                answer = flag, rest[:length].decode("utf-8", "replace").strip(), rest[length:]
         except (OSError, struct.error):
             pass
         except BaseException:  # an interrupted call has no answer, and the next one would read it
             self._end()
             raise
         finally:
-            late.cancel()
+            in_time = self._watch.end()
+        if answer is not None and in_time:
+            return answer
         status = process.wait()
         printed = self._last_line()
         self._end()
-        if self._expired:
+        if not in_time:
             raise ControllerError(f"did not return within {self.timeout:g} s; its process was ended{printed}")
         raise ControllerError(f"{_how_it_ended(status)}{printed}")
 
@@ -281,6 +278,41 @@ class Discon:
         lines = self._printed.read()[-2000:].decode("utf-8", "replace").split("\n")
         last = next((line.strip() for line in reversed(lines) if line.strip()), "")
         return f"; it printed: {last[:200]}" if last else ""
+
+
+class _Watch:
+    """Ends a process whose call takes too long, in a thread that waits for all calls."""
+
+    def __init__(self, process: subprocess.Popen[bytes], limit: float) -> None:
+        self._process, self._limit = process, limit
+        self._begun, self._expired = math.inf, False
+        self._lock, self._closed = threading.Lock(), threading.Event()
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def begin(self) -> None:
+        """A call begins."""
+        with self._lock:
+            self._begun = time.monotonic()
+
+    def end(self) -> bool:
+        """The call has ended; returns whether it was in time. If not, its process has been ended."""
+        with self._lock:
+            self._begun = math.inf
+            return not self._expired
+
+    def close(self) -> None:
+        """End the thread."""
+        self._closed.set()
+
+    def _run(self) -> None:
+        left = self._limit
+        while not self._closed.wait(min(left, self._limit, threading.TIMEOUT_MAX)):
+            with self._lock:
+                left = self._begun + self._limit - time.monotonic()
+                if left <= 0.0:
+                    self._expired = True
+                    self._process.kill()
+                    return
 
 
 OWN = frozenset(
@@ -322,8 +354,9 @@ def _how_it_ended(status: int) -> str:
     return f"ended its process with the status {status}" + (" (a crash)" if status > 255 else "")
 
 
-def _end(process: subprocess.Popen[bytes], printed: IO[bytes]) -> None:
+def _end(process: subprocess.Popen[bytes], printed: IO[bytes], watch: _Watch) -> None:
     """End the process, if it still runs, and close the pipes."""
+    watch.close()
     process.kill()
     process.wait()
     for pipe in (process.stdin, process.stdout):

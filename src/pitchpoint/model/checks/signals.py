@@ -121,6 +121,9 @@ def _block(at: Place, block: bl.Block, report: Reader) -> None:
     elif isinstance(block, bl.RateLimit):
         if not block.rate > 0.0:
             report.problem((*at, "rate"), "is not positive", value=f"{block.rate:.6g}", limit="> 0")
+    elif isinstance(block, bl.DryFriction):
+        if not block.wind_up > 0.0:
+            report.problem((*at, "wind_up"), "is not positive", value=f"{block.wind_up:.6g}", limit="> 0")
     elif isinstance(block, bl.TransferFunction):
         _transfer_function(at, block, report)
     elif isinstance(block, bl.Pid):

@@ -107,6 +107,25 @@ class RateLimit(Component):
 
 
 @dataclass(frozen=True, kw_only=True)
+class DryFriction(Component):
+    """Dry friction of a brake per unit of capacity, opposite to the slip: sticks, then slips; -1 to 1."""
+
+    form: ClassVar[str] = "friction"
+    input: str = text("name of the slip speed")
+    wind_up: float = key("value", "angle of twist or displacement at the capacity", 1e-3)
+    holding: float = quantity(
+        "dimensionless",
+        "fraction of the capacity below which the brake sticks without creep",
+        0.8,
+        minimum=0.0,
+        maximum=1.0,
+        below=True,
+        sample="0.8",
+    )
+    damping_time: float = quantity("time", "ratio of damping to stiffness before slip", 1e-3, minimum=0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Input(Component):
     """Input of the model, such as a command or the voltage of the grid; scenarios give its course."""
 
@@ -154,6 +173,7 @@ Block: TypeAlias = (
     | Integrator
     | Filter
     | RateLimit
+    | DryFriction
     | Input
     | TransferFunction
     | Pid

@@ -25,6 +25,8 @@ STATE = "state."
 SLIGHT = 1e-3
 """Influence of a position on the rate of a state, relative to that of the speeds, up to which it is
 neglected: sensors on a bending shaft measure along a slightly tilted axis."""
+ALIKE = 1e-9
+"""Relative size of a coefficient that counts as zero."""
 ROUNDING = 8 * 2.2e-16
 """Relative rounding error of a force, from forces or positions, for about eight terms per body."""
 GROWTH = 1.01
@@ -135,9 +137,10 @@ def signal_states(system: System) -> NDArray[np.int64]:
 
 
 def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
-    """States of signals whose rates do not depend on free coordinates, such as the integral of a speed error.
+    """States of signals that neither rates nor free coordinates determine, such as a sum of speed errors.
 
-    They have no equilibrium and retain their values. Limits are ignored: an integrator that is constant only
+    The error may be filtered, and the integral may pass a lag, as that of a pitch drive. They have no
+    equilibrium and retain their values. Limits are ignored: an integrator that is constant only
     because its controller is saturated (anti-windup) is not in equilibrium.
 
     Parameters
@@ -153,14 +156,33 @@ def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> N
     found = np.intersect1d(found, free)
     if not found.size:
         return found
-    loose = _without_limits(system)
-    by_place = np.abs(slopes(loose, state, EXACT)[np.ix_(found, free)]).max(axis=1)
+    loose = without_limits(system)
+    K = slopes(loose, state, EXACT)[found]
     by_rate = np.abs(evaluate.matrix(loose, state, 0.0, 1.0, 0.0, EXACT)[found])
     by_rate[:, system.states] = 0.0
-    return found[by_place <= SLIGHT * (by_rate @ np.abs(state.v))]
+    slight = SLIGHT * (by_rate @ np.abs(state.v))
+    moved = np.setdiff1d(free, found)
+    alone = np.abs(K[:, moved]).max(axis=1, initial=0.0) <= slight
+    among = K[:, found]
+    while True:  # states that depend on states that depend on the machine do so, too
+        on_machine = np.abs(among[:, ~alone]).max(axis=1, initial=0.0) > slight
+        if not np.any(alone & on_machine):
+            break
+        alone &= ~on_machine
+    own = among[np.ix_(alone, alone)]
+    return np.asarray(found[alone][_undetermined(own)])
 
 
-def _without_limits(system: System) -> System:
+def _undetermined(rates: Array) -> NDArray[np.bool_]:
+    """Flags of the states without a rate of their own that take part in the null space of their rates."""
+    sizes = np.abs(rates).max(axis=1, initial=0.0)
+    _, values, basis = np.linalg.svd(rates / np.where(sizes > 0.0, sizes, 1.0)[:, None])
+    null = basis[np.sum(values > ALIKE * values.max(initial=0.0)) :]
+    part = np.abs(null).max(axis=0, initial=0.0) > ALIKE
+    return np.asarray(part & (np.abs(np.diag(rates)) <= ALIKE * sizes))
+
+
+def without_limits(system: System) -> System:
     """Copy of the system without signal limits."""
     kind = system.kinds(SIGNAL)[0]
     records = system.records[kind].copy()

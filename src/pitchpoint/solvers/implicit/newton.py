@@ -27,8 +27,14 @@ MAX_ITERATIONS = 12
 MAX_REFRESHES = 3
 SLOW_RATE = 0.5
 MANY = 4
-"""Corrections in a step, above which the next step gets a new matrix. A matrix with its factors costs as much
-as 6 to 10 corrections: with 2 instead of 4, gearboxes on elastic shafts take up to 1.6 times as long."""
+"""Corrections in a step, above which the next step may get a new matrix. With 2 instead of 4, gearboxes on
+elastic shafts take up to 1.6 times as long."""
+FEWEST, EXTRA = 1, 2
+"""Places of the corrections in the step with a new matrix, and of the further ones in the steps since then;
+-1: the matrix is new."""
+WORTH = 6.0
+"""Further corrections with an old matrix until a new one is made: a matrix with its factors costs as much as
+6 to 10 corrections, so both cost the same."""
 FADING = 1.2
 """Growth of the contraction rate per step without measurement, as the matrix becomes outdated."""
 
@@ -280,6 +286,7 @@ def newton_step(at, t, cm, cd, tol):
                 return status
             clock[VALID] = 1
             real[0] = min(real[0], 0.1)  # reset the rate for the new matrix
+            real[EXTRA] = -1.0
             last = -1.0
             count = 0
         solve(at)
@@ -308,7 +315,11 @@ def newton_step(at, t, cm, cd, tol):
                 continue
             outdated = True
         if known and theta < 1.0 and size * theta / (1.0 - theta) <= tol:
-            if count > MANY or theta > SLOW_RATE or outdated:
+            if real[EXTRA] < 0.0:
+                real[FEWEST] = count
+                real[EXTRA] = 0.0
+            real[EXTRA] += max(count - real[FEWEST], 0.0)
+            if (count > MANY and real[EXTRA] >= WORTH) or theta > SLOW_RATE or outdated:
                 clock[VALID] = 0
             return OK
         if size <= 1e-3 * tol:

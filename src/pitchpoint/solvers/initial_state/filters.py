@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 MAX_STEPS = 20
 MAX_TURNS = 50
 """Maximum number of alternations between the machine and the states that depend on its loads."""
+PARTS = (1.0, 0.5, 0.2, 0.05)
+"""Parts of a step of states that are tried."""
 AT_REST = 1e-9
 """Relative rate of a state, and relative residual torque, that count as zero."""
 
@@ -97,24 +99,44 @@ def _balanced(
     )
     idle = idle[~moving]
     open_ = [n for n, spin in enumerate(held) if spin not in known]
+    size = _unit(found.state, idle)  # of a trial change
     for _ in range(MAX_STEPS):
         left = found.reaction[open_]
         if not idle.size or np.all(np.abs(left) <= AT_REST * _acting(system, found.state)[list(held)][open_]):
             break
-        answers = [_answer(system, found, held, k) for k in idle]
+        answers = [_answer(system, found, held, k, change) for k, change in zip(idle, size, strict=True)]
         if any(answer is None for answer in answers):
             break
         slope = np.column_stack([answer[open_] - left for answer in answers if answer is not None])
         step = -np.linalg.pinv(slope, rcond=1e-9) @ left
         if not np.abs(step).max(initial=0.0) > 0.0:
             break
-        trial = found.state.copy()
-        trial.v[idle] += step * _unit(found.state, idle)
-        better = _rest(system, trial, held)
-        if better is None or not np.linalg.norm(better.reaction[open_]) < np.linalg.norm(left):
+        better = _shorter(system, found, held, idle, step * size, open_)
+        if better is None:
             break
+        size = np.where(step == 0.0, size, np.minimum(np.abs(step), 1.0) * size)
         found = better
     return found, notes
+
+
+def _shorter(
+    system: System,
+    found: Equilibrium,
+    held: Sequence[int],
+    idle: NDArray[np.int64],
+    step: Array,
+    open_: Sequence[int],
+) -> Equilibrium | None:
+    """Equilibrium after a step of states, or a part of it, that reduces the residual torques."""
+    for part in PARTS:
+        trial = found.state.copy()
+        trial.v[idle] += part * step
+        better = _rest(system, trial, held)
+        if better is not None and np.linalg.norm(better.reaction[open_]) < np.linalg.norm(
+            found.reaction[open_]
+        ):
+            return better
+    return None
 
 
 def _acting(system: System, state: State) -> Array:
@@ -127,10 +149,10 @@ def _unit(state: State, at: NDArray[np.int64]) -> Array:
     return np.maximum(1.0, np.abs(state.v[at]))
 
 
-def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int) -> Array | None:
-    """Reactions after a unit change of one state; None if there is no equilibrium."""
+def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int, change: float) -> Array | None:
+    """Reactions after a change of one state; None if there is no equilibrium."""
     trial = found.state.copy()
-    trial.v[k] += float(_unit(trial, np.array([k]))[0])
+    trial.v[k] += change
     answer = _rest(system, trial, held)
     return None if answer is None else answer.reaction
 

@@ -31,6 +31,7 @@ from pitchpoint.solvers.gear_trains import (
 )
 from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
+from pitchpoint.solvers.initial_state.servos import without_positioned
 from pitchpoint.solvers.initial_state.speeds import drive_records, speeds_of
 from pitchpoint.solvers.initial_state.vibration import with_vibration
 from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
@@ -186,7 +187,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         state.q[place], state.v[place] = value, rate
         if place == int(record["spin_i"]):
             _turn_to(system, state, name, value)
-    held = list(held_spins(system))
+    held = without_positioned(system, state, held_spins(system), driven)
     if scenario.start == "assembled":
         state = centred(system, state, {*held, *driven}, loaded=False)
         state, notes = _closed(system, scenario, state, driven)

@@ -17,6 +17,7 @@ from pitchpoint.core.fmi.fmu_process import FmuFunction, check_importer
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.user_law import load_function
 from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.dry_friction import add_dry_friction
 from pitchpoint.elements.signals.graph import unit_code
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.elements.signals.record import UNITS
@@ -160,6 +161,8 @@ def _unit_of(net: SignalNet, name: str, blocks: Mapping[str, bl.Block]) -> str:
     seen: set[str] = set()
     while name in blocks and name not in seen:
         block = blocks[name]
+        if isinstance(block, bl.DryFriction):
+            return "1"
         if not isinstance(block, bl.Limits | bl.Filter | bl.RateLimit):
             return block.unit
         seen.add(name)
@@ -211,6 +214,8 @@ def _compute(net: SignalNet, name: str, part: bl.Block, functions: Mapping[str, 
             net.second_order(name, part.input, 1.0 / part.time_constant, part.damping_ratio)
     elif isinstance(part, bl.RateLimit):
         net.rate_limit(name, part.input, part.rate, part.time_constant, part.start)
+    elif isinstance(part, bl.DryFriction):
+        add_dry_friction(net, name, part.input, part.wind_up, part.holding, part.damping_time)
     elif isinstance(part, bl.TransferFunction):
         net.transfer_function(name, part.input, part.numerator, part.denominator)
     elif isinstance(part, bl.Pid):

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A brake whose capacity is a signal, against the clutch with the same capacity over time."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pitchpoint as pp
+
+MODEL = """
+bodies: {{rotor: {{motion: torsion, inertia: 3 kg m^2}}}}
+loads: {{air: {{body: rotor, torque: {{table: [[0 s, 20 N m], [0.5 s, 20 N m], [0.7 s, -25 N m]]}}}}}}
+{brake}
+scenarios:
+  run: {{start: assembled, speed: {{rotor: 6 rad/s}}, duration: 1 s, step: 0.2 ms, settle_time: 0 s,
+    sample_rate: 200 Hz, method: {method}{inputs}}}
+"""
+CLUTCH = "clutches: {brake: {bodies: [rotor], capacity: {table: [[0 s, 0], [0.1 s, 0], [0.2 s, 80 N m]]}}}"
+SIGNAL = """
+sensors: {speed: {type: joint, coordinate: rotor, derivative: 1}}
+blocks:
+  command: {type: input}
+  friction: {type: friction, input: speed}
+  torque: {type: formula, formula: "80*command*friction", inputs: [command, friction], unit: N m}
+actuators: {brake: {type: torque, signal: torque, bodies: [rotor]}}
+"""
+COURSE = ", inputs: {command: {points: [[0 s, 0], [0.1 s, 0], [0.2 s, 1]]}}"
+
+
+def run(method: str, brake: str, inputs: str = ""):
+    """Result of a run."""
+    model = pp.load_model(text=MODEL.format(brake=brake, method=method, inputs=inputs))
+    return pp.solve_time(pp.compile_model(model, "run"))
+
+
+@pytest.mark.parametrize("method", ["dassl, tolerance: 1e-9", "generalized_alpha"])
+def test_it_is_the_clutch_with_this_capacity(method):
+    """Slip, standstill, and sticking while the load changes its sign."""
+    one, other = run(method, CLUTCH), run(method, SIGNAL, COURSE)
+    speed, torque = one["speed[rotor]"].values, one["torque[brake]"].values
+    assert torque.min() == pytest.approx(-80.0, rel=1e-2) and abs(speed[-1]) < 1e-4
+    assert torque[-1] == pytest.approx(25.0, rel=1e-2)
+    np.testing.assert_allclose(other["speed[rotor]"], speed, atol=1e-7)
+    np.testing.assert_allclose(other["signal[torque]"], torque, atol=1e-4)
+
+
+def test_the_angle_at_the_capacity_must_be_positive():
+    wrong = SIGNAL.replace("input: speed}", "input: speed, wind_up: 0}")
+    with pytest.raises(pp.ModelError, match=r"blocks.friction.wind_up .*is not positive.*limit > 0"):
+        run("generalized_alpha", wrong)
