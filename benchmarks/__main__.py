@@ -22,6 +22,7 @@ from benchmarks import (
     scene,
     shovel,
     study,
+    turbine,
     two_inertia,
     wind,
 )
@@ -54,6 +55,7 @@ def main() -> None:
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
         ("wind-turbine drive train, planetary set in all directions, wind", wind.rows),
+        ("wind turbine and its gearbox against real time", turbine.rows),
         ("data set of the PHM 2009 rig", dataset.rows),
         ("gearbox from REXS", rexs.rows),
         ("tolerance study of a two-stage gearbox", study.rows),

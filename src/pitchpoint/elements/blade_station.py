@@ -8,9 +8,18 @@ The load per length acts over the length of blade of the station, as in the trap
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK, OUTSIDE_BOX, TABLE_RANGE
 from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind, Power
+from pitchpoint.elements.rotor.extrapolation import (
+    WHOLE,
+    extrapolate,
+    keep_origin,
+    read_states,
+    write_rates,
+)
 from pitchpoint.elements.rotor.loads import (
     set_angles,
     set_coefficients,
@@ -18,7 +27,7 @@ from pitchpoint.elements.rotor.loads import (
     station_loads,
     steady_inflow,
 )
-from pitchpoint.elements.rotor.polar import coefficient, interval
+from pitchpoint.elements.rotor.polar import coefficient
 from pitchpoint.elements.rotor.slopes import load_slopes, steady_slopes
 from pitchpoint.elements.rotor.station import (
     BODIES,
@@ -78,30 +87,12 @@ def _add_up(b, head, f, g, force, moment):
 
 
 @kernel
-def _read_states(b, fr):
-    b["state"][0] = fr[b["l1"]]["spin"]
-    b["state"][1] = fr[b["l2"]]["spin"]
-    b["state"][2] = fr[b["l3"]]["spin"]
-    b["state"][3] = fr[b["l4"]]["spin"]
-    b["state"][4] = fr[b["l5"]]["spin"]
-
-
-@kernel
-def _write_rates(b, fr):
-    fr[b["l1"]]["F"][5] += b["rates"][0]
-    fr[b["l2"]]["F"][5] += b["rates"][1]
-    fr[b["l3"]]["F"][5] += b["rates"][2]
-    fr[b["l4"]]["F"][5] += b["rates"][3]
-    fr[b["l5"]]["F"][5] += b["rates"][4]
-
-
-@kernel
 def _unsteady_loads(b, knots, fr, jac):
     """Loads with induction and separation as states, their rates and derivatives; status."""
     p = b["point"]
     blade = b["blade"]
     x = b["state"]
-    _read_states(b, fr)
+    read_states(b, fr)
     ux, uy, status = steady_inflow(blade, b["air"], knots, p)
     steady_n = p["vx"] - ux
     steady_t = uy - p["vy"]
@@ -115,9 +106,9 @@ def _unsteady_loads(b, knots, fr, jac):
     set_forces(blade, b["air"], p)
     steady = (steady_n, steady_t, steady_f)
     state_rates(blade, p, x, steady, b["rates"])
-    _write_rates(b, fr)
+    write_rates(b, fr)
     if jac != 0:
-        steady_slopes(blade, b["air"], knots, p, b["steady"])
+        steady_slopes(blade, b["air"], p, b["steady"])
         held_velocities(b["flow"])
         lift_slopes(blade, p, knots, i, b["stall"], x, b["lift"])
         load_slopes(blade, b["air"], knots, p, b["flow"], b["lift"], b["slopes"])
@@ -132,24 +123,40 @@ def _steady_loads(b, knots, jac):
     blade = b["blade"]
     status = station_loads(blade, b["air"], knots, p)
     if jac != 0:
-        steady_slopes(blade, b["air"], knots, p, b["flow"])
-        i = interval(knots, blade["first"], blade["last"], p["alpha"])
-        lift_slopes(blade, p, knots, i, 0, b["state"], b["lift"])
+        steady_slopes(blade, b["air"], p, b["flow"])
+        lift_slopes(blade, p, knots, p["row"], 0, b["state"], b["lift"])
         load_slopes(blade, b["air"], knots, p, b["flow"], b["lift"], b["slopes"])
     return status
 
 
 @kernel
-def _loads(b, fr, jac, t):
+def _loads(b, head, fr, c):
     """Place, air and loads of one station; status."""
+    jac = c["jac"]
+    t = c["t"]
     place(b, fr[b["i"]], fr[b["j"]], fr[b["k"]])
-    status = meet_air(b, t)
+    status = meet_air(b, head, t)
     if jac == 1:
         _forget(b["gradient"])
     if status == OK and jac == 2:
         status = set_gradient(b, row(b["x"], R), t, 1, b["gradient"])
     if status != OK:
         return OUTSIDE_BOX if status == TABLE_RANGE else status
+    if c["held"] == 0 or b["hold"] == 0.0 or jac == 2:
+        b["since"] = math.nan
+        return _solved_loads(b, fr, jac)
+    if b["since"] <= t < b["since"] + WHOLE * b["hold"]:
+        extrapolate(b, fr)
+        return OK
+    status = _solved_loads(b, fr, 1)
+    if status == OK:
+        keep_origin(b, t)
+    return status
+
+
+@kernel
+def _solved_loads(b, fr, jac):
+    """Loads of one station from its balance of momentum, and with `jac` their derivatives; status."""
     if b["inflow"] != 0:
         return _unsteady_loads(b, knots_of(b), fr, jac)
     return _steady_loads(b, knots_of(b), jac)
@@ -184,12 +191,13 @@ def blade_station(rec, ctl, fr, kk):
             first = e
             status = _begin(b, fr[b["k"]], c["t"], 1 if c["jac"] == 2 else 0)
         head = rec[first]
-        for r in range(3):
-            b["hub_wind"][r] = head["hub_wind"][r]
-            for n in range(3):
-                b["hub_gradient"][r, n] = head["hub_gradient"][r, n]
+        if c["jac"] != 0:
+            for r in range(3):
+                b["hub_wind"][r] = head["hub_wind"][r]
+                for n in range(3):
+                    b["hub_gradient"][r, n] = head["hub_gradient"][r, n]
         if status == OK:
-            status = _loads(b, fr, c["jac"], c["t"])
+            status = _loads(b, head, fr, c)
         if status != OK:
             c["bad"] = e
             return status
@@ -213,7 +221,7 @@ def blade_station(rec, ctl, fr, kk):
                 out = observations(ctl)
                 for r in range(3):
                     out[head["out"] + r] = head["sums"][r]
-                out[head["out"] + 3] = dot(row(x, N), triple(b["hub_wind"], 0))
+                out[head["out"] + 3] = dot(row(x, N), triple(head["hub_wind"], 0))
     return OK
 
 

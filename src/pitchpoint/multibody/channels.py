@@ -33,6 +33,7 @@ CTL = np.dtype(
         ("cd", "f8"),  # factor of the velocity tangent [1/s]
         ("cm", "f8"),  # factor of the mass matrix [1/s^2]
         ("jac", "i8"),  # 0 forces only, 1 Newton matrix (may be approximate), 2 exact tangents
+        ("held", "i8"),  # 1: in a loop of fixed steps, where slow elements may extrapolate their forces
         ("nb", "i8"),  # number of bodies, ground included
         ("nd", "i8"),  # number of coordinates
         ("np", "i8"),  # number of body-pair blocks in kk

@@ -47,8 +47,10 @@ def project_force(path, fr, J, R):
 def project_tangent(proj, J, kk, X, A, T):
     """A[block] += J_i^T kk[pair] X_j; X is J, or the derivatives of `joint_rates` for exact linearisation.
 
-    T is scratch (6, 6).
+    T is scratch (6, 6): kk[pair] X_j, kept for all joints on the path of body i.
     """
+    known = -1
+    pair = -1
     for row in range(proj.size):
         w = proj[row]
         k = w["pair"]
@@ -81,32 +83,45 @@ def project_tangent(proj, J, kk, X, A, T):
                     A[m, 3 + r, c] += (
                         J[pi, 3, 3 + r] * T[3, c] + J[pi, 4, 3 + r] * T[4, c] + J[pi, 5, 3 + r] * T[5, c]
                     )
-        elif w["ni"] == 6 and w["nj"] == 6:  # constant bounds, which the compiler unrolls
-            for r in range(6):
-                for c in range(6):
-                    T[r, c] = 0.0
-                for h in range(6):
-                    x = kk[k, r, h]
-                    for c in range(6):
-                        T[r, c] += x * X[pj, h, c]
-            for r in range(6):
-                for h in range(6):
-                    x = J[pi, h, r]
-                    for c in range(6):
-                        A[m, r, c] += x * T[h, c]
+            known = -1
         else:
-            for r in range(6):
-                for c in range(w["nj"]):
-                    s = 0.0
+            nj = w["nj"]
+            if pj != known or k != pair:
+                _pair_columns(kk[k], X[pj], nj, T)
+                known = pj
+                pair = k
+            if w["ni"] == 6 and nj == 6:  # constant bounds, which the compiler unrolls
+                for r in range(6):
                     for h in range(6):
-                        s += kk[k, r, h] * X[pj, h, c]
-                    T[r, c] = s
-            for r in range(w["ni"]):
-                for c in range(w["nj"]):
-                    s = 0.0
+                        x = J[pi, h, r]
+                        for c in range(6):
+                            A[m, r, c] += x * T[h, c]
+            else:
+                for r in range(w["ni"]):
                     for h in range(6):
-                        s += J[pi, h, r] * T[h, c]
-                    A[m, oi + r, oj + c] += s
+                        x = J[pi, h, r]
+                        for c in range(nj):
+                            A[m, oi + r, oj + c] += x * T[h, c]
+
+
+@kernel
+def _pair_columns(K, X, n, T):
+    """T = K X for n columns of X."""
+    if n == 6:
+        for r in range(6):
+            for c in range(6):
+                T[r, c] = 0.0
+            for h in range(6):
+                x = K[r, h]
+                for c in range(6):
+                    T[r, c] += x * X[h, c]
+        return
+    for r in range(6):
+        for c in range(n):
+            s = 0.0
+            for h in range(6):
+                s += K[r, h] * X[h, c]
+            T[r, c] = s
 
 
 @kernel

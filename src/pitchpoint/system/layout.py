@@ -248,6 +248,8 @@ def _projection(
 ) -> NDArray[np.void]:
     """Projection programme: one row per pair of bodies and pair of joints on their paths.
 
+    Rows with the same joint of the second body follow each other: `project_tangent` keeps a product for them.
+
     Parameters
     ----------
     records, path
@@ -260,14 +262,14 @@ def _projection(
         Node of each body, and offset of its first coordinate in the node.
     """
     one, two = np.array(list(index), np.int64).reshape(-1, 2).T
-    across = records["count"][two]
-    total = records["count"][one] * across
+    along = records["count"][one]
+    total = along * records["count"][two]
     row = np.repeat(np.arange(total.size), total)  # index of the body pair; `within`: row within the pair
     within = np.arange(row.size) - np.repeat(np.cumsum(total) - total, total)
     found = np.zeros(row.size, PROJ)
     found["pair"] = np.array(list(index.values()), np.int64)[row]
-    found["pi"] = records["first"][one][row] + within // across[row]
-    found["pj"] = records["first"][two][row] + within % across[row]
+    found["pi"] = records["first"][one][row] + within % along[row]
+    found["pj"] = records["first"][two][row] + within // along[row]
     a, c = path["owner"][found["pi"]], path["owner"][found["pj"]]
     node, offset = (np.array(x, np.int64) for x in places)
     keys, where = np.unique(node[a] * records.size + node[c], return_inverse=True)

@@ -36,8 +36,7 @@ def loads(point, station, air):
 def slopes_of(station, air, found, U, L):
     """Derivatives of the loads with the steady lift."""
     lift = np.zeros(2)
-    row = int(np.searchsorted(KNOTS[station["first"] : station["last"] + 1, 0], found["alpha"], "right"))
-    lift_slopes(station, found, KNOTS, station["first"] + row - 1, 0, np.zeros(5), lift)
+    lift_slopes(station, found, KNOTS, found["row"], 0, np.zeros(5), lift)
     load_slopes(station, air, KNOTS, found, U, lift, L)
 
 
@@ -60,7 +59,7 @@ def test_slopes_are_derivatives_of_the_loads(options):
         if case % 4 == 0:
             point["vx"], point["vy"], point["pitch"] = rng.uniform(1.0, 4.0), rng.uniform(40.0, 80.0), 0.0
         _, found = loads(point, station, air)
-        steady_slopes(STATIONS[station], air[0], KNOTS, found[0], U)
+        steady_slopes(STATIONS[station], air[0], found[0], U)
         slopes_of(STATIONS[station], air[0], found[0], U, L)
         wanted, rough = np.zeros((3, 5)), np.zeros((3, 5))
         for k, name in enumerate(INPUTS):

@@ -99,7 +99,7 @@ def test_lift_has_no_poles_between_the_points_of_a_polar() -> None:
     for k, polar in enumerate(polars[2:], start=2):
         found = separation(polar)
         for alpha in np.radians(np.arange(-12.0, 15.0, 0.02)):
-            at = interval(rows, ends[k], ends[k + 1] - 1, alpha)
+            at = interval(rows, ends[k], ends[k + 1] - 1, alpha, ends[k])
             lift, f, separated = (coefficient(rows, at, c, alpha)[0] for c in (1, 7, 9))
             attached = attached_lift(alpha, found.alpha_0, found.slope)
             change = stalling_lift(lift, f, attached, separated, 1.0) - stalling_lift(

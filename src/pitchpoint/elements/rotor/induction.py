@@ -5,6 +5,9 @@ The velocities of the air relative to the station are W sin φ normal to the bla
 direction of rotation. Momentum theory gives the velocities without induction as W X(φ) and W Y(φ); the
 residual is v_y X - v_x Y, multiplied by sin φ so that it is finite everywhere. All four quadrants are
 mirrored into v_x, v_y >= 0.
+
+Newton's method starts from an estimate that depends on the present flow only, so that the root does not
+depend on earlier evaluations. Where it fails, Brent's method converges in a bracket.
 """
 
 from __future__ import annotations
@@ -17,81 +20,130 @@ from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
 
 _EDGE = 1e-9
 _TOLERANCE = 1e-15
+LAST = 1e-9
+"""Newton step [rad] that ends the iteration: with quadratic convergence the error after it is round-off."""
+NEWTON_STEPS = 10
+UNDISTURBED = 0.7
+"""Share of the wind of the first estimate: an axial induction of 0.3."""
+_AWAY = 1e-6
+"""Smallest inflow angle [rad] from Newton's method: without drag, the residual vanishes at zero, too."""
+CERTAIN = 40.0
+"""Exponent from which exp(-x) is below half a unit in the last place of 1."""
 
 
 @kernel
-def loss_factor(b, sine):
-    """Prandtl's factor of tip and hub loss for |sin φ| > 0 (Glauert 1935)."""
-    f = 1.0
-    if b["tip"] < 1e300:
-        f *= 2.0 / math.pi * math.acos(math.exp(-b["tip"] / sine))
-    if b["hub"] < 1e300:
-        f *= 2.0 / math.pi * math.acos(math.exp(-b["hub"] / sine))
-    return max(f, 1e-9)
+def end_loss(g, sine):
+    """Loss factor of one end of a blade, and its derivative with respect to |sin φ| over the factor."""
+    x = g / sine
+    if x > CERTAIN:
+        return 1.0, 0.0
+    e = math.exp(-x)
+    angle = math.acos(e)
+    return 2.0 / math.pi * angle, -e * x / (sine * angle * math.sqrt(1.0 - e * e))
 
 
 @kernel
-def momentum(b, air, knots, flow, phi):
-    """Momentum balance at an inflow angle.
-
-    flow contains |v_x|, |v_y|, their signs and the angle of the chord. Returns X sin φ, Y sin φ, both for
-    |sin φ|.
-    """
-    vx, vy, sx, sy, theta = flow
-    s = math.sin(phi)
-    c = math.cos(phi)
-    alpha = wrapped(math.atan2(sx * s, sy * c) - theta)
-    i = interval(knots, b["first"], b["last"], alpha)
-    cl, _ = coefficient(knots, i, 1, alpha)
-    cd, _ = coefficient(knots, i, 3, alpha)
-    cn = sx * sy * cl * c + air["axial_drag"] * cd * s
-    ct = sx * sy * cl * s - air["swirl_drag"] * cd * c
-    size = abs(s)
-    f = loss_factor(b, size)
-    k = 0.25 * b["solidity"] * cn / f
-    y = size * c
-    if air["swirl"] != 0:
-        y -= 0.25 * b["solidity"] * ct / f
-    if air["axial"] == 0:
-        return s * size, y
-    if phi < 0.0:  # propeller brake: the air flows backwards through the rotor
-        return k - s * s, y
-    if 1.5 * k <= s * s:
-        return s * s + k, y
-    return s * s / (1.0 - heavy_induction(k / (s * s), f)), y
+def loss(b, sine):
+    """Prandtl's factor of tip and hub loss for |sin φ| > 0 (Glauert 1935), and its derivative."""
+    tip, tip_slope = end_loss(b["tip"], sine)
+    hub, hub_slope = end_loss(b["hub"], sine)
+    f = tip * hub
+    if f <= 1e-9:
+        return 1e-9, 0.0
+    return f, f * (tip_slope + hub_slope)
 
 
 @kernel
 def heavy_induction(kappa, f):
-    """Axial induction of a heavily loaded rotor, a > 0.4, by Buhl's curve (Buhl 2005).
+    """Axial induction of a heavily loaded rotor, a > 0.4, by Buhl's curve (Buhl 2005), and its derivatives
+    with respect to κ and F.
 
     C_T = 8/9 + (4F - 40/9) a + (50/9 - 4F) a^2 equals 4 F κ (1 - a)^2. It tends to 1 for large κ.
     """
     g1 = 2.0 * f * kappa - (10.0 / 9.0 - f)
     g2 = 2.0 * f * kappa - f * (4.0 / 3.0 - f)
     g3 = 2.0 * f * kappa - (25.0 / 9.0 - 2.0 * f)
+    root = math.sqrt(g2)
+    k2 = 2.0 * f
+    f2 = 2.0 * kappa - 4.0 / 3.0 + 2.0 * f
     if abs(g3) < 1e-6:
-        return 1.0 - 0.5 / math.sqrt(g2)
-    return (g1 - math.sqrt(g2)) / g3
+        return 1.0 - 0.5 / root, 0.25 * k2 / (g2 * root), 0.25 * f2 / (g2 * root)
+    a = (g1 - root) / g3
+    by_kappa = (2.0 * f - 0.5 * k2 / root - a * 2.0 * f) / g3
+    by_f = (2.0 * kappa + 1.0 - 0.5 * f2 / root - a * (2.0 * kappa + 2.0)) / g3
+    return a, by_kappa, by_f
 
 
 @kernel
-def residual(b, air, knots, flow, phi):
+def momentum(b, air, knots, flow, p, phi):
+    """Momentum balance at an inflow angle, and its derivatives with respect to φ and the angle of the chord.
+
+    flow contains |v_x|, |v_y|, their signs and the angle of the chord. Returns X sin φ, Y sin φ, both for
+    |sin φ|, their derivatives by φ, and those by the angle of the chord.
+    """
+    _, _, sx, sy, theta = flow
+    s = math.sin(phi)
+    c = math.cos(phi)
+    alpha = wrapped(sx * (phi if sy > 0.0 else math.pi - phi) - theta)
+    i = interval(knots, b["first"], b["last"], alpha, p["row"])
+    p["row"] = i
+    cl, cl1 = coefficient(knots, i, 1, alpha)
+    cd, cd1 = coefficient(knots, i, 3, alpha)
+    sign = sx * sy
+    ad = air["axial_drag"]
+    sd = air["swirl_drag"]
+    cn = sign * cl * c + ad * cd * s
+    ct = sign * cl * s - sd * cd * c
+    cn_a = sign * cl1 * c + ad * cd1 * s  # by the angle of attack
+    ct_a = sign * cl1 * s - sd * cd1 * c
+    cn_p = -sign * cl * s + ad * cd * c + sign * cn_a  # by φ
+    ct_p = sign * cl * c + sd * cd * s + sign * ct_a
+    size = abs(s)
+    size_p = c if s >= 0.0 else -c
+    f, f_size = loss(b, size)
+    f_p = f_size * size_p
+    n = 0.25 * b["solidity"] / f
+    k = n * cn
+    k_p = n * cn_p - k * f_p / f
+    k_t = -n * cn_a
+    y = size * c
+    y_p = size_p * c - size * s
+    y_t = 0.0
+    if air["swirl"] != 0:
+        y -= n * ct
+        y_p -= n * ct_p - n * ct * f_p / f
+        y_t = n * ct_a
+    if air["axial"] == 0:
+        return s * size, y, size_p * s + size * c, y_p, 0.0, y_t
+    if phi < 0.0:  # propeller brake: the air flows backwards through the rotor
+        return k - s * s, y, k_p - 2.0 * s * c, y_p, k_t, y_t
+    if 1.5 * k <= s * s:
+        return s * s + k, y, k_p + 2.0 * s * c, y_p, k_t, y_t
+    a, by_kappa, by_f = heavy_induction(k / (s * s), f)
+    free = 1.0 - a
+    a_p = by_kappa * (k_p - 2.0 * k * c / s) / (s * s) + by_f * f_p
+    a_t = by_kappa * k_t / (s * s)
+    x = s * s / free
+    return x, y, (2.0 * s * c + x * a_p) / free, y_p, x * a_t / free, y_t
+
+
+@kernel
+def residual(b, air, knots, flow, p, phi):
     """Residual v_y X - v_x Y, times |sin φ|, relative to the speed of the air."""
-    x, y = momentum(b, air, knots, flow, phi)
+    x, y, _, _, _, _ = momentum(b, air, knots, flow, p, phi)
     return (flow[1] * x - flow[0] * y) / (flow[0] + flow[1])
 
 
 @kernel
-def bracketed_root(b, air, knots, flow, low, high):
+def bracketed_root(b, air, knots, flow, p, low, high):
     """Root between two angles with residuals of opposite signs (Brent 1973).
 
     Inverse quadratic interpolation or secant where they converge faster than bisection.
     """
     a = low
     z = high
-    fa = residual(b, air, knots, flow, a)
-    fz = residual(b, air, knots, flow, z)
+    fa = residual(b, air, knots, flow, p, a)
+    fz = residual(b, air, knots, flow, p, z)
     c = a
     fc = fa
     step = z - a
@@ -113,24 +165,24 @@ def bracketed_root(b, air, knots, flow, low, high):
         half = 0.5 * (c - z)
         if abs(half) <= limit or fz == 0.0:
             break
-        p = 0.0
+        u = 0.0
         q = 0.0
         if abs(before) >= limit and abs(fa) > abs(fz):
             t = fz / fa
             if a == c:
-                p = 2.0 * half * t
+                u = 2.0 * half * t
                 q = 1.0 - t
             else:
-                u = fa / fc
+                w = fa / fc
                 r = fz / fc
-                p = t * (2.0 * half * u * (u - r) - (z - a) * (r - 1.0))
-                q = (u - 1.0) * (r - 1.0) * (t - 1.0)
-            if p > 0.0:
+                u = t * (2.0 * half * w * (w - r) - (z - a) * (r - 1.0))
+                q = (w - 1.0) * (r - 1.0) * (t - 1.0)
+            if u > 0.0:
                 q = -q
-            p = abs(p)
-        if p > 0.0 and 2.0 * p < min(3.0 * half * q - abs(limit * q), abs(before * q)):
+            u = abs(u)
+        if u > 0.0 and 2.0 * u < min(3.0 * half * q - abs(limit * q), abs(before * q)):
             before = step
-            step = p / q
+            step = u / q
         else:
             step = half
             before = half
@@ -140,21 +192,21 @@ def bracketed_root(b, air, knots, flow, low, high):
             z += step
         else:
             z += math.copysign(limit, half)
-        fz = residual(b, air, knots, flow, z)
+        fz = residual(b, air, knots, flow, p, z)
     return z
 
 
 @kernel
-def opposite(b, air, knots, flow, low, high):
+def opposite(b, air, knots, flow, p, low, high):
     """Whether the residuals at two angles have opposite signs."""
-    left = residual(b, air, knots, flow, low)
-    right = residual(b, air, knots, flow, high)
+    left = residual(b, air, knots, flow, p, low)
+    right = residual(b, air, knots, flow, p, high)
     return (left < 0.0) != (right < 0.0)
 
 
 @kernel
-def inflow_angle(b, air, knots, flow):
-    """Inflow angle in the mirrored quadrants, and its status.
+def searched_angle(b, air, knots, flow, p):
+    """Inflow angle in the mirrored quadrants by search of a bracket, and its status.
 
     The angle lies between 0 and 90° (windmill, propeller), otherwise between -45° and 0 (propeller brake) or
     between 90° and 180°; one of these intervals brackets a root (Ning 2014). Where none does, because of an
@@ -162,20 +214,46 @@ def inflow_angle(b, air, knots, flow):
     air, and no air flows through the rotor.
     """
     quarter = 0.5 * math.pi
-    if opposite(b, air, knots, flow, _EDGE, quarter):
-        return bracketed_root(b, air, knots, flow, _EDGE, quarter), OK
-    if opposite(b, air, knots, flow, -0.5 * quarter, -_EDGE):
-        return bracketed_root(b, air, knots, flow, -0.5 * quarter, -_EDGE), OK
-    if opposite(b, air, knots, flow, quarter, math.pi - _EDGE):
-        return bracketed_root(b, air, knots, flow, quarter, math.pi - _EDGE), OK
+    for k in range(3):
+        low = _EDGE
+        high = quarter
+        if k == 1:
+            low = -0.5 * quarter
+            high = -_EDGE
+        elif k == 2:
+            low = quarter
+            high = math.pi - _EDGE
+        if opposite(b, air, knots, flow, p, low, high):
+            return bracketed_root(b, air, knots, flow, p, low, high), OK
     for k in range(-40, 80):
         low = quarter * k / 40.0
         high = quarter * (k + 1) / 40.0
         low = _EDGE if k == 0 else low
         high = -_EDGE if k == -1 else high
         high = math.pi - _EDGE if k == 79 else high
-        if opposite(b, air, knots, flow, low, high):
-            return bracketed_root(b, air, knots, flow, low, high), OK
-    if opposite(b, air, knots, flow, -_EDGE, _EDGE):
+        if opposite(b, air, knots, flow, p, low, high):
+            return bracketed_root(b, air, knots, flow, p, low, high), OK
+    if opposite(b, air, knots, flow, p, -_EDGE, _EDGE):
         return 0.0, OK
     return math.atan2(flow[0], flow[1]), DIVERGED
+
+
+@kernel
+def inflow_angle(b, air, knots, flow, p):
+    """Inflow angle in the mirrored quadrants, its status, and the values of `momentum` there.
+
+    Newton's method in the quadrant of windmill and propeller, then `searched_angle`.
+    """
+    quarter = 0.5 * math.pi
+    phi = math.atan2(UNDISTURBED * flow[0], flow[1])
+    for _ in range(NEWTON_STEPS):
+        x, y, x_p, y_p, x_t, y_t = momentum(b, air, knots, flow, p, phi)
+        step = (flow[0] * y - flow[1] * x) / (flow[1] * x_p - flow[0] * y_p)
+        if abs(step) <= LAST and phi > _AWAY:
+            return phi + step, OK, x + step * x_p, y + step * y_p, x_p, y_p, x_t, y_t
+        if not math.isfinite(step):
+            break
+        phi = min(max(phi + step, 0.5 * phi), 0.5 * (phi + quarter))
+    phi, status = searched_angle(b, air, knots, flow, p)
+    x, y, x_p, y_p, x_t, y_t = momentum(b, air, knots, flow, p, phi)
+    return phi, status, x, y, x_p, y_p, x_t, y_t

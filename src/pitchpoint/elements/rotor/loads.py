@@ -7,7 +7,7 @@ import math
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.rotor.induction import inflow_angle, loss_factor, momentum
+from pitchpoint.elements.rotor.induction import inflow_angle, loss
 from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
 from pitchpoint.elements.rotor.record import AIR, BATCH, COLUMNS, POINT, STATION
 from pitchpoint.multibody.channels import F8
@@ -17,20 +17,29 @@ from pitchpoint.multibody.channels import F8
 def induced(b, air, knots, p):
     """Velocity of the air relative to the station, normal and tangential, from its balance of momentum.
 
-    Writes the loss factor; returns the velocities and a status.
+    Writes the loss factor and the balance for its derivatives; returns the velocities and a status.
     """
     sx = 1.0 if p["vx"] >= 0.0 else -1.0
     sy = 1.0 if p["vy"] >= 0.0 else -1.0
     flow = (abs(p["vx"]), abs(p["vy"]), sx, sy, b["twist"] + p["pitch"])
-    phi, status = inflow_angle(b, air, knots, flow)
+    phi, status, x, y, x_p, y_p, x_t, y_t = inflow_angle(b, air, knots, flow, p)
+    balance = p["balance"]
+    balance[0] = phi if status == OK else 0.0
+    balance[7] = p["vx"]
     if status != OK or phi == 0.0:
         return p["vx"], p["vy"], status
+    balance[1] = x
+    balance[2] = y
+    balance[3] = x_p
+    balance[4] = y_p
+    balance[5] = x_t
+    balance[6] = y_t
     s = math.sin(phi)
-    p["loss"] = loss_factor(b, abs(s))
-    x, y = momentum(b, air, knots, flow, phi)
+    p["loss"], _ = loss(b, abs(s))
     # speed from v = W (X, Y); both components, as either may vanish
     w = abs(s) * (flow[0] * x + flow[1] * y) / (x * x + y * y)
-    return sx * w * s, sy * w * math.cos(phi), status
+    balance[7] = sx * w * s
+    return balance[7], sy * w * math.cos(phi), status
 
 
 @kernel
@@ -75,7 +84,8 @@ def set_angles(b, p, ux, uy):
 @kernel
 def set_coefficients(b, knots, p):
     """Write the steady coefficients at the angle of attack; returns the row of the polar."""
-    i = interval(knots, b["first"], b["last"], p["alpha"])
+    i = interval(knots, b["first"], b["last"], p["alpha"], p["row"])
+    p["row"] = i
     p["lift"], _ = coefficient(knots, i, 1, p["alpha"])
     p["drag"], _ = coefficient(knots, i, 3, p["alpha"])
     p["moment"], _ = coefficient(knots, i, 5, p["alpha"])

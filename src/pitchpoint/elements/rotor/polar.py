@@ -15,17 +15,17 @@ def wrapped(angle):
 
 
 @kernel
-def interval(knots, first, last, alpha):
-    """Row of the polar on the left of an angle of attack, by bisection."""
-    low = first
-    high = last
-    while high - low > 1:
-        middle = (low + high) // 2
-        if knots[middle, 0] <= alpha:
-            low = middle
-        else:
-            high = middle
-    return low
+def interval(knots, first, last, alpha, near):
+    """Row of the polar on the left of an angle of attack, by search from a row that may be near it.
+
+    The result is independent of `near`, which is usually that of the last angle of attack.
+    """
+    i = min(max(near, first), last - 1)
+    while i < last - 1 and knots[i + 1, 0] <= alpha:
+        i += 1
+    while i > first and knots[i, 0] > alpha:
+        i -= 1
+    return i
 
 
 @kernel

@@ -62,6 +62,10 @@ POINT = np.dtype(
         ("f_t", "f8"),
         ("m_c", "f8"),
         ("status", "i8"),
+        # scratch: row of the polar near the angle of attack; inflow angle, values of `momentum` and normal
+        # velocity without skewed wake, for the derivatives
+        ("row", "i8"),
+        ("balance", "f8", 8),
     ],
     align=True,
 )

@@ -10,98 +10,11 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.core.status import OK
-from pitchpoint.elements.rotor.induction import heavy_induction, inflow_angle, loss_factor
-from pitchpoint.elements.rotor.loads import induced
-from pitchpoint.elements.rotor.polar import coefficient, interval, wrapped
+from pitchpoint.elements.rotor.polar import coefficient
 
 VX, VY, THETA, YAW, DOWNWIND, Z_N, W_N, Z_T, W_T, F = range(10)
 """Columns of the derivatives: inputs, then states of dynamic inflow and stall (`unsteady`)."""
 INPUTS, COLUMNS = 5, 10
-
-
-@kernel
-def loss_slope(b, sine):
-    """Derivative of `loss_factor` with respect to |sin φ|."""
-    whole = loss_factor(b, sine)
-    if whole <= 1e-9:
-        return 0.0
-    slope = 0.0
-    for end in range(2):
-        g = b["tip"] if end == 0 else b["hub"]
-        if g >= 1e300:
-            continue
-        e = math.exp(-g / sine)
-        if e <= 1e-300:
-            continue
-        part = math.acos(e)
-        slope -= whole * e * g / (sine * sine * part * math.sqrt(1.0 - e * e))
-    return slope
-
-
-@kernel
-def heavy_slopes(kappa, f):
-    """Derivatives of `heavy_induction` with respect to κ and F."""
-    g2 = 2.0 * f * kappa - f * (4.0 / 3.0 - f)
-    g3 = 2.0 * f * kappa - (25.0 / 9.0 - 2.0 * f)
-    root = math.sqrt(g2)
-    k2 = 2.0 * f
-    f2 = 2.0 * kappa - 4.0 / 3.0 + 2.0 * f
-    if abs(g3) < 1e-6:
-        return 0.25 * k2 / (g2 * root), 0.25 * f2 / (g2 * root)
-    a = heavy_induction(kappa, f)
-    by_kappa = (2.0 * f - 0.5 * k2 / root - a * 2.0 * f) / g3
-    by_f = (2.0 * kappa + 1.0 - 0.5 * f2 / root - a * (2.0 * kappa + 2.0)) / g3
-    return by_kappa, by_f
-
-
-@kernel
-def momentum_slopes(b, air, knots, flow, phi):
-    """Values of `momentum`, and their derivatives with respect to φ and to the angle of the chord."""
-    _, _, sx, sy, theta = flow
-    s = math.sin(phi)
-    c = math.cos(phi)
-    alpha = wrapped(math.atan2(sx * s, sy * c) - theta)
-    i = interval(knots, b["first"], b["last"], alpha)
-    cl, cl1 = coefficient(knots, i, 1, alpha)
-    cd, cd1 = coefficient(knots, i, 3, alpha)
-    sign = sx * sy
-    ad = air["axial_drag"]
-    sd = air["swirl_drag"]
-    cn = sign * cl * c + ad * cd * s
-    ct = sign * cl * s - sd * cd * c
-    cn_a = sign * cl1 * c + ad * cd1 * s  # by the angle of attack
-    ct_a = sign * cl1 * s - sd * cd1 * c
-    cn_p = -sign * cl * s + ad * cd * c + sign * cn_a  # by φ
-    ct_p = sign * cl * c + sd * cd * s + sign * ct_a
-    size = abs(s)
-    size_p = c if s >= 0.0 else -c
-    f = loss_factor(b, size)
-    f_p = loss_slope(b, size) * size_p
-    n = 0.25 * b["solidity"] / f
-    k = n * cn
-    k_p = n * cn_p - k * f_p / f
-    k_t = -n * cn_a
-    y = size * c
-    y_p = size_p * c - size * s
-    y_t = 0.0
-    if air["swirl"] != 0:
-        y -= n * ct
-        y_p -= n * ct_p - n * ct * f_p / f
-        y_t = n * ct_a
-    if air["axial"] == 0:
-        return s * size, y, size_p * s + size * c, y_p, 0.0, y_t
-    if phi < 0.0:
-        return k - s * s, y, k_p - 2.0 * s * c, y_p, k_t, y_t
-    if 1.5 * k <= s * s:
-        return s * s + k, y, k_p + 2.0 * s * c, y_p, k_t, y_t
-    kappa = k / (s * s)
-    free = 1.0 - heavy_induction(kappa, f)
-    by_kappa, by_f = heavy_slopes(kappa, f)
-    a_p = by_kappa * (k_p - 2.0 * k * c / s) / (s * s) + by_f * f_p
-    a_t = by_kappa * k_t / (s * s)
-    x = s * s / free
-    return x, y, (2.0 * s * c + x * a_p) / free, y_p, x * a_t / free, y_t
 
 
 @kernel
@@ -113,16 +26,21 @@ def no_induction(U):
 
 
 @kernel
-def induced_slopes(b, air, knots, p, U):
-    """Derivatives of the velocities of `induced`, shape (2, 10), in U."""
-    no_induction(U)
+def induced_slopes(b, p, U):
+    """Derivatives of the velocities of `induced`, shape (2, 10), in U, from the balance written by it."""
+    balance = p["balance"]
+    phi = balance[0]
+    if phi == 0.0:
+        return
+    x = balance[1]
+    y = balance[2]
+    x_p = balance[3]
+    y_p = balance[4]
+    x_t = balance[5]
+    y_t = balance[6]
     sx = 1.0 if p["vx"] >= 0.0 else -1.0
     sy = 1.0 if p["vy"] >= 0.0 else -1.0
-    flow = (abs(p["vx"]), abs(p["vy"]), sx, sy, b["twist"] + p["pitch"])
-    phi, status = inflow_angle(b, air, knots, flow)
-    if status != OK or phi == 0.0:
-        return
-    x, y, x_p, y_p, x_t, y_t = momentum_slopes(b, air, knots, flow, phi)
+    flow = (abs(p["vx"]), abs(p["vy"]))
     steep = flow[1] * x_p - flow[0] * y_p
     square = x * x + y * y
     if steep == 0.0 or square == 0.0:
@@ -172,19 +90,16 @@ def skew_slopes(air, b, p, ux, U):
 
 
 @kernel
-def steady_slopes(b, air, knots, p, U):
-    """Derivatives of the velocities of `steady_inflow`, shape (2, 10), in U."""
+def steady_slopes(b, air, p, U):
+    """Derivatives of the velocities of `steady_inflow`, shape (2, 10), in U; after it, with its point."""
     no_induction(U)
     if b["tip"] <= 0.0 or b["hub"] <= 0.0:
         return
     if (air["axial"] == 0 and air["swirl"] == 0) or (p["vx"] == 0.0 and p["vy"] == 0.0):
         return
-    induced_slopes(b, air, knots, p, U)
+    induced_slopes(b, p, U)
     if air["skew"] != 0.0 and p["vx"] != 0.0:
-        loss = p["loss"]
-        ux, _, _ = induced(b, air, knots, p)
-        p["loss"] = loss
-        skew_slopes(air, b, p, ux, U)
+        skew_slopes(air, b, p, p["balance"][7], U)
 
 
 @kernel
@@ -192,23 +107,23 @@ def load_slopes(b, air, knots, p, U, lift, L):
     """Derivatives of normal and tangential force and moment per length, shape (3, 10), in L.
 
     U contains the derivatives of the velocities, `lift` those of the coefficient of lift with respect to the
-    angle of attack and to the state of separation.
+    angle of attack and to the state of separation. The row of the polar is that of `set_coefficients`.
     """
     w = p["speed"]
     idle = p["loss"] == 0.0 or w == 0.0
-    ux = w * math.sin(p["phi"])
-    uy = w * math.cos(p["phi"])
-    i = interval(knots, b["first"], b["last"], p["alpha"])
-    _, cd1 = coefficient(knots, i, 3, p["alpha"])
-    _, cm1 = coefficient(knots, i, 5, p["alpha"])
+    turn = direction(p)
+    ux = w * turn[0]
+    uy = w * turn[1]
+    _, cd1 = coefficient(knots, p["row"], 3, p["alpha"])
+    _, cm1 = coefficient(knots, p["row"], 5, p["alpha"])
     cl = p["lift"]
     cd = p["drag"]
     q = 0.0 if idle else 0.5 * air["rho"] * b["chord"]
     for n in range(COLUMNS):
-        da = angle_slope(p, U, n)
+        da = angle_slope(w, turn, U, n)
         dx = U[0, n]
         dy = U[1, n]
-        dw = speed_slope(p, U, n)
+        dw = speed_slope(turn, U, n)
         dl = lift[0] * da + (lift[1] if n == F else 0.0)
         dd = cd1 * da
         L[0, n] = q * (dw * (cl * uy + cd * ux) + w * (cl * dy + cd * dx + dl * uy + dd * ux))
@@ -217,16 +132,21 @@ def load_slopes(b, air, knots, p, U, lift, L):
 
 
 @kernel
-def angle_slope(p, U, n):
-    """Derivative of the angle of attack with respect to column n."""
-    w = p["speed"]
+def direction(p):
+    """Sine and cosine of the angle of the air at the station."""
+    return math.sin(p["phi"]), math.cos(p["phi"])
+
+
+@kernel
+def angle_slope(w, turn, U, n):
+    """Derivative of the angle of attack with respect to column n; speed w and `direction` of the air."""
     da = -1.0 if n == THETA else 0.0
     if w > 0.0:
-        da += (math.cos(p["phi"]) * U[0, n] - math.sin(p["phi"]) * U[1, n]) / w
+        da += (turn[1] * U[0, n] - turn[0] * U[1, n]) / w
     return da
 
 
 @kernel
-def speed_slope(p, U, n):
+def speed_slope(turn, U, n):
     """Derivative of the speed of the air relative to the station with respect to column n."""
-    return math.sin(p["phi"]) * U[0, n] + math.cos(p["phi"]) * U[1, n]
+    return turn[0] * U[0, n] + turn[1] * U[1, n]

@@ -57,6 +57,7 @@ RECORD = np.dtype(
         ("stall", "i8"),  # 1: the point of separation is a state, if the section has lift
         ("first", "i8"),  # 1: first station of a rotor; it has the sums of the rotor
         ("length", "f8"),  # length of the blade of this station [m]
+        ("hold", "f8"),  # time over which loads are extrapolated in a loop of fixed steps [s]; 0: never
         ("blade", STATION),
         ("air", AIR),
     ]
@@ -64,6 +65,11 @@ RECORD = np.dtype(
     + [
         ("knots", "i8"),  # offset of the rows of the polars in the pool, and their number
         ("rows", "i8"),
+        # origin of the extrapolation: its time (NaN: none), inputs and states, loads and rates; the
+        # derivatives are in slopes and by_rate
+        ("since", "f8"),
+        ("origin", "f8", 10),
+        ("loads", "f8", 8),
         # scratch: written and read within one call
         ("point", POINT),
         ("x", "f8", (10, 3)),
@@ -87,6 +93,9 @@ RECORD = np.dtype(
         ("sn", "f8"),
         ("size", "f8"),
         ("hub_wind", "f8", 3),  # air relative to the centre of the rotor
+        ("aside", "f8", 3),  # its part across the axis, the length of this part, and its angle with the axis
+        ("skewness", "f8"),
+        ("yaw", "f8"),
         ("sums", "f8", 3),  # thrust, torque and power
         ("out", "i8"),
     ],
@@ -175,25 +184,27 @@ def hub_inflow(b, h, t, exact):
     if status == OK and exact != 0:
         status = set_gradient(b, at, t, 0, b["hub_gradient"])
     move = add(velocity(h), cross(angular_velocity(h), arm))
-    b["hub_wind"][0] = u - move[0]
-    b["hub_wind"][1] = v - move[1]
-    b["hub_wind"][2] = up - move[2]
+    inflow = less((u, v, up), move)
+    along, across, size = across_rotor(into_world(h["S"], triple(b["axis"], 0)), inflow)
+    for r in range(3):
+        b["hub_wind"][r] = inflow[r]
+        b["aside"][r] = across[r]
+    b["skewness"] = size
+    b["yaw"] = math.atan2(size, along)
     return status
 
 
 @kernel
-def across_rotor(b):
-    """Component of the air relative to the hub along its axis, the rest, and the length of the rest."""
-    n = row(b["x"], N)
-    inflow = triple(b["hub_wind"], 0)
+def across_rotor(n, inflow):
+    """Component of the air relative to the hub along the axis n, the rest, and the length of the rest."""
     along = dot(n, inflow)
     across = less(inflow, times(along, n))
     return along, across, math.sqrt(dot(across, across))
 
 
 @kernel
-def meet_air(b, t):
-    """Set the velocities of the air relative to a station; status."""
+def meet_air(b, head, t):
+    """Set the velocities of the air relative to a station; `head` has those of the hub. Returns a status."""
     x = b["x"]
     u, v, up, status = wind_of(b, row(x, R), t)
     if status != OK:
@@ -206,7 +217,7 @@ def meet_air(b, t):
     chord = row(x, C)
     theta = math.atan2(-dot(chord, row(x, E)), dot(chord, row(x, T)))
     p["pitch"] = theta - b["blade"]["twist"]
-    along, across, size = across_rotor(b)
-    p["yaw"] = math.atan2(size, along)
-    p["downwind"] = dot(row(x, OUT), across) / size if size > 0.0 else 1.0
+    p["yaw"] = head["yaw"]
+    size = head["skewness"]
+    p["downwind"] = dot(row(x, OUT), triple(head["aside"], 0)) / size if size > 0.0 else 1.0
     return OK

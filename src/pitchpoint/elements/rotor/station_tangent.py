@@ -53,9 +53,9 @@ def _axes(b, d_rho, dn, ds):
 @kernel
 def _yaw(b, ck, cd, dn, do, wind, pushed):
     """Changes of yaw and downwind for changes of the axis and of the air relative to the hub."""
-    along, across, size = across_rotor(b)
     n = row(b["x"], N)
     inflow = triple(b["hub_wind"], 0)
+    along, across, size = across_rotor(n, inflow)
     d_inflow = add(times(ck, wind), times(cd, pushed))
     d_along = dot(n, d_inflow) + ck * dot(dn, inflow)
     d_across = less(d_inflow, add(times(d_along, n), times(ck * along, dn)))

@@ -20,6 +20,7 @@ from pitchpoint.elements.rotor.slopes import (
     W_T,
     F,
     angle_slope,
+    direction,
     no_induction,
     speed_slope,
 )
@@ -111,6 +112,7 @@ def rate_slopes(b, p, x, steady, slopes, U, Q):
     speed = inflow_speed(p)
     a = steady_n / speed
     first, second = inflow_times(a, b["share"], b["radius"], speed)
+    turn = direction(p)
     faster = 0.0 if abs(p["vx"]) <= 0.1 else 1.0 if p["vx"] > 0.0 else -1.0
     for n in range(COLUMNS):
         d_speed = faster if n == VX else 0.0
@@ -129,9 +131,9 @@ def rate_slopes(b, p, x, steady, slopes, U, Q):
             Q[z, n] = ((1.0 - SHARE) * dw - dz - longer * ((1.0 - SHARE) * w - x[z])) / first
             slow = x[z] + SHARE * w - x[z + 1]
             Q[z + 1, n] = (dz + SHARE * dw - own - longer * slow) / second
-        df = by_alpha * angle_slope(p, U, n) - (1.0 if n == F else 0.0)
+        df = by_alpha * angle_slope(p["speed"], turn, U, n) - (1.0 if n == F else 0.0)
         fast = p["speed"] / (CHORDS * b["chord"])
-        Q[4, n] = df * fast + (steady_f - x[4]) * speed_slope(p, U, n) / (CHORDS * b["chord"])
+        Q[4, n] = df * fast + (steady_f - x[4]) * speed_slope(turn, U, n) / (CHORDS * b["chord"])
 
 
 @kernel

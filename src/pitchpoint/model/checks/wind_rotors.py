@@ -10,6 +10,7 @@ from pitchpoint.model.checks.references import known
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.rotor_input import rotor_input
+from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
@@ -39,6 +40,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _stations(rotor, at, report)
             _blades(rotor, at, report)
             _wind(parts, rotor, at, report)
+            _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
         if scenario.wind is not None:
             known(parts, "winds", scenario.wind, ("scenarios", name, "wind"), report)
@@ -86,3 +88,15 @@ def _wind(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
         report.problem(at, "has no wind", remedy="add a wind to winds")
     elif len(winds) > 1:
         report.problem(at, "names no wind", limit=", ".join(winds), remedy="give wind: NAME")
+
+
+def _step(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
+    for name, scenario in parts.scenarios.items():
+        if rotor.step and scenario.method in (*ERROR_METHODS, *STIFF_METHODS):
+            report.problem(
+                (*at, "step"),
+                f"is the method of scenario {name} and has no fixed steps",
+                value=scenario.method,
+                limit="generalized_alpha, adams or rk4",
+                remedy="change the method, or omit step",
+            )

@@ -110,4 +110,13 @@ class WindRotor(Component):
         (0.0, 0.0),
         length=(2, 2),
     )
+    step: float = quantity(
+        "time",
+        "time over which loads are extrapolated with their derivatives before the balance of momentum is "
+        "solved again; 0: it is solved at every evaluation; methods of fixed steps only",
+        0.0,
+        minimum=0.0,
+        maximum=0.1,
+        later=True,
+    )
     tower_flow: bool = boolean("potential flow around the tower of the windIO file", False, later=True)

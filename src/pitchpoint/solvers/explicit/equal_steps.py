@@ -171,4 +171,8 @@ def entry(at, order, recorder):
     """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     found = recorder_at(recorder)
-    return advance_equal(at, o["t0"], o["first"], o["n"], o["h"], o["rate"], o["method"], found)
+    c = view(at, 1, CTL)[0]
+    c["held"] = 1
+    status = advance_equal(at, o["t0"], o["first"], o["n"], o["h"], o["rate"], o["method"], found)
+    c["held"] = 0
+    return status

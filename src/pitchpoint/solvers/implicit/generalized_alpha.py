@@ -92,7 +92,9 @@ ORDER = np.dtype(
 def entry(at, order, recorder):
     """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
-    return advance(
+    c = view(at, 1, CTL)[0]
+    c["held"] = 1
+    status = advance(
         at,
         o["t0"],
         o["first"],
@@ -104,6 +106,8 @@ def entry(at, order, recorder):
         o["code"],
         recorder_at(recorder),
     )
+    c["held"] = 0
+    return status
 
 
 @dataclass

@@ -95,6 +95,7 @@ def _rotor_rows(places: Places, name: str, part: WindRotor, pool: Pool) -> NDArr
     rows["blade"] = np.tile(station_records(rotor, flow.tip_loss, flow.hub_loss, stall), part.blades)
     rows["length"] = np.tile(_lengths(rotor), part.blades)
     rows["first"][0] = 1
+    rows["hold"], rows["since"] = part.step, np.nan
     if part.inflow == "dynamic":
         rows["inflow"], rows["stall"] = 1, int(stall)
         for k, row in enumerate(rows):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from pitchpoint.solvers.stepper import Stepper
 from pitchpoint.system import evaluate
 from tests.support.fmi_host import Unit
 from tests.support.fmu_models import DRIVEN, need_linker, own_run, own_start, pair, unit_of
+from tests.unit.solvers.test_extrapolated_loads import model as gust_model
 
 H = 1e-5
 BACKLASH = "meshes.stage.backlash.normal"
@@ -185,6 +187,26 @@ def test_a_state_can_be_restored_here_and_elsewhere(units, case):
     assert other.deserialise(b"x" * 30 + data[30:])[0] == 3 and "another FMU" in unit.messages[-1]
     assert other.deserialise(data[:-1])[0] == 3 and "number is wrong" in unit.messages[-1]
     other.free()
+
+
+def test_extrapolated_loads_of_blades_are_part_of_the_state(tmp_path_factory):
+    """Rotor in a gust with `step`: the bits of our own run, also after a state is restored."""
+    need_linker()
+    model = gust_model("step: 20 ms").replace("loads.torque.torque", -2.0e6)
+    model = dataclasses.replace(model, scenarios={"steady": model.scenarios["gust"]})
+    folder = tmp_path_factory.mktemp("rotor")
+    unit = Unit(unit_of("generalized_alpha", folder, 3, model=model), folder / "unit")
+    references = unit.references("output")
+    h = model.scenarios["steady"].step
+    want = own_run("generalized_alpha", model).advance(100, every=1)
+    one = unit.instance().initialise()
+    assert same_bits(one.steps(0, 30, h, references), want.rows[:30, 1:])
+    state = one.keep()
+    assert same_bits(one.steps(30, 70, h, references), want.rows[30:, 1:])
+    assert one.restore(state) == 0
+    assert same_bits(one.steps(30, 70, h, references), want.rows[30:, 1:])
+    one.drop(state)
+    one.free()
 
 
 def test_a_hundred_instances_do_not_disturb_each_other(unit):
