@@ -35,11 +35,16 @@ SECTION, E = tube(1.6, 1.4), 2.1e11
 
 def turbine(folder, *parts, p=None):
     """The example with parts of the page, coarse blades; without wind and weight for a force p on the hub."""
-    data = YAML(typ="safe").load((FOLDER / "model.yaml").read_text(encoding="utf-8"))
-    for part in parts:
+    data, drive = (
+        YAML(typ="safe").load((FOLDER / name).read_text(encoding="utf-8"))
+        for name in ("model.yaml", "two_mass.yaml")
+    )
+    assert data.pop("include") == ["two_mass.yaml"]
+    for part in (drive, *parts):
         for section, entries in part.items():
             for name, values in entries.items():
-                data.setdefault(section, {}).setdefault(name, {}).update(values)
+                known = data.setdefault(section, {})
+                known[name] = {**known.get(name, {}), **values} if isinstance(values, dict) else values
     for name in ("blade_1", "blade_2", "blade_3"):
         data["beams"][name]["pieces"] = 4
     for entry in data["beams"].values():

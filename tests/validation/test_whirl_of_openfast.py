@@ -49,7 +49,7 @@ def test_the_whirl_of_openfast():
         "winds.steady.exponent": 0.0,
         "bushings.yaw_drive": None,
         "bodies.generator.inertia": 1.0,
-        "loads.generator_torque": None,
+        "actuators.generator_torque": None,
         "scenarios.parked.drive": {
             "generator": {"speed": 0.7301},
             **{f"root_{k}": {"speed": 0.0} for k in (1, 2, 3)},
