@@ -215,7 +215,9 @@ def test_installed_ccblade() -> None:
     """CCBlade of an installed WISDEM at points that are not in the tables above, without cone and tilt."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        ccblade = pytest.importorskip("wisdem.ccblade.ccblade", reason="wisdem is not installed (extra `ccblade`)")
+        ccblade = pytest.importorskip(
+            "wisdem.ccblade.ccblade", reason="wisdem is not installed (extra `ccblade`)"
+        )
         rotor = report_rotor()
         blade = rotor.blade
         own = [OwnPolar(p) for p in blade.polars]
