@@ -112,6 +112,7 @@ def test_tooth_forces_carry_the_torque_of_the_rotor(trains):
     assert value("rotor_torque[rotor]") == pytest.approx(torque * 96.354167, rel=4e-3)
 
 
+@pytest.mark.study
 @pytest.mark.filterwarnings("ignore:profile shifts:pitchpoint.ValidityWarning")
 def test_first_torsional_frequency_with_the_gearbox():
     """Generator locked: 0.6094 Hz by ADAMS (NREL/TP-500-38060, table 9-1), to 0.5 %."""

@@ -189,6 +189,7 @@ def test_a_state_can_be_restored_here_and_elsewhere(units, case):
     other.free()
 
 
+@pytest.mark.study
 def test_extrapolated_loads_of_blades_are_part_of_the_state(tmp_path_factory):
     """Rotor in a gust with `step`: the bits of our own run, also after a state is restored."""
     need_linker()
