@@ -97,8 +97,8 @@ def test_two_four_bars_after_ten_seconds(planar, kind):
     """Where the rows lose rank they touch: an error of a row counts as its root in the place.
 
     So the error falls at least with the root of the tolerance, and that of one passage is carried on by those
-    after it. 7e-4, 3e-5 and 2e-6 when this was written. With equal steps the interpolated history is not accurate
-    enough at 1e-9: 7 of 42 runs with tolerances about it ended in such a place (docs/solvers.md).
+    after it. 7e-4, 3e-5 and 2e-6 when this was written. The interpolated history of gstiff is too inaccurate
+    for 1e-9: 7 of 42 runs with tolerances about it ended in such a place (docs/solvers.md).
     """
     for rtol in (1e-5, 1e-7) if kind == "gstiff" else (1e-5, 1e-7, 1e-9):
         found, drift = run(planar, kind, rtol)
