@@ -168,6 +168,7 @@ def fmu_model(
             "spins": rest.spins,
         },
         [x for pair in zip(rest.times, rest.weights, strict=True) for x in pair],
+        rest.extents,
     )
 
 

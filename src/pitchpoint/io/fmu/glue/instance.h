@@ -46,9 +46,10 @@ extern const u32 pp_indicators[];       /* event functions that are event indica
 extern const char *const pp_sentences[];/* by status of the compiled code */
 extern const i64 pp_n_sentences;
 /* equilibrium: rows, columns and places of the matrix; free coordinates, also while the balancing bodies are held;
-   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time */
+   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time;
+   size of each coordinate whose rounding error it has at least */
 extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[];
-extern const double pp_instants[];
+extern const double pp_instants[], pp_extents[];
 extern int pp_processor(void);          /* 1: the processor has the instructions of the code */
 
 /* Head of multibody.channels.CTL, solvers.sampling.RECORDER, codes of system.requests and core.status. */
