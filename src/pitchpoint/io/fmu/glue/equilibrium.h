@@ -54,6 +54,12 @@ static double length_of(const double *x, const double *mass, i64 n) {
   for (i64 k = 0; k < n; k++) sum += mass[k] * x[k] * x[k];
   return sum;
 }
+/* whether a broken tooth leaves no pair in contact: the next one penetrates too far (equilibrium.failure) */
+static int in_gap(Instance *f) {
+  if (request(f, OBSERVE, address(f->row)) != OK) return 1;
+  for (i64 k = 0; k < pp_numbers.n_gaps; k++) if (size_of(f->row[pp_gaps[k]]) > pp_depths[k]) return 1;
+  return 0;
+}
 /* equilibrium of the free coordinates by pseudo-transient continuation; 0 if there is none */
 static int settle(Instance *f, const u32 *free, i64 n) {
   i64 nd = pp_numbers.nd, found = 0;
@@ -122,6 +128,10 @@ static int settle(Instance *f, const u32 *free, i64 n) {
     mu *= regular ? (ratio < 0.25 ? 0.1 : 0.5) : 8.0;
     if (regular && mu < 1e-3) mu = 1e-3;
     if (!regular) for (i64 k = 0; k < n; k++) q[free[k]] = before[k];
+  }
+  if (found && pp_numbers.n_gaps) {
+    found = !in_gap(f);
+    residual(f, 0, 0.0, 0.0);
   }
   if (!found) for (i64 k = 0; k < nd; k++) q[k] = last[k];
   release(&f->on, room);

@@ -1,6 +1,6 @@
-; aab67406f127846fd7abe3672f56c6c5f4d407329b462cbdbcf1ae82d67757f9
+; eb2413f67b644935f2c2e642c2491fcc2a5ec84839844e67462d81076338fb2c
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
 %struct.Place = type { i64, i64, i64, i64, double }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
@@ -40,6 +40,8 @@
 @pp_coefficients = external local_unnamed_addr constant [0 x double], align 8
 @pp_extents = external local_unnamed_addr constant [0 x double], align 8
 @pp_entries_of_matrix = external local_unnamed_addr constant [0 x i32], align 4
+@pp_gaps = external local_unnamed_addr constant [0 x i32], align 4
+@pp_depths = external local_unnamed_addr constant [0 x double], align 8
 @.str.19 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
 @.str.20 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
 @pp_n_sentences = external local_unnamed_addr constant i64, align 8
@@ -126,7 +128,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 14:
   %15 = icmp ne i32 %3, 0
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
   %17 = icmp eq i64 %16, 0
   %18 = select i1 %15, i1 %17, i1 false
   br i1 %18, label %21, label %19
@@ -151,7 +153,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
   %31 = tail call fastcc i64 @numbers_of_state() #17
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
   %35 = load i64, ptr @pp_numbers, align 8
@@ -290,9 +292,9 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %38, label %5
 
 5:
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %7 = icmp ne i64 %6, 0
-  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
+  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
   %9 = fcmp une double %1, %8
   %10 = select i1 %7, i1 %9, i1 false
   br i1 %10, label %38, label %11
@@ -475,7 +477,7 @@ define internal fastcc i32 @end_start(ptr %0) unnamed_addr #1 {
   %87 = phi i32 [ 0, %81 ], [ 1, %84 ]
   %88 = getelementptr inbounds i8, ptr %0, i64 128
   %89 = load ptr, ptr %88, align 8
-  %90 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %90 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %91 = getelementptr inbounds i8, ptr %89, i64 %90
   %92 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
   %93 = tail call fastcc i64 @address(ptr %91) #17
@@ -550,7 +552,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -610,12 +612,12 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 128
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %10 = getelementptr inbounds i8, ptr %0, i64 104
   %11 = getelementptr inbounds i8, ptr %0, i64 112
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   br label %15
 
 15:
@@ -742,7 +744,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %14 = getelementptr inbounds i8, ptr %0, i64 96
   %15 = getelementptr inbounds i8, ptr %0, i64 88
   %16 = getelementptr inbounds i8, ptr %0, i64 72
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   br label %43
 
 18:
@@ -1791,7 +1793,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br label %81
 
 34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
   %36 = fdiv double %2, %35
   %37 = fmul double %36, 0x3FEFFFFFFF768FA1
   %38 = fcmp ogt double %37, 1.000000e+15
@@ -1815,9 +1817,9 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %50, label %51, label %59
 
 51:
-  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %53 = icmp ne i64 %52, 0
-  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %55 = icmp ne i64 %54, 0
   %56 = select i1 %53, i1 %55, i1 false
   br i1 %56, label %57, label %58
@@ -2005,7 +2007,7 @@ define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2021,11 +2023,11 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br label %22
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
   %15 = shl i64 %4, 3
   %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #19
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #17
   %19 = getelementptr inbounds double, ptr %1, i64 %4
   %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #19
@@ -2044,19 +2046,19 @@ define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
   %11 = shl i64 %4, 3
   %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #19
   %13 = getelementptr inbounds double, ptr %1, i64 %4
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #17
   %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #19
   br label %17
@@ -2072,7 +2074,7 @@ define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2086,12 +2088,12 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %11, label %12, label %21
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
   %15 = shl i64 %4, 3
   %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #19
   %17 = getelementptr inbounds double, ptr %1, i64 %4
-  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #17
   %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #19
   br label %21
@@ -2119,7 +2121,7 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 9:
   %10 = getelementptr inbounds i8, ptr %0, i64 128
   %11 = load ptr, ptr %10, align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
   %14 = tail call fastcc i64 @address(ptr %13) #17
   %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #17
@@ -2151,7 +2153,7 @@ define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unna
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2278,7 +2280,7 @@ define internal fastcc void @say(ptr %0, i32 %1, ptr %2) unnamed_addr #1 {
 
 define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
   %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %3 = add nsw i64 %2, %1
   ret i64 %3
 }
@@ -2359,13 +2361,13 @@ define internal fastcc void @turn_on(ptr %0, ptr %1, double %2, double %3, doubl
 }
 
 define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
   %11 = add nsw i64 %4, %3
   %12 = shl nsw i64 %11, 3
@@ -2857,7 +2859,7 @@ define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %2, 1
   %6 = add i64 %5, 6
   %7 = mul i64 %6, %2
@@ -2866,7 +2868,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %10 = add i64 %8, %9
   %11 = tail call fastcc ptr @allocate(ptr %0, i64 %10) #17
   %12 = icmp eq ptr %11, null
-  br i1 %12, label %735, label %13
+  br i1 %12, label %745, label %13
 
 13:
   %14 = mul i64 %2, %2
@@ -2879,15 +2881,15 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %21 = getelementptr inbounds double, ptr %20, i64 %2
   %22 = getelementptr inbounds double, ptr %21, i64 %4
   %23 = getelementptr inbounds i64, ptr %22, i64 %4
-  %24 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %24 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %25 = tail call fastcc ptr @reals(ptr %0, i64 %24) #17
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
   %27 = tail call fastcc ptr @reals(ptr %0, i64 %26) #17
-  %28 = icmp sgt i64 %4, 0
-  br i1 %28, label %29, label %31
+  %28 = icmp slt i64 %4, 1
+  br i1 %28, label %31, label %29
 
 29:
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   br label %39
 
 31:
@@ -2985,7 +2987,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 93:
   %94 = phi i64 [ %50, %49 ], [ %67, %101 ]
   %95 = phi double [ 0.000000e+00, %49 ], [ %111, %101 ]
-  br i1 %28, label %96, label %128
+  br i1 %28, label %128, label %96
 
 96:
   %97 = and i64 %4, 3
@@ -3109,7 +3111,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %177, label %178, label %168
 
 178:
-  br i1 %155, label %179, label %692
+  br i1 %155, label %179, label %701
 
 179:
   %180 = fmul double %95, 0x3D719799812DEA11
@@ -3202,11 +3204,11 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 257:
   %258 = tail call fastcc i64 @residual(ptr %0, i32 1, double 0.000000e+00, double 1.000000e+00) #17
   %259 = icmp eq i64 %258, 1
-  br i1 %259, label %260, label %692
+  br i1 %259, label %260, label %701
 
 260:
   tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %32, label %261, label %733
+  br i1 %32, label %261, label %692
 
 261:
   %262 = phi i64 [ %282, %268 ], [ 1, %260 ]
@@ -3217,7 +3219,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 
 266:
   %267 = icmp eq i64 %282, 0
-  br i1 %267, label %304, label %733
+  br i1 %267, label %304, label %692
 
 268:
   %269 = fmul double %301, 1.800000e-15
@@ -3264,7 +3266,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 304:
   %305 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
   %306 = icmp eq i64 %305, 1
-  br i1 %306, label %307, label %692
+  br i1 %306, label %307, label %701
 
 307:
   br i1 %188, label %309, label %321
@@ -3423,7 +3425,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 413:
   %414 = tail call fastcc ptr @allocate(ptr %0, i64 %182) #17
   %415 = icmp eq ptr %414, null
-  br i1 %415, label %692, label %416
+  br i1 %415, label %701, label %416
 
 416:
   br i1 %181, label %452, label %417
@@ -3807,77 +3809,91 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %689 = icmp ult i64 %253, 199
   %690 = fcmp olt double %636, 1.000000e+20
   %691 = select i1 %689, i1 %690, i1 false
-  br i1 %691, label %252, label %692
+  br i1 %691, label %252, label %701
 
 692:
-  br i1 %28, label %693, label %733
+  %693 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %694 = icmp eq i64 %693, 0
+  br i1 %694, label %743, label %695
 
-693:
-  %694 = and i64 %4, 3
-  %695 = icmp ult i64 %4, 4
-  br i1 %695, label %721, label %696
+695:
+  %696 = tail call fastcc i32 @in_gap(ptr %0) #17
+  %697 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  %698 = icmp eq i32 %696, 0
+  %699 = or i1 %698, %28
+  %700 = xor i32 %696, 1
+  br i1 %699, label %743, label %702
 
-696:
-  %697 = and i64 %4, 9223372036854775804
-  br label %698
+701:
+  br i1 %28, label %743, label %702
 
-698:
-  %699 = phi i64 [ 0, %696 ], [ %716, %698 ]
-  %700 = phi i64 [ 0, %696 ], [ %717, %698 ]
-  %701 = getelementptr inbounds double, ptr %21, i64 %699
-  %702 = load double, ptr %701, align 8
-  %703 = getelementptr inbounds double, ptr %25, i64 %699
-  store double %702, ptr %703, align 8
-  %704 = or i64 %699, 1
-  %705 = getelementptr inbounds double, ptr %21, i64 %704
-  %706 = load double, ptr %705, align 8
-  %707 = getelementptr inbounds double, ptr %25, i64 %704
-  store double %706, ptr %707, align 8
-  %708 = or i64 %699, 2
-  %709 = getelementptr inbounds double, ptr %21, i64 %708
-  %710 = load double, ptr %709, align 8
-  %711 = getelementptr inbounds double, ptr %25, i64 %708
-  store double %710, ptr %711, align 8
-  %712 = or i64 %699, 3
-  %713 = getelementptr inbounds double, ptr %21, i64 %712
-  %714 = load double, ptr %713, align 8
-  %715 = getelementptr inbounds double, ptr %25, i64 %712
-  store double %714, ptr %715, align 8
-  %716 = add nuw nsw i64 %699, 4
-  %717 = add i64 %700, 4
-  %718 = icmp eq i64 %717, %697
-  br i1 %718, label %719, label %698
+702:
+  %703 = add i64 %4, -1
+  %704 = and i64 %4, 3
+  %705 = icmp ult i64 %703, 3
+  br i1 %705, label %731, label %706
 
-719:
-  %720 = icmp eq i64 %694, 0
-  br i1 %720, label %733, label %721
+706:
+  %707 = and i64 %4, -4
+  br label %708
 
-721:
-  %722 = phi i64 [ 0, %693 ], [ %716, %719 ]
-  %723 = icmp ne i64 %694, 0
-  tail call void @llvm.assume(i1 %723)
-  br label %724
+708:
+  %709 = phi i64 [ 0, %706 ], [ %726, %708 ]
+  %710 = phi i64 [ 0, %706 ], [ %727, %708 ]
+  %711 = getelementptr inbounds double, ptr %21, i64 %709
+  %712 = load double, ptr %711, align 8
+  %713 = getelementptr inbounds double, ptr %25, i64 %709
+  store double %712, ptr %713, align 8
+  %714 = or i64 %709, 1
+  %715 = getelementptr inbounds double, ptr %21, i64 %714
+  %716 = load double, ptr %715, align 8
+  %717 = getelementptr inbounds double, ptr %25, i64 %714
+  store double %716, ptr %717, align 8
+  %718 = or i64 %709, 2
+  %719 = getelementptr inbounds double, ptr %21, i64 %718
+  %720 = load double, ptr %719, align 8
+  %721 = getelementptr inbounds double, ptr %25, i64 %718
+  store double %720, ptr %721, align 8
+  %722 = or i64 %709, 3
+  %723 = getelementptr inbounds double, ptr %21, i64 %722
+  %724 = load double, ptr %723, align 8
+  %725 = getelementptr inbounds double, ptr %25, i64 %722
+  store double %724, ptr %725, align 8
+  %726 = add nuw nsw i64 %709, 4
+  %727 = add i64 %710, 4
+  %728 = icmp eq i64 %727, %707
+  br i1 %728, label %729, label %708
 
-724:
-  %725 = phi i64 [ %730, %724 ], [ %722, %721 ]
-  %726 = phi i64 [ %731, %724 ], [ 0, %721 ]
-  %727 = getelementptr inbounds double, ptr %21, i64 %725
-  %728 = load double, ptr %727, align 8
-  %729 = getelementptr inbounds double, ptr %25, i64 %725
-  store double %728, ptr %729, align 8
-  %730 = add nuw nsw i64 %725, 1
-  %731 = add i64 %726, 1
-  %732 = icmp eq i64 %731, %694
-  br i1 %732, label %733, label %724
+729:
+  %730 = icmp eq i64 %704, 0
+  br i1 %730, label %743, label %731
 
-733:
-  %734 = phi i32 [ 0, %692 ], [ 0, %719 ], [ 0, %724 ], [ 1, %266 ], [ 1, %260 ]
+731:
+  %732 = phi i64 [ 0, %702 ], [ %726, %729 ]
+  %733 = icmp ne i64 %704, 0
+  tail call void @llvm.assume(i1 %733)
+  br label %734
+
+734:
+  %735 = phi i64 [ %740, %734 ], [ %732, %731 ]
+  %736 = phi i64 [ %741, %734 ], [ 0, %731 ]
+  %737 = getelementptr inbounds double, ptr %21, i64 %735
+  %738 = load double, ptr %737, align 8
+  %739 = getelementptr inbounds double, ptr %25, i64 %735
+  store double %738, ptr %739, align 8
+  %740 = add nuw nsw i64 %735, 1
+  %741 = add i64 %736, 1
+  %742 = icmp eq i64 %741, %704
+  br i1 %742, label %743, label %734
+
+743:
+  %744 = phi i32 [ %700, %695 ], [ 1, %692 ], [ 0, %701 ], [ 0, %734 ], [ 0, %729 ]
   tail call fastcc void @release(ptr %0, ptr %11) #17
-  br label %735
+  br label %745
 
-735:
-  %736 = phi i32 [ %734, %733 ], [ 0, %3 ]
-  ret i32 %736
+745:
+  %746 = phi i32 [ %744, %743 ], [ 0, %3 ]
+  ret i32 %746
 }
 
 define internal fastcc i64 @address(ptr %0) unnamed_addr #0 {
@@ -3922,7 +3938,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 21:
   %22 = load ptr, ptr %16, align 8
-  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #17
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
@@ -3951,7 +3967,7 @@ define internal fastcc ptr @reals(ptr %0, i64 %1) unnamed_addr #4 {
 define internal fastcc i64 @residual(ptr %0, i32 %1, double %2, double %3) unnamed_addr #1 {
   %5 = getelementptr inbounds i8, ptr %0, i64 128
   %6 = load ptr, ptr %5, align 8
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %8 = getelementptr inbounds i8, ptr %6, i64 %7
   %9 = tail call fastcc double @now(ptr %0) #17
   store double %9, ptr %8, align 8
@@ -4111,7 +4127,7 @@ define internal fastcc double @size_of(double %0) unnamed_addr #0 {
 }
 
 define internal fastcc void @gather(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #12 {
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
   %7 = icmp eq i64 %2, 0
   br i1 %7, label %27, label %8
@@ -4701,6 +4717,46 @@ define internal fastcc double @length_of(ptr %0, ptr %1, i64 %2) unnamed_addr #8
   br i1 %69, label %10, label %32
 }
 
+define internal fastcc i32 @in_gap(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 112
+  %3 = load ptr, ptr %2, align 8
+  %4 = tail call fastcc i64 @address(ptr %3) #17
+  %5 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %4) #17
+  %6 = icmp eq i64 %5, 1
+  br i1 %6, label %7, label %26
+
+7:
+  %8 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %9 = icmp sgt i64 %8, 0
+  br i1 %9, label %10, label %26
+
+10:
+  %11 = load ptr, ptr %2, align 8
+  br label %15
+
+12:
+  %13 = add nuw nsw i64 %16, 1
+  %14 = icmp eq i64 %13, %8
+  br i1 %14, label %26, label %15
+
+15:
+  %16 = phi i64 [ 0, %10 ], [ %13, %12 ]
+  %17 = getelementptr inbounds i32, ptr @pp_gaps, i64 %16
+  %18 = load i32, ptr %17, align 4
+  %19 = zext i32 %18 to i64
+  %20 = getelementptr inbounds double, ptr %11, i64 %19
+  %21 = load double, ptr %20, align 8
+  %22 = tail call fastcc double @size_of(double %21) #17
+  %23 = getelementptr inbounds double, ptr @pp_depths, i64 %16
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp ogt double %22, %24
+  br i1 %25, label %26, label %12
+
+26:
+  %27 = phi i32 [ 1, %1 ], [ 0, %7 ], [ 0, %12 ], [ 1, %15 ]
+  ret i32 %27
+}
+
 define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = getelementptr inbounds i8, ptr %0, i64 88
   %5 = load i64, ptr %4, align 8
@@ -4714,7 +4770,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 128
   %10 = load ptr, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %12 = getelementptr inbounds i8, ptr %10, i64 %11
   %13 = tail call fastcc double @now(ptr %0) #17
   store double %13, ptr %12, align 8
@@ -4723,7 +4779,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %12, i64 16
   store <2 x double> zeroinitializer, ptr %15, align 8
   %16 = icmp eq i64 %1, 4
-  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
+  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 360), align 8
   %18 = select i1 %16, double %17, double 0.000000e+00
   %19 = getelementptr inbounds i8, ptr %12, i64 8
   store double %18, ptr %19, align 8
@@ -4731,61 +4787,6 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %21 = tail call fastcc i64 @address(ptr %12) #17
   %22 = tail call i64 %20(i64 %21, i64 %1, i64 %2) #19
   ret i64 %22
-}
-
-define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
-  %4 = icmp eq i64 %3, 0
-  br i1 %4, label %6, label %5
-
-5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #17
-  br label %11
-
-6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 288), align 8
-  %10 = getelementptr inbounds double, ptr %8, i64 %9
-  store double 0x7FF8000000000000, ptr %10, align 8
-  br label %11
-
-11:
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #17
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
-  %15 = getelementptr inbounds i64, ptr %13, i64 %14
-  store i64 0, ptr %15, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 1, ptr %16, align 8
-  ret i64 %2
-}
-
-define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 80
-  store i64 1, ptr %5, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 136
-  store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #17
-  %7 = icmp sgt i64 %2, -1
-  %8 = load i64, ptr @pp_n_sentences, align 8
-  %9 = icmp slt i64 %2, %8
-  %10 = select i1 %7, i1 %9, i1 false
-  br i1 %10, label %11, label %14
-
-11:
-  tail call fastcc void @append(ptr %0, ptr @.str.21) #17
-  %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
-  %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #17
-  br label %14
-
-14:
-  tail call fastcc void @append(ptr %0, ptr @.str.22) #17
-  tail call fastcc void @append(ptr %0, ptr %3) #17
-  tail call fastcc void @fail(ptr %0, ptr %6) #17
-  ret void
 }
 
 define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #10 {
@@ -4833,23 +4834,78 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #10 {
   br i1 %29, label %10, label %9
 }
 
-define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #17
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %4 = icmp eq i64 %3, 0
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #17
+  br label %11
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %10 = getelementptr inbounds double, ptr %8, i64 %9
+  store double 0x7FF8000000000000, ptr %10, align 8
+  br label %11
+
+11:
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #17
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %15 = getelementptr inbounds i64, ptr %13, i64 %14
+  store i64 0, ptr %15, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 1, ptr %16, align 8
+  ret i64 %2
+}
+
+define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 1, ptr %5, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 136
+  store i8 0, ptr %6, align 8
+  tail call fastcc void @append(ptr %0, ptr %1) #17
+  %7 = icmp sgt i64 %2, -1
+  %8 = load i64, ptr @pp_n_sentences, align 8
+  %9 = icmp slt i64 %2, %8
+  %10 = select i1 %7, i1 %9, i1 false
+  br i1 %10, label %11, label %14
+
+11:
+  tail call fastcc void @append(ptr %0, ptr @.str.21) #17
+  %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
+  %13 = load ptr, ptr %12, align 8
+  tail call fastcc void @append(ptr %0, ptr %13) #17
+  br label %14
+
+14:
+  tail call fastcc void @append(ptr %0, ptr @.str.22) #17
+  tail call fastcc void @append(ptr %0, ptr %3) #17
+  tail call fastcc void @fail(ptr %0, ptr %6) #17
+  ret void
+}
+
+define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #17
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
 
 15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %52
 
@@ -4902,9 +4958,9 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   br label %52
 
 52:
-  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #17
-  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
   ret void
@@ -5102,10 +5158,10 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #13 {
 }
 
 define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %4 = icmp slt i64 %1, %3
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %7 = select i1 %4, i64 %5, i64 %6
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
   %9 = select i1 %4, i64 0, i64 %3
@@ -5124,7 +5180,7 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 8:
   %9 = getelementptr inbounds i8, ptr %5, i64 8
   %10 = load i64, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %12 = icmp slt i64 %10, %11
   %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
   br label %32
@@ -5275,7 +5331,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
 
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
   %3 = tail call fastcc double @now(ptr %0) #17
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
 
@@ -5287,9 +5343,9 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
   br label %15
 
 10:
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
   br label %15
@@ -5412,7 +5468,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
   %12 = getelementptr inbounds i8, ptr %5, i64 32
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %14 = add nsw i64 %13, 1
   store i64 %14, ptr %12, align 8
   %15 = getelementptr inbounds i8, ptr %5, i64 40
@@ -5426,29 +5482,29 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   store i64 0, ptr %19, align 8
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
-  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %23 = call fastcc ptr @reals(ptr %0, i64 %22) #17
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %27 = call fastcc ptr @reals(ptr %0, i64 %26) #17
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %31 = call fastcc ptr @integers(ptr %0, i64 %30) #17
   store i64 %29, ptr %31, align 8
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
   %33 = call fastcc ptr @integers(ptr %0, i64 %32) #17
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
   %35 = getelementptr inbounds i8, ptr %0, i64 128
   %36 = load ptr, ptr %35, align 8
-  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
   %39 = call fastcc i64 @address(ptr %38) #17
-  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
   %42 = call fastcc i64 @address(ptr %41) #17
   %43 = call fastcc i64 @address(ptr %5) #17
@@ -5573,9 +5629,9 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %7, label %8, label %14
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #17
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
