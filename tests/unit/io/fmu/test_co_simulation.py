@@ -227,6 +227,21 @@ def test_a_state_can_be_restored_here_and_elsewhere(units, case):
     other.free()
 
 
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_the_state_of_another_unit_is_refused(units, case):
+    unit, another = units[case], next(u for key, u in units.items() if key != case)
+    one, other = unit.instance().initialise(), another.instance().initialise()
+    want = one.steps(0, 3, H, unit.references("output"))
+    state = other.keep()
+    one.call("Reset")
+    one.initialise()
+    assert one.restore(state) == 3 and unit.messages[-1] == "this state is that of another FMU"
+    assert same_bits(one.steps(0, 3, H, unit.references("output")), want)
+    other.drop(state)
+    for each in (one, other):
+        each.free()
+
+
 @pytest.mark.study
 def test_extrapolated_loads_of_blades_are_part_of_the_state(tmp_path_factory):
     """Rotor in a gust with `step`: the bits of our own run, also after a state is restored."""

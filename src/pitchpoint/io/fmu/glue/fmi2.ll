@@ -1,4 +1,4 @@
-; eb2413f67b644935f2c2e642c2491fcc2a5ec84839844e67462d81076338fb2c
+; 7049ef635f8d1fe6af3b701c3f873c700f9fbfc102389c3940e412402a4af059
 
 %struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
@@ -60,26 +60,27 @@
 @.str.28 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
 @.str.29 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
 @.str.30 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.31 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.32 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.33 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.34 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.35 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.36 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.37 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.38 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.39 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.40 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.41 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.42 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.43 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.44 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.45 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.46 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.47 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.48 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.49 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.50 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.31 = private unnamed_addr constant [34 x i8] c"this state is that of another FMU\00", align 1
+@.str.32 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.33 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.34 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.35 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.36 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.37 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.38 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.39 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.40 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.41 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.42 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.43 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.44 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.45 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.46 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.47 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.48 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.49 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.50 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.51 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi2GetTypesPlatform() local_unnamed_addr #0 {
   ret ptr @.str
@@ -1149,28 +1150,37 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
 
 4:
   tail call fastcc void @fail(ptr %0, ptr @.str.30) #17
-  br label %18
+  br label %22
 
 5:
-  %6 = tail call fastcc i64 @numbers_of_state() #17
-  %7 = shl i64 %6, 3
-  %8 = getelementptr inbounds i8, ptr %0, i64 48
-  %9 = getelementptr inbounds i8, ptr %0, i64 88
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %1, i64 40
-  %12 = tail call ptr @memcpy(ptr %8, ptr %11, i64 56) #19
-  %13 = getelementptr inbounds i8, ptr %0, i64 104
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %1, i64 96
-  %16 = tail call ptr @memcpy(ptr %14, ptr %15, i64 %7) #19
-  %17 = getelementptr inbounds i8, ptr %15, i64 %7
-  tail call fastcc void @relocate(ptr %0, ptr %17) #17
-  store i64 %10, ptr %9, align 8
-  br label %18
+  %6 = tail call fastcc i32 @is_own(ptr %1) #17
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %8, label %9
 
-18:
-  %19 = phi i32 [ 0, %5 ], [ 3, %4 ]
-  ret i32 %19
+8:
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #17
+  br label %22
+
+9:
+  %10 = tail call fastcc i64 @numbers_of_state() #17
+  %11 = shl i64 %10, 3
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  %13 = getelementptr inbounds i8, ptr %0, i64 88
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %1, i64 40
+  %16 = tail call ptr @memcpy(ptr %12, ptr %15, i64 56) #19
+  %17 = getelementptr inbounds i8, ptr %0, i64 104
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %1, i64 96
+  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %11) #19
+  %21 = getelementptr inbounds i8, ptr %19, i64 %11
+  tail call fastcc void @relocate(ptr %0, ptr %21) #17
+  store i64 %14, ptr %13, align 8
+  br label %22
+
+22:
+  %23 = phi i32 [ 0, %9 ], [ 3, %8 ], [ 3, %4 ]
+  ret i32 %23
 }
 
 define i32 @fmi2FreeFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
@@ -1226,7 +1236,7 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.31) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.32) #17
   br label %12
 
 10:
@@ -1246,70 +1256,44 @@ define i32 @fmi2DeSerializeFMUstate(ptr %0, ptr %1, i64 %2, ptr %3) local_unname
 define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = tail call fastcc i64 @state_size() #17
   %6 = icmp eq i64 %2, %5
-  br i1 %6, label %20, label %7
+  br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.32) #17
-  br label %40
+  tail call fastcc void @fail(ptr %0, ptr @.str.33) #17
+  br label %22
 
 8:
-  %9 = or i64 %21, 1
-  %10 = getelementptr inbounds i8, ptr @pp_token, i64 %9
-  %11 = load i8, ptr %10, align 1
-  %12 = icmp eq i8 %11, 0
-  br i1 %12, label %30, label %13
+  %9 = tail call fastcc i32 @is_own(ptr %1) #17
+  %10 = icmp eq i32 %9, 0
+  br i1 %10, label %11, label %12
 
-13:
-  %14 = getelementptr inbounds i8, ptr %1, i64 %9
-  %15 = load i8, ptr %14, align 1
-  %16 = icmp eq i8 %15, %11
-  br i1 %16, label %17, label %29
+11:
+  tail call fastcc void @fail(ptr %0, ptr @.str.34) #17
+  br label %22
 
-17:
-  %18 = add nuw nsw i64 %21, 2
-  %19 = icmp eq i64 %18, 40
-  br i1 %19, label %30, label %20
+12:
+  %13 = load ptr, ptr %3, align 8
+  %14 = icmp eq ptr %13, null
+  br i1 %14, label %15, label %19
 
-20:
-  %21 = phi i64 [ %18, %17 ], [ 0, %4 ]
-  %22 = getelementptr inbounds i8, ptr @pp_token, i64 %21
-  %23 = load i8, ptr %22, align 1
-  %24 = icmp eq i8 %23, 0
-  br i1 %24, label %30, label %25
+15:
+  %16 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #17
+  store ptr %16, ptr %3, align 8
+  %17 = icmp eq ptr %16, null
+  br i1 %17, label %18, label %19
 
-25:
-  %26 = getelementptr inbounds i8, ptr %1, i64 %21
-  %27 = load i8, ptr %26, align 1
-  %28 = icmp eq i8 %27, %23
-  br i1 %28, label %8, label %29
-
-29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.33) #17
-  br label %40
-
-30:
-  %31 = load ptr, ptr %3, align 8
-  %32 = icmp eq ptr %31, null
-  br i1 %32, label %33, label %37
-
-33:
-  %34 = tail call fastcc ptr @allocate(ptr %0, i64 %2) #17
-  store ptr %34, ptr %3, align 8
-  %35 = icmp eq ptr %34, null
-  br i1 %35, label %36, label %37
-
-36:
+18:
   tail call fastcc void @fail(ptr %0, ptr @.str.29) #17
-  br label %40
+  br label %22
 
-37:
-  %38 = phi ptr [ %34, %33 ], [ %31, %30 ]
-  %39 = tail call ptr @memcpy(ptr %38, ptr %1, i64 %2) #19
-  br label %40
+19:
+  %20 = phi ptr [ %16, %15 ], [ %13, %12 ]
+  %21 = tail call ptr @memcpy(ptr %20, ptr %1, i64 %2) #19
+  br label %22
 
-40:
-  %41 = phi i32 [ 3, %7 ], [ 0, %37 ], [ 3, %36 ], [ 3, %29 ]
-  ret i32 %41
+22:
+  %23 = phi i32 [ 3, %7 ], [ 0, %19 ], [ 3, %18 ], [ 3, %11 ]
+  ret i32 %23
 }
 
 define i32 @fmi2GetDirectionalDerivative(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, ptr %6) local_unnamed_addr #1 {
@@ -1333,7 +1317,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.34) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.35) #17
   br label %254
 
 17:
@@ -1370,7 +1354,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   ]
 
 35:
-  tail call fastcc void @fail(ptr %0, ptr @.str.35) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.36) #17
   br label %254
 
 36:
@@ -1381,7 +1365,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %40, label %41, label %42
 
 41:
-  tail call fastcc void @fail(ptr %0, ptr @.str.36) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.37) #17
   br label %254
 
 42:
@@ -1504,7 +1488,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %124
 
 123:
-  tail call fastcc void @fail(ptr %0, ptr @.str.37) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.38) #17
   br label %254
 
 124:
@@ -1692,7 +1676,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %251
 
 250:
-  tail call fastcc void @fail(ptr %0, ptr @.str.37) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.38) #17
   call fastcc void @drop_state(ptr %0, ptr %8) #17
   br label %252
 
@@ -1758,7 +1742,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.38) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.39) #17
   br label %81
 
 18:
@@ -1768,7 +1752,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.39) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.40) #17
   br label %81
 
 23:
@@ -1778,7 +1762,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.40) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.41) #17
   br label %81
 
 28:
@@ -1789,7 +1773,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.41) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #17
   br label %81
 
 34:
@@ -1800,7 +1784,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.42) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
   br label %81
 
 40:
@@ -1825,7 +1809,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #17
   br label %81
 
 58:
@@ -1871,7 +1855,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.44, i64 %80, ptr @.str.45) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.45, i64 %80, ptr @.str.46) #17
   br label %81
 
 81:
@@ -1976,7 +1960,7 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
   br label %14
 
 6:
@@ -2019,7 +2003,7 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.48) #17
   br label %22
 
 12:
@@ -5170,6 +5154,60 @@ define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
   ret ptr %11
 }
 
+define internal fastcc i32 @is_own(ptr %0) unnamed_addr #8 {
+  br label %2
+
+2:
+  %3 = phi i64 [ 0, %1 ], [ %21, %20 ]
+  %4 = getelementptr inbounds i8, ptr @pp_token, i64 %3
+  %5 = load i8, ptr %4, align 1
+  %6 = icmp eq i8 %5, 0
+  br i1 %6, label %23, label %7
+
+7:
+  %8 = getelementptr inbounds i8, ptr %0, i64 %3
+  %9 = load i8, ptr %8, align 1
+  %10 = icmp eq i8 %9, %5
+  br i1 %10, label %11, label %23
+
+11:
+  %12 = or i64 %3, 1
+  %13 = getelementptr inbounds i8, ptr @pp_token, i64 %12
+  %14 = load i8, ptr %13, align 1
+  %15 = icmp eq i8 %14, 0
+  br i1 %15, label %23, label %16
+
+16:
+  %17 = getelementptr inbounds i8, ptr %0, i64 %12
+  %18 = load i8, ptr %17, align 1
+  %19 = icmp eq i8 %18, %14
+  br i1 %19, label %20, label %23
+
+20:
+  %21 = add nuw nsw i64 %3, 2
+  %22 = icmp eq i64 %21, 40
+  br i1 %22, label %34, label %2
+
+23:
+  %24 = phi i64 [ %3, %7 ], [ %3, %2 ], [ %12, %11 ], [ %12, %16 ]
+  %25 = and i64 %24, 4294967295
+  %26 = getelementptr inbounds i8, ptr @pp_token, i64 %25
+  %27 = load i8, ptr %26, align 1
+  %28 = icmp eq i8 %27, 0
+  br i1 %28, label %29, label %34
+
+29:
+  %30 = getelementptr inbounds i8, ptr %0, i64 %25
+  %31 = load i8, ptr %30, align 1
+  %32 = icmp eq i8 %31, 0
+  %33 = zext i1 %32 to i32
+  br label %34
+
+34:
+  %35 = phi i32 [ %33, %29 ], [ 0, %23 ], [ 1, %20 ]
+  ret i32 %35
+}
+
 define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr #14 {
   %4 = zext i32 %1 to i64
   %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
@@ -5609,7 +5647,7 @@ define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.48) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.49) #17
   br label %6
 
 6:
@@ -5638,7 +5676,7 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.49, i64 %15, ptr @.str.50) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.50, i64 %15, ptr @.str.51) #17
   br label %20
 
 16:

@@ -338,7 +338,7 @@ static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *val
   return fOK;
 }
 
-/* a serialised state begins with the identifier of the FMU, in 40 bytes */
+/* a state begins with the identifier of the FMU, in 40 bytes */
 enum { HEAD = 40 };
 static size_t state_size(void) { return HEAD + sizeof(Clock) + 8 * (size_t)numbers_of_state() + (size_t)pp_numbers.size; }
 static Status keep_state(Instance *f, void **state) {
@@ -356,8 +356,14 @@ static Status keep_state(Instance *f, void **state) {
   for (i64 k = 0; k < pp_numbers.n_code; k++) *(i64 *)(s + pp_code[2 * k]) = 0;
   return fOK;
 }
+static int is_own(const char *state) {
+  int k = 0;
+  while (k < HEAD && pp_token[k] && state[k] == pp_token[k]) k++;
+  return k == HEAD || (!pp_token[k] && !state[k]);
+}
 static Status restore(Instance *f, const char *s) {
   if (!s) return fail(f, "no state is given");
+  if (!is_own(s)) return fail(f, "this state is that of another FMU");
   size_t n = 8 * (size_t)numbers_of_state();
   i64 exchange = f->c.exchange;
   memcpy(&f->c, s += HEAD, sizeof(Clock));
@@ -377,8 +383,7 @@ static Status serialise(Instance *f, const void *state, unsigned char *bytes, si
 }
 static Status deserialise(Instance *f, const unsigned char *bytes, size_t size, void **state) {
   if (size != state_size()) return fail(f, "these bytes are not a state of this FMU: their number is wrong");
-  for (int k = 0; k < HEAD && pp_token[k]; k++)
-    if (bytes[k] != (unsigned char)pp_token[k]) return fail(f, "these bytes are a state of another FMU");
+  if (!is_own((const char *)bytes)) return fail(f, "these bytes are a state of another FMU");
   if (!*state) *state = allocate(&f->on, state_size());
   if (!*state) return fail(f, "no memory for a state");
   memcpy(*state, bytes, state_size());
