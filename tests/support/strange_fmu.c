@@ -6,7 +6,7 @@
 
 typedef void (*Logger)(void *, const char *, int, const char *, const char *, ...);
 typedef struct { Logger logger; } Callbacks;
-static struct { double u, mode, t; Logger logger; } it;
+static struct { double u, mode, t; int child; Logger logger; } it;
 
 void *fmi2Instantiate(const char *name, int kind, const char *token, const char *place, const Callbacks *on, int a, int b) {
   it.logger = on->logger;
@@ -28,7 +28,8 @@ int fmi2DoStep(void *c, double t, double h, int keep) {
   it.t = t + h;
   if (it.t < 0.0045) return 0;
   if (it.mode == 1) abort();
-  if (it.mode == 2) for (;;) sleep(1);
+  if (it.mode >= 6 && !it.child) if (!(it.child = fork())) for (;;) sleep(1);
+  if (it.mode == 2 || it.mode == 7) for (;;) sleep(1);
   if (it.mode == 4) { it.logger(&it, "it", 3, "", "the engine has no %s", "fuel"); return 3; }
   if (it.mode == 5) exit(7);
   return 0;

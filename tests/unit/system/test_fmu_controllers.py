@@ -10,8 +10,10 @@ import os
 import stat
 import subprocess
 import sys
+import tempfile
 import time
 import zipfile
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -258,6 +260,41 @@ def test_a_killed_run_leaves_nothing(strange, tmp_path):
         time.sleep(0.1)
     assert not any(os.path.exists(f"/proc/{n}") for n in children)
     assert not list(tmp_path.glob("pitchpoint-fmu-*"))
+
+
+def of_folder(folder):
+    """Numbers of the processes of FMUs that are unpacked in a folder, with their children."""
+    found = []
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        with suppress(OSError), open(f"/proc/{name}/cmdline") as command:
+            if f"{folder}/pitchpoint-fmu-" in command.read():
+                found.append(int(name))
+    return found
+
+
+def test_processes_that_an_fmu_starts_end_with_it(strange, tmp_path, monkeypatch):
+    """At the end of the run, and when the parent is killed while the FMU hangs."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    begin = time.monotonic()
+    assert runs(strange, MACHINE, {"controllers.unit.parameters": {"mode": 6}}).sizes["time"] == 11
+    assert time.monotonic() - begin < 30.0 and not of_folder(tmp_path)
+    program = (
+        "import pitchpoint as pp, sys\n"
+        "changes = {'controllers.unit.parameters': {'mode': 7}}\n"
+        "model = pp.load_model(sys.argv[1], allow_code=True, changes=changes)\n"
+        "pp.solve_time(pp.compile_model(model, 'run'))\n"
+    )
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    parent = subprocess.Popen([sys.executable, "-c", program, str(strange / "model.yaml")], env=environment)
+    until = time.monotonic() + 60.0
+    while len(of_folder(tmp_path)) < 2 and time.monotonic() < until:
+        time.sleep(0.1)
+    assert len(of_folder(tmp_path)) == 2
+    parent.kill()
+    parent.wait()
+    while of_folder(tmp_path) and time.monotonic() < until:
+        time.sleep(0.1)
+    assert not of_folder(tmp_path)
 
 
 def test_a_stepper_cannot_save_the_state_of_an_fmu(strange):

@@ -42,6 +42,8 @@ def _read(pipe: BinaryIO, size: int, requests: queue.Queue[bytes | None]) -> Non
             requests.put(None)
             return
         if not what or len(record) < size:
+            if sys.platform != "win32" and os.getpgrp() == os.getpid():
+                os.killpg(0, signal.SIGKILL)  # with what the library has started
             os._exit(0)
         requests.put(record)
 

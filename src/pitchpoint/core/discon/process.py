@@ -23,6 +23,7 @@ from typing import IO, Any, Self
 
 import numpy as np
 
+from pitchpoint.core.child import end_with_children
 from pitchpoint.core.discon import host
 from pitchpoint.core.discon.records import (
     BY_NAME,
@@ -122,6 +123,7 @@ class Discon:
             stdout=subprocess.PIPE,
             stderr=self._printed,
             cwd=(given or self._library).parent,
+            start_new_session=True,  # the library may start processes, which end with it
         )
         self._watch = _Watch(self._process, timeout)
         self._end = weakref.finalize(self, _end, self._process, self._printed, self._watch)
@@ -311,7 +313,7 @@ class _Watch:
                 left = self._begun + self._limit - time.monotonic()
                 if left <= 0.0:
                     self._expired = True
-                    self._process.kill()
+                    end_with_children(self._process)
                     return
 
 
@@ -355,9 +357,9 @@ def _how_it_ended(status: int) -> str:
 
 
 def _end(process: subprocess.Popen[bytes], printed: IO[bytes], watch: _Watch) -> None:
-    """End the process, if it still runs, and close the pipes."""
+    """End the process, if it still runs, with its children, and close the pipes."""
     watch.close()
-    process.kill()
+    end_with_children(process)
     process.wait()
     for pipe in (process.stdin, process.stdout):
         if pipe is not None and not pipe.closed:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Functional mock-up unit in a process of its own, as a function for sampled controllers.
 
-A unit that crashes or hangs ends its own process only. The process ends with the object, with this process,
-and at the latest when the pipe to it is closed.
+A unit that crashes or hangs ends its own process only. The process and its children end with the object, with
+this process, and at the latest when the pipe to it is closed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import IO, Any
 
-from pitchpoint.core.child import python_command, python_environment
+from pitchpoint.core.child import end_with_children, python_command, python_environment
 from pitchpoint.core.errors import MissingDependencyError, PitchpointError
 from pitchpoint.core.fmi.fmu_file import FmuFile, FmuVariable
 
@@ -116,6 +116,7 @@ class FmuProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
+            start_new_session=True,  # the unit may start processes, which end with it
         )
         self._saved = 0
         self._forgotten: list[int] = []  # saved states to be released with the next request
@@ -258,19 +259,19 @@ def finish(state: dict[str, Any]) -> tuple[str, ...]:
 
 def _listen(answers: IO[bytes], waiting: queue.Queue[bytes]) -> None:
     """Pass on the answers; an empty one at their end."""
-    for line in answers:
-        waiting.put(line)
+    with answers:
+        for line in answers:
+            waiting.put(line)
     waiting.put(b"")
 
 
 def _end(process: subprocess.Popen[bytes], folder: tempfile.TemporaryDirectory[str]) -> None:
-    """End the process and delete its files."""
-    process.kill()
+    """End the process with its children, and delete its files; the other pipe is closed where it is read."""
+    end_with_children(process)
     process.wait()
-    for pipe in (process.stdin, process.stdout):
-        if pipe is not None:
-            with suppress(OSError):  # a request that was not sent
-                pipe.close()
+    assert process.stdin is not None
+    with suppress(OSError):  # a request that was not sent
+        process.stdin.close()
     folder.cleanup()
 
 
