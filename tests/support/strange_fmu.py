@@ -41,7 +41,7 @@ def write_fmu(
         text = text.replace(old, new)
     library = f"binaries/{own_platform()}/strange.so"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in ({"modelDescription.xml": text, library: b""} | (entries or {})).items():
+        for name, data in ({"modelDescription.xml": text, library: b"\x7fELF"} | (entries or {})).items():
             archive.writestr(name, data)
     return path
 

@@ -200,7 +200,7 @@ def compute(
     from pitchpoint.cli.planet_loads import with_stored_positions
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
-    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.errors import SolverError, with_time
     from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.writing import Channel, ResultWriter
@@ -244,7 +244,7 @@ def compute(
             notes=notes,
             statistics=statistics,
         )
-    sentence = f"{done.sentence} (at t = {done.t_end:.6g} s)" if done.status != OK else done.sentence
+    sentence = with_time(done.sentence, done.t_end) if done.status != OK else done.sentence
     summary = {
         "status": status,
         "sentence": sentence,

@@ -14,6 +14,24 @@ SEPARATOR = "; "
 """Text between two notes."""
 
 
+def with_time(sentence: str, t: float) -> str:
+    """Sentence on a failure with the time [s], unless it has one.
+
+    Parameters
+    ----------
+    sentence
+        The sentence.
+    t
+        Time reached [s].
+
+    Examples
+    --------
+    >>> with_time("not finite", 0.25), with_time("the law failed (t = 0.3 s)", 0.25)
+    ('not finite (at t = 0.25 s)', 'the law failed (t = 0.3 s)')
+    """
+    return sentence if "(t = " in sentence else f"{sentence} (at t = {t:.6g} s)"
+
+
 class PitchpointError(Exception):
     """Base class of all errors that the package raises deliberately."""
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes
+from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes, with_time
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.controller_end import EndsControllers
@@ -254,7 +254,7 @@ class Stepper(EndsControllers):
     def _fail(self, status: int) -> None:
         """Raise the failure of the run with its partial result."""
         self._failure = self._loop.sentence(status)
-        raise SolverError(f"{self._failure} (t = {self.t:.6g} s)", status, self.dataset())
+        raise SolverError(with_time(self._failure, self.t), status, self.dataset())
 
     def value(self, name: str) -> float:
         """Present value of an output, in the unit of `units`.

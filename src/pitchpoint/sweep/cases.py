@@ -18,7 +18,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.analysis.mesh_sweep import swept_meshes
-from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
+from pitchpoint.core.errors import (
+    CompileError,
+    ModelError,
+    PitchpointError,
+    SolverError,
+    join_notes,
+    with_time,
+)
 from pitchpoint.core.load_sharing import is_factor
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
@@ -266,7 +273,7 @@ def _run(
         found = {"channels": with_factors(model, done.channels), "steps": done.steps}
         status, words, notes = done.status, done.sentence, done.notes
         if status != OK:
-            words = f"{words} (at t = {done.t_end:.6g} s)"
+            words = with_time(words, done.t_end)
     wall_s = time.perf_counter() - begun
     return CaseResult(index, dict(values), status, words, wall_s=wall_s, notes=notes, **found)
 

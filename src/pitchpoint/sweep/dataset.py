@@ -23,7 +23,7 @@ from pitchpoint.analysis.decimation import DAMPING, PASS, REACH, STOP, decimated
 from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.core.errors import PitchpointError, SolverError
+from pitchpoint.core.errors import PitchpointError, SolverError, with_time
 from pitchpoint.core.nomenclature import can_be_filtered
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
@@ -255,7 +255,7 @@ def _compute(
     sink = _Tail(len(asked), first)
     done = run_time(system, scenario, sink=sink, progress=listen, channels=asked)
     if done.status != OK:
-        words = f"{done.sentence} (at t = {done.t_end:.6g} s)"
+        words = with_time(done.sentence, done.t_end)
         return CaseRecord(case, key, done.status, words, numbers, steps=done.steps)
     rows = sink.rows()
     if not np.all(np.isfinite(rows)):

@@ -7,8 +7,10 @@ anything is written. Source: FMI 2.0.4 and FMI 3.0.2, chapter "FMI description s
 
 from __future__ import annotations
 
+import lzma
 import platform as host
 import stat
+import struct
 import xml.etree.ElementTree as ET
 import zipfile
 import zlib
@@ -19,6 +21,8 @@ from pathlib import Path, PurePosixPath
 
 from pitchpoint.core.errors import Message, PitchpointError
 
+DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError, lzma.LZMAError)
+"""Errors of damaged archives."""
 DESCRIPTION = "modelDescription.xml"
 LARGEST = 2_000_000_000
 """Maximum size of all entries [bytes]."""
@@ -32,6 +36,8 @@ TYPES = ("Real", "Float64", "Float32", "Boolean", *INTEGERS)
 FORMER = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
 """Names of platforms in FMI 2.0."""
 ENDINGS = {"linux": ".so", "windows": ".dll", "darwin": ".dylib"}
+FIRST = {".so": (b"\x7fELF",), ".dll": (b"MZ",), ".dylib": (b"\xcf\xfa\xed\xfe", b"\xca\xfe\xba\xbe")}
+"""First bytes of libraries."""
 
 
 class FmuFileError(PitchpointError, ValueError):
@@ -113,7 +119,7 @@ class FmuFile:
             try:
                 for entry in entries:
                     archive.extract(entry, folder)
-            except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError) as error:
+            except DAMAGED as error:
                 raise FmuFileError(f"is damaged: {error}") from error
 
 
@@ -158,7 +164,8 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
             )
         try:
             text = archive.read(DESCRIPTION)
-        except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError) as error:
+            begins = {name: _begin(archive, entry) for name, entry in entries.items()}
+        except DAMAGED as error:
             raise FmuFileError(f"is damaged: {error}") from error
     if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
         raise FmuFileError(f"has a {DESCRIPTION} with entities, which FMI does not permit")
@@ -167,8 +174,11 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
     except ET.ParseError as error:
         raise FmuFileError(f"has a {DESCRIPTION} that is not XML: {error}") from error
     version = (root.get("fmiVersion") or "")[:2]
-    if root.tag != "fmiModelDescription" or version not in ("2.", "3."):
-        raise FmuFileError("has a version of FMI that is not known", root.get("fmiVersion"), "2.0 | 3.0")
+    if root.tag != "fmiModelDescription" or not version:
+        raise FmuFileError(f"has a {DESCRIPTION} that is not one of FMI")
+    if version not in ("2.", "3."):
+        text = f"version {root.get('fmiVersion')} of FMI is not supported"
+        raise FmuFileError(text, limit="2.0 | 3.0", remedy="export it with one of these")
     interface = root.find("CoSimulation")
     if interface is None:
         raise FmuFileError("is not for co-simulation", remedy="export it for co-simulation")
@@ -178,6 +188,7 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
     token = root.get("guid" if version == "2." else "instantiationToken") or ""
     saves = "true" in (interface.get("canGetAndSetFMUstate"), interface.get("canGetAndSetFMUState"))
     library = _library(entries, identifier)
+    _check_library(library, begins[library], entries[library].file_size)
     return FmuFile(path, int(version[0]), token, identifier, library, _variables(root), saves)
 
 
@@ -200,7 +211,7 @@ def _checked(archive: zipfile.ZipFile) -> list[zipfile.ZipInfo]:
     size = sum(entry.file_size for entry in entries)
     if len(entries) > ENTRIES or size > LARGEST:
         raise FmuFileError(
-            "is too large when extracted",
+            "are too large when extracted",
             f"{len(entries)} entries with {size} bytes",
             f"{ENTRIES} entries with {LARGEST} bytes",
         )
@@ -210,14 +221,33 @@ def _checked(archive: zipfile.ZipFile) -> list[zipfile.ZipInfo]:
         parts = PurePosixPath(name).parts
         if not parts or name.startswith("/") or ".." in parts or "\\" in name or ":" in name or "\0" in name:
             raise FmuFileError(
-                "contains a path outside of its folder", repr(name[:80]), remedy="do not use it"
+                f"entry {name[:80]!r} leads out of the folder of the FMU", remedy="do not use it"
             )
         if stat.S_ISLNK(entry.external_attr >> 16):
-            raise FmuFileError("contains a symbolic link", repr(name[:80]), remedy="do not use it")
+            raise FmuFileError(f"entry {name[:80]!r} is a symbolic link", remedy="do not use it")
         if name.lower() in seen:
-            raise FmuFileError("contains an entry twice", repr(name[:80]), remedy="do not use it")
+            raise FmuFileError(f"entry {name[:80]!r} exists twice", remedy="do not use it")
         seen.add(name.lower())
     return [entry for entry in entries if not entry.is_dir()]
+
+
+def _begin(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
+    """First bytes of an entry, which is read completely: its size and check sum are verified."""
+    with archive.open(entry) as file:
+        begin = file.read(64)
+        while file.read(1 << 20):
+            pass
+    return begin
+
+
+def _check_library(name: str, begin: bytes, size: int) -> None:
+    """Raise FmuFileError for a library that is none, or for Linux is cut."""
+    if not begin.startswith(FIRST[PurePosixPath(name).suffix]):
+        raise FmuFileError(f"entry {name!r} is not a library of this system")
+    if begin[:6] == b"\x7fELF\x02\x01" and len(begin) == 64:
+        at, (length, count) = struct.unpack_from("<Q", begin, 40)[0], struct.unpack_from("<HH", begin, 58)
+        if at + length * count > size:
+            raise FmuFileError(f"library {name!r} is cut", f"{size} bytes", f"{at + length * count} bytes")
 
 
 def _library(entries: Mapping[str, zipfile.ZipInfo], identifier: str) -> str:
@@ -228,10 +258,10 @@ def _library(entries: Mapping[str, zipfile.ZipInfo], identifier: str) -> str:
         if f"binaries/{name}/{identifier}{ending}" in entries:
             return f"binaries/{name}/{identifier}{ending}"
     have = sorted({e.split("/")[1] for e in entries if e.startswith("binaries/") and e.count("/") >= 2})
-    listed = ", ".join(have) or "none"
+    listed = f"libraries for {', '.join(have)}" if have else "no libraries"
     raise FmuFileError(
         f"has no library for this computer, {own}",
-        remedy=f"it has libraries for {listed}: export it for this platform",
+        remedy=f"it has {listed}: export it for this platform",
     )
 
 
