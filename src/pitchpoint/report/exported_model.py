@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.compiler import machine_code
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import Message, ModelError, PitchpointError
 from pitchpoint.core.fmi.fmu_file import own_platform
+from pitchpoint.core.nearest import hint
+from pitchpoint.io.fmu.linking import PLATFORMS
 from pitchpoint.io.fmu.model import (
     ACCELERATION,
     INDICATOR,
@@ -27,6 +29,7 @@ from pitchpoint.io.fmu.model import (
 )
 from pitchpoint.io.fmu.writing import fmu_bytes
 from pitchpoint.io.target import check_target, write_file
+from pitchpoint.solvers.coupled_calls import check_list, check_scenario
 from pitchpoint.solvers.exported_rest import ExportedRest
 from pitchpoint.solvers.exported_run import ExportedRun, export_run
 from pitchpoint.solvers.input_places import Place
@@ -76,10 +79,25 @@ def export_fmu(
     MissingDependencyError
         If there is no linker for a platform.
     """
+    _check_choice(version, platforms)
     target = check_target(path, "fmu")
     run, tunable = begin_export(model, scenario, parameters, inputs)
     unit = fmu_model(run, tunable, target.stem, model.title or scenario)
     return write_file(target, fmu_bytes(unit, version, list(platforms) or [own_platform()])[0])
+
+
+def _check_choice(version: int, platforms: Sequence[str]) -> None:
+    """Raise ModelError for a version or a platform that is not supported."""
+    check_list("platforms", platforms)
+    problems = []
+    if version not in (2, 3):
+        problems.append(Message("version", "is not supported", repr(version), "2 | 3", "use one of these"))
+    for name in platforms:
+        if name not in PLATFORMS:
+            text = f"no library can be made for {name!r}"
+            problems.append(Message("platforms", text, remedy=hint(name, list(PLATFORMS))))
+    if problems:
+        raise ModelError(problems)
 
 
 def begin_export(
@@ -94,6 +112,9 @@ def begin_export(
     parameters, inputs
         As for `export_fmu`.
     """
+    check_scenario(model, scenario)
+    check_list("parameters", parameters)
+    check_list("inputs", inputs)
     run = export_run(compile_model(model, scenario))
     ranges = parameters if isinstance(parameters, Mapping) else {}
     given = {path: limits for path, limits in ranges.items() if limits is not None}

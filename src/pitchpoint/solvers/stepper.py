@@ -18,6 +18,7 @@ from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes,
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.controller_end import EndsControllers
+from pitchpoint.solvers.coupled_calls import check_list, check_scenario, number_problem
 from pitchpoint.solvers.exported_run import export_run, instead_of, started
 from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
 from pitchpoint.solvers.input_places import Place
@@ -118,6 +119,8 @@ class Stepper(EndsControllers):
     def __init__(
         self, model: Model, scenario: str, *, inputs: Sequence[str] = (), record: bool = True
     ) -> None:
+        check_scenario(model, scenario)
+        check_list("inputs", inputs)
         system = compile_model(model, scenario)
         chosen = scenario_of(system, None)
         if chosen.method not in FIXED_METHODS:
@@ -223,6 +226,9 @@ class Stepper(EndsControllers):
             raise SolverError("the stepper is closed: its controllers have ended", NOT_FINITE)
         if self._failure:
             raise SolverError(f"the run has failed before ({self._failure}): restore a state", NOT_FINITE)
+        problem = number_problem("communication step", step, "s")
+        if problem is not None:
+            raise ModelError([problem])
         shown = f"{step:.9g} s"
         if not (step > 0.0 and step / loop.h < MOST):
             limit = f"> 0, < {MOST * loop.h:.3g} s"
@@ -321,6 +327,9 @@ class Stepper(EndsControllers):
         ModelError
             If the state is that of another stepper.
         """
+        if not isinstance(state, StepperState):
+            remedy = "use a state from `save`"
+            raise ModelError([Message("state", "is not a saved state", repr(state)[:80], remedy=remedy)])
         if state._owner != id(self):
             raise ModelError([Message("state", "belongs to another stepper", remedy="use its own states")])
         loop, record, more = self._loop, self._record, state._more

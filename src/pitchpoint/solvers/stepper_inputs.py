@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.solvers.coupled_calls import number_problem
 from pitchpoint.solvers.input_places import (
     Place,
     constant_drives,
@@ -71,12 +72,18 @@ class StepperInputs:
         ModelError
             If a name is not an input, or a value is not finite or out of range; then none is set.
         """
+        if not isinstance(values, Mapping):
+            text = "are not a mapping of names to numbers"
+            remedy = 'write {"loads.NAME.torque": 200.0}'
+            raise ModelError([Message("values", text, repr(values)[:80], remedy=remedy)])
         problems = []
         for name, value in values.items():
             if name not in self.values:
                 listed = ", ".join(self.values) or "there are none: add a constant load, or name `inputs`"
                 known = did_you_mean(name, self.values)
                 problems.append(Message(name, "is not an input", remedy=f"{known}inputs: {listed}"))
+            elif (problem := number_problem(name, value, self.units[name])) is not None:
+                problems.append(problem)
             elif not math.isfinite(value):
                 problems.append(Message(name, "is not a finite number", str(value), remedy="check its law"))
             elif not self._ranges[name][0] <= value <= self._ranges[name][1]:

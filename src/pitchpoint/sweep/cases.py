@@ -271,9 +271,8 @@ def _run(
 
         done = run_time(system, scenario, progress=listen)
         found = {"channels": with_factors(model, done.channels), "steps": done.steps}
-        status, words, notes = done.status, done.sentence, done.notes
-        if status != OK:
-            words = with_time(words, done.t_end)
+        status, notes = done.status, done.notes
+        words = done.sentence if status == OK else with_time(done.sentence, done.t_end)
     wall_s = time.perf_counter() - begun
     return CaseResult(index, dict(values), status, words, wall_s=wall_s, notes=notes, **found)
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -314,3 +316,47 @@ def test_what_is_impossible_is_refused_with_a_sentence():
         stepper.value("speed[roter]")
     stepper.advance(1e-2)
     assert stepper.dataset().sizes["time"] == 0 and stepper.t == 1e-2
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda s: s.restore(None), "state: None is not a saved state; use a state from `save`"),
+        (
+            lambda s: s.set({"loads.motor.torque": "200 N m"}),
+            "loads.motor.torque: '200 N m' is not a number; write the number in N m",
+        ),
+        (lambda s: s.set({"loads.motor.torque": None}), "loads.motor.torque: None is not a number"),
+        (lambda s: s.set([1]), r"values: \[1\] are not a mapping of names to numbers"),
+        (lambda s: s.advance("1 ms"), "communication step: '1 ms' is not a number; write the number in s"),
+        (lambda s: s.advance(None), "communication step: None is not a number"),
+        (lambda s: pp.Stepper("pair.yaml", "run"), "model: 'pair.yaml' is not a model; .*load_model"),
+        (
+            lambda s: pp.Stepper(loop(), "run", inputs="loads.motor"),
+            r"inputs: 'loads.motor' is a text, not a list of texts; write inputs=\['loads.motor'\]",
+        ),
+        (
+            lambda s: pp.export_fmu(loop(), "no.fmu", "run", platforms=["x"]),
+            "platforms: no library can be made for 'x'; ",
+        ),
+        (lambda s: pp.export_fmu(loop(), "no.fmu", "run", version=1), "version: 1 is not supported"),
+        (
+            lambda s: pp.export_fmu(loop(), "no.fmu", "run", parameters="meshes.a"),
+            "parameters: 'meshes.a' is a text, not a list",
+        ),
+    ],
+)
+def test_values_of_a_wrong_type_are_refused_with_a_sentence(call, sentence):
+    stepper = pp.Stepper(loop(), "run")
+    with pytest.raises(pp.ModelError, match=sentence):
+        call(stepper)
+    assert stepper.t == 0.0 and stepper.inputs["loads.motor.torque"] == 0.0
+
+
+def test_a_sweep_is_refused():
+    model = pp.load_model(Path(__file__).parents[3] / "examples" / "backlash-oscillator" / "model.yaml")
+    sentence = "'sweep' is of the kind sweep, not time; of that kind there are: steady"
+    with pytest.raises(pp.ModelError, match=sentence):
+        pp.Stepper(model, "sweep")
+    with pytest.raises(pp.ModelError, match=sentence):
+        pp.export_fmu(model, "no.fmu", "sweep")
