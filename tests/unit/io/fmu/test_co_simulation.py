@@ -317,6 +317,30 @@ def test_wrong_calls_are_refused_with_a_sentence(units, case):
     one.free()
 
 
+@pytest.mark.parametrize("case", [("adams", 3), ("generalized_alpha", 2)])
+def test_calls_in_a_wrong_order_are_refused(units, case):
+    unit = units[case]
+    zero, yes = ct.c_double(0.0), ct.c_int(1)
+    begin = ["SetupExperiment"] if unit.version == 2 else ["EnterInitializationMode"]
+    one = unit.instance()
+    for name in ("ExitInitializationMode", "Terminate"):
+        assert one.call(name) == 3 and "initialis" in unit.messages[-1]
+    assert one.step(0.0, H) == 3 and "initialisation has not ended" in unit.messages[-1]
+    assert one.call(*begin, yes, zero, ct.c_double(1.0), yes, ct.c_double(0.5)) == 3
+    assert "stop time is before the start time" in unit.messages[-1]
+    one.initialise()
+    state = one.keep()
+    assert one.call("ExitInitializationMode") == 3 and "ended before" in unit.messages[-1]
+    assert one.call(*begin, yes, zero, zero, ct.c_int(0), zero) == 3 and "reset" in unit.messages[-1]
+    want = one.steps(0, 3, H, unit.references("output"))
+    assert one.call("Terminate") == 0 and one.call("Terminate") == 3
+    assert one.step(3 * H, H) == 3 and "is terminated" in unit.messages[-1]
+    assert one.call("Reset") == 0 and one.restore(state) == 0  # the phase is part of a state
+    assert same_bits(one.steps(0, 3, H, unit.references("output")), want)
+    one.drop(state)
+    one.free()
+
+
 def test_a_run_that_fails_says_why_and_can_be_reset(unit):
     one, t, status = unit.instance().initialise(), 0.0, 0
     assert one.set({"loads.input.torque": 1e90}) == 0

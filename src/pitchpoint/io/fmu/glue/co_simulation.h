@@ -30,6 +30,8 @@ static void change_step(Instance *f, double h) {
 static Status do_step(Instance *f, double t, double size) {
   double at = now(f), off = t - at, room = 1e-6 * f->c.h + 1e-12 * (at < 0 ? -at : at);
   if (f->c.exchange) return fail(f, "this instance is for model exchange");
+  if (f->c.phase == TERMINATED) return fail(f, "the run is terminated; reset the instance");
+  if (f->c.phase != RUNNING) return fail(f, "the initialisation has not ended; a communication step comes after it");
   if (f->c.failed) return fail(f, "the run has failed before; reset the instance or restore a state");
   if (!(size > 0.0 && size < 1e300)) return fail(f, "the communication step must be positive");
   if (!(off <= room && -off <= room)) return fail(f, "the communication point is not the time of the model");

@@ -169,8 +169,19 @@ static int balance(Instance *f, i64 *skipped) {
   if (at) release(&f->on, at);
   return done;
 }
+static Status enter(Instance *f) {
+  if (f->c.phase != INSTANTIATED) return fail(f, "the initialisation has begun before; reset the instance");
+  f->c.phase = INITIALISING;
+  return fOK;
+}
+static Status terminate(Instance *f) {
+  if (f->c.phase != RUNNING) return fail(f, "only an initialised instance can be terminated, and once");
+  f->c.phase = TERMINATED;
+  return fOK;
+}
 /* initial state for the values set in the initialisation; from now on states are no longer set */
 static Status end_start(Instance *f) {
+  if (f->c.phase != INITIALISING) return fail(f, "the initialisation has not begun, or has ended before");
   Status s = fOK;
   if (f->c.begun == VALUES_SET && pp_numbers.n_free) {
     i64 skipped = 0;
@@ -194,6 +205,7 @@ static Status end_start(Instance *f) {
   Status t = refresh(f);
   if (t != fOK) return t;
   f->c.begun = BEGUN;
+  f->c.phase = RUNNING;
   return s;
 }
 #endif

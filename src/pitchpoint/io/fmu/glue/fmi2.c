@@ -18,11 +18,11 @@ API Component fmi2Instantiate(Str name, int type, Str guid, Str resources, const
 }
 API void fmi2FreeInstance(Component c) { free_instance(c); }
 API Status fmi2SetupExperiment(Component c, Bool tolerant, double tolerance, double start, Bool ends, double end) {
-  return set_start(c, start);
+  return set_start(c, start, ends, end);
 }
-API Status fmi2EnterInitializationMode(Component c) { return fOK; }
+API Status fmi2EnterInitializationMode(Component c) { return enter(c); }
 API Status fmi2ExitInitializationMode(Component c) { return end_start(c); }
-API Status fmi2Terminate(Component c) { return fOK; }
+API Status fmi2Terminate(Component c) { return terminate(c); }
 API Status fmi2Reset(Component c) { begin(c); return fOK; }
 
 /* ------------------------------------------------------------------------------------------------ values */

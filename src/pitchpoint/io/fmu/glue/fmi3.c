@@ -30,10 +30,11 @@ API Component fmi3InstantiateScheduledExecution(Str name, Str token, Str resourc
 }
 API void fmi3FreeInstance(Component c) { free_instance(c); }
 API Status fmi3EnterInitializationMode(Component c, Bool tolerant, double tolerance, double start, Bool ends, double end) {
-  return set_start(c, start);
+  Status s = set_start(c, start, ends, end);
+  return s == fOK ? enter(c) : s;
 }
 API Status fmi3ExitInitializationMode(Component c) { return end_start(c); }
-API Status fmi3Terminate(Component c) { return fOK; }
+API Status fmi3Terminate(Component c) { return terminate(c); }
 API Status fmi3Reset(Component c) { begin(c); return fOK; }
 
 /* ------------------------------------------------------------------------------------------------ values */

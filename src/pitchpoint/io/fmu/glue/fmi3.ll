@@ -1,11 +1,11 @@
-; 7049ef635f8d1fe6af3b701c3f873c700f9fbfc102389c3940e412402a4af059
+; 42970e37c67201ac5d439765ea20d9ad3c89b7943ed5e51b45f98405dd42ec6f
 
 %struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
 %struct.Place = type { i64, i64, i64, i64, double }
 %struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
-%struct.Clock = type { double, double, i64, i64, i64, i64, i64 }
+%struct.Clock = type { double, double, i64, i64, i64, i64, i64, i64 }
 %struct.Recorder = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64 }
 
 @.str = private unnamed_addr constant [4 x i8] c"3.0\00", align 1
@@ -48,14 +48,18 @@
 @.str.35 = private unnamed_addr constant [46 x i8] c"this model is exported for co-simulation only\00", align 1
 @.str.36 = private unnamed_addr constant [26 x i8] c"no memory for an instance\00", align 1
 @.str.37 = private unnamed_addr constant [17 x i8] c"logStatusWarning\00", align 1
-@.str.38 = private unnamed_addr constant [29 x i8] c"the start time is not finite\00", align 1
-@.str.39 = private unnamed_addr constant [95 x i8] c"the start time must be that of the model description: drives prescribe positions over the time\00", align 1
+@.str.38 = private unnamed_addr constant [68 x i8] c"the start time is set before the initialisation; reset the instance\00", align 1
+@.str.39 = private unnamed_addr constant [39 x i8] c"the stop time is before the start time\00", align 1
+@.str.40 = private unnamed_addr constant [29 x i8] c"the start time is not finite\00", align 1
+@.str.41 = private unnamed_addr constant [95 x i8] c"the start time must be that of the model description: drives prescribe positions over the time\00", align 1
 @pp_variables = external local_unnamed_addr constant [0 x %struct.Variable], align 8
 @pp_places = external constant [0 x %struct.Place], align 8
+@.str.42 = private unnamed_addr constant [56 x i8] c"the initialisation has begun before; reset the instance\00", align 1
+@.str.43 = private unnamed_addr constant [54 x i8] c"the initialisation has not begun, or has ended before\00", align 1
 @pp_balancing = external local_unnamed_addr constant [0 x i32], align 4
 @pp_free = external constant [0 x i32], align 4
-@.str.40 = private unnamed_addr constant [111 x i8] c"no equilibrium was found for these inputs and parameters: the run starts in the state of the model description\00", align 1
-@.str.41 = private unnamed_addr constant [112 x i8] c"the balancing torques are means without the instants that have no equilibrium, such as those at a missing tooth\00", align 1
+@.str.44 = private unnamed_addr constant [111 x i8] c"no equilibrium was found for these inputs and parameters: the run starts in the state of the model description\00", align 1
+@.str.45 = private unnamed_addr constant [112 x i8] c"the balancing torques are means without the instants that have no equilibrium, such as those at a missing tooth\00", align 1
 @pp_entries = external local_unnamed_addr constant [0 x ptr], align 8
 @pp_free_balancing = external constant [0 x i32], align 4
 @pp_instants = external local_unnamed_addr constant [0 x double], align 8
@@ -65,46 +69,49 @@
 @pp_entries_of_matrix = external local_unnamed_addr constant [0 x i32], align 4
 @pp_gaps = external local_unnamed_addr constant [0 x i32], align 4
 @pp_depths = external local_unnamed_addr constant [0 x double], align 8
-@.str.42 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
-@.str.43 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
+@.str.46 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
+@.str.47 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
 @pp_n_sentences = external local_unnamed_addr constant i64, align 8
-@.str.44 = private unnamed_addr constant [3 x i8] c": \00", align 1
+@.str.48 = private unnamed_addr constant [3 x i8] c": \00", align 1
 @pp_sentences = external local_unnamed_addr constant [0 x ptr], align 8
-@.str.45 = private unnamed_addr constant [3 x i8] c"; \00", align 1
+@.str.49 = private unnamed_addr constant [3 x i8] c"; \00", align 1
+@.str.50 = private unnamed_addr constant [57 x i8] c"only an initialised instance can be terminated, and once\00", align 1
 @pp_image = external constant [0 x i64], align 8
 @pp_code = external local_unnamed_addr constant [0 x i32], align 4
 @pp_moved = external local_unnamed_addr constant [0 x i32], align 4
-@.str.46 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
-@.str.47 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
+@.str.51 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
+@.str.52 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
 @pp_indicators = external local_unnamed_addr constant [0 x i32], align 4
-@.str.48 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
-@.str.49 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
-@.str.50 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
-@.str.51 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
-@.str.52 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.53 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.54 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.55 = private unnamed_addr constant [34 x i8] c"this state is that of another FMU\00", align 1
-@.str.56 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.57 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.58 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.59 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.60 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.61 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.62 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.63 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.64 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.65 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.66 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.67 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.68 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.69 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.70 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.71 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.72 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.73 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.74 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.75 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.53 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
+@.str.54 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
+@.str.55 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
+@.str.56 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
+@.str.57 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.58 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.59 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.60 = private unnamed_addr constant [34 x i8] c"this state is that of another FMU\00", align 1
+@.str.61 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.62 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.63 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.64 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.65 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.66 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.67 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.68 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.69 = private unnamed_addr constant [42 x i8] c"the run is terminated; reset the instance\00", align 1
+@.str.70 = private unnamed_addr constant [70 x i8] c"the initialisation has not ended; a communication step comes after it\00", align 1
+@.str.71 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.72 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.73 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.74 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.75 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.76 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.77 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.78 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.79 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.80 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.81 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.82 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -171,73 +178,116 @@ define internal fastcc void @free_instance(ptr %0) unnamed_addr #1 {
 }
 
 define i32 @fmi3EnterInitializationMode(ptr %0, i1 zeroext %1, double %2, double %3, i1 zeroext %4, double %5) local_unnamed_addr #1 {
-  %7 = tail call fastcc i32 @set_start(ptr %0, double %3) #17
-  ret i32 %7
+  %7 = zext i1 %4 to i32
+  %8 = tail call fastcc i32 @set_start(ptr %0, double %3, i32 %7, double %5) #17
+  %9 = icmp eq i32 %8, 0
+  br i1 %9, label %10, label %12
+
+10:
+  %11 = tail call fastcc i32 @enter(ptr %0) #17
+  br label %12
+
+12:
+  %13 = phi i32 [ %11, %10 ], [ %8, %6 ]
+  ret i32 %13
 }
 
-define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #17
-  %4 = icmp eq i32 %3, 0
-  br i1 %4, label %38, label %5
 
-5:
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
-  %7 = icmp ne i64 %6, 0
-  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
-  %9 = fcmp une double %1, %8
-  %10 = select i1 %7, i1 %9, i1 false
-  br i1 %10, label %38, label %11
+define internal fastcc i32 @set_start(ptr %0, double %1, i32 %2, double %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 48
+  %6 = getelementptr inbounds i8, ptr %0, i64 104
+  %7 = load i64, ptr %6, align 8
+  %8 = icmp eq i64 %7, 0
+  br i1 %8, label %9, label %48
 
-11:
-  %12 = getelementptr inbounds i8, ptr %0, i64 48
-  store double %1, ptr %12, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 64
-  store i64 0, ptr %13, align 8
-  %14 = fcmp oeq double %1, %8
-  br i1 %14, label %40, label %15
+9:
+  %10 = icmp ne i32 %2, 0
+  %11 = fcmp ult double %3, %1
+  %12 = and i1 %10, %11
+  br i1 %12, label %48, label %13
 
-15:
-  %16 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %16, align 8
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+13:
+  %14 = tail call fastcc i32 @finite_number(double %1) #17
+  %15 = icmp eq i32 %14, 0
+  br i1 %15, label %48, label %16
+
+16:
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %18 = icmp ne i64 %17, 0
-  %19 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %20 = icmp sgt i64 %19, 0
+  %19 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
+  %20 = fcmp une double %1, %19
   %21 = select i1 %18, i1 %20, i1 false
-  br i1 %21, label %22, label %40
+  br i1 %21, label %48, label %22
 
 22:
-  %23 = phi i64 [ %36, %35 ], [ 0, %15 ]
-  %24 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %23
-  %25 = load i64, ptr %24, align 8
-  %26 = icmp eq i64 %25, 7
-  br i1 %26, label %27, label %35
+  store double %1, ptr %5, align 8
+  %23 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %23, align 8
+  %24 = fcmp oeq double %1, %19
+  br i1 %24, label %50, label %25
 
-27:
-  %28 = tail call fastcc ptr @drive_of(ptr %0, i64 %23) #17
-  %29 = getelementptr inbounds i8, ptr %28, i64 96
-  %30 = load double, ptr %29, align 8
-  %31 = getelementptr inbounds i8, ptr %28, i64 104
-  %32 = load double, ptr %31, align 8
-  %33 = fmul double %8, %32
-  %34 = fadd double %30, %33
-  tail call fastcc void @turn_on(ptr %0, ptr %28, double %34, double %32, double 0.000000e+00) #17
-  br label %35
+25:
+  %26 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %26, align 8
+  %27 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 40), align 8
+  %28 = icmp ne i64 %27, 0
+  %29 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
+  %30 = icmp sgt i64 %29, 0
+  %31 = select i1 %28, i1 %30, i1 false
+  br i1 %31, label %32, label %50
 
-35:
-  %36 = add nuw nsw i64 %23, 1
-  %37 = icmp slt i64 %36, %19
-  br i1 %37, label %22, label %40
+32:
+  %33 = phi i64 [ %46, %45 ], [ 0, %25 ]
+  %34 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %33
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp eq i64 %35, 7
+  br i1 %36, label %37, label %45
 
-38:
-  %39 = phi ptr [ @.str.38, %2 ], [ @.str.39, %5 ]
-  tail call fastcc void @fail(ptr %0, ptr %39) #17
-  br label %40
+37:
+  %38 = tail call fastcc ptr @drive_of(ptr %0, i64 %33) #17
+  %39 = getelementptr inbounds i8, ptr %38, i64 96
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr inbounds i8, ptr %38, i64 104
+  %42 = load double, ptr %41, align 8
+  %43 = fmul double %19, %42
+  %44 = fadd double %40, %43
+  tail call fastcc void @turn_on(ptr %0, ptr %38, double %44, double %42, double 0.000000e+00) #17
+  br label %45
 
-40:
-  %41 = phi i32 [ 0, %15 ], [ 3, %38 ], [ 0, %11 ], [ 0, %35 ]
-  ret i32 %41
+45:
+  %46 = add nuw nsw i64 %33, 1
+  %47 = icmp slt i64 %46, %29
+  br i1 %47, label %32, label %50
+
+48:
+  %49 = phi ptr [ @.str.40, %13 ], [ @.str.39, %9 ], [ @.str.38, %4 ], [ @.str.41, %16 ]
+  tail call fastcc void @fail(ptr %0, ptr %49) #17
+  br label %50
+
+50:
+  %51 = phi i32 [ 0, %22 ], [ 3, %48 ], [ 0, %25 ], [ 0, %45 ]
+  ret i32 %51
 }
+
+define internal fastcc i32 @enter(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 104
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp eq i64 %3, 0
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #17
+  br label %7
+
+6:
+  store i64 1, ptr %2, align 8
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %5 ], [ 0, %6 ]
+  ret i32 %8
+}
+
 
 define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
   %2 = tail call fastcc i32 @end_start(ptr %0) #17
@@ -246,148 +296,179 @@ define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
 
 define internal fastcc i32 @end_start(ptr %0) unnamed_addr #1 {
   %2 = alloca i64, align 8
-  %3 = getelementptr inbounds i8, ptr %0, i64 96
+  %3 = getelementptr inbounds i8, ptr %0, i64 104
   %4 = load i64, ptr %3, align 8
   %5 = icmp eq i64 %4, 1
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %7 = icmp ne i64 %6, 0
-  %8 = select i1 %5, i1 %7, i1 false
-  br i1 %8, label %9, label %96
+  br i1 %5, label %7, label %6
 
-9:
+6:
+  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
+  br label %106
+
+7:
+  %8 = getelementptr inbounds i8, ptr %0, i64 96
+  %9 = load i64, ptr %8, align 8
+  %10 = icmp eq i64 %9, 1
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %12 = icmp ne i64 %11, 0
+  %13 = select i1 %10, i1 %12, i1 false
+  br i1 %13, label %14, label %101
+
+14:
   store i64 0, ptr %2, align 8
-  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %11 = icmp sgt i64 %10, 0
-  br i1 %11, label %12, label %40
-
-12:
-  %13 = getelementptr inbounds i8, ptr %0, i64 104
-  %14 = load ptr, ptr %13, align 8
-  %15 = and i64 %10, 1
-  %16 = icmp eq i64 %10, 1
-  br i1 %16, label %21, label %17
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %16 = icmp sgt i64 %15, 0
+  br i1 %16, label %17, label %45
 
 17:
-  %18 = and i64 %10, 9223372036854775806
-  br label %44
+  %18 = getelementptr inbounds i8, ptr %0, i64 112
+  %19 = load ptr, ptr %18, align 8
+  %20 = and i64 %15, 1
+  %21 = icmp eq i64 %15, 1
+  br i1 %21, label %26, label %22
 
-19:
-  %20 = icmp eq i64 %15, 0
-  br i1 %20, label %37, label %21
+22:
+  %23 = and i64 %15, 9223372036854775806
+  br label %49
 
-21:
-  %22 = phi i32 [ 1, %12 ], [ %71, %19 ]
-  %23 = phi i64 [ 0, %12 ], [ %72, %19 ]
-  %24 = icmp ne i64 %15, 0
-  tail call void @llvm.assume(i1 %24)
-  %25 = shl nuw nsw i64 %23, 3
-  %26 = getelementptr inbounds i8, ptr @pp_balancing, i64 %25
-  %27 = getelementptr inbounds i8, ptr %26, i64 4
-  %28 = load i32, ptr %27, align 4
-  %29 = zext i32 %28 to i64
-  %30 = getelementptr inbounds double, ptr %14, i64 %29
-  %31 = load double, ptr %30, align 8
-  %32 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %29
-  %33 = getelementptr inbounds i8, ptr %32, i64 24
-  %34 = load double, ptr %33, align 8
-  %35 = fcmp une double %31, %34
-  %36 = select i1 %35, i32 0, i32 %22
-  br label %37
+24:
+  %25 = icmp eq i64 %20, 0
+  br i1 %25, label %42, label %26
 
-37:
-  %38 = phi i32 [ %71, %19 ], [ %36, %21 ]
-  %39 = icmp ne i32 %38, 0
-  br label %40
+26:
+  %27 = phi i32 [ 1, %17 ], [ %76, %24 ]
+  %28 = phi i64 [ 0, %17 ], [ %77, %24 ]
+  %29 = icmp ne i64 %20, 0
+  tail call void @llvm.assume(i1 %29)
+  %30 = shl nuw nsw i64 %28, 3
+  %31 = getelementptr inbounds i8, ptr @pp_balancing, i64 %30
+  %32 = getelementptr inbounds i8, ptr %31, i64 4
+  %33 = load i32, ptr %32, align 4
+  %34 = zext i32 %33 to i64
+  %35 = getelementptr inbounds double, ptr %19, i64 %34
+  %36 = load double, ptr %35, align 8
+  %37 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %34
+  %38 = getelementptr inbounds i8, ptr %37, i64 24
+  %39 = load double, ptr %38, align 8
+  %40 = fcmp une double %36, %39
+  %41 = select i1 %40, i32 0, i32 %27
+  br label %42
 
-40:
-  %41 = phi i1 [ true, %9 ], [ %39, %37 ]
-  %42 = icmp ne i64 %10, 0
-  %43 = select i1 %42, i1 %41, i1 false
-  br i1 %43, label %75, label %78
+42:
+  %43 = phi i32 [ %76, %24 ], [ %41, %26 ]
+  %44 = icmp ne i32 %43, 0
+  br label %45
 
-44:
-  %45 = phi i32 [ 1, %17 ], [ %71, %44 ]
-  %46 = phi i64 [ 0, %17 ], [ %72, %44 ]
-  %47 = phi i64 [ 0, %17 ], [ %73, %44 ]
-  %48 = shl nuw nsw i64 %46, 3
-  %49 = getelementptr inbounds i8, ptr @pp_balancing, i64 %48
-  %50 = getelementptr inbounds i8, ptr %49, i64 4
-  %51 = load i32, ptr %50, align 4
-  %52 = zext i32 %51 to i64
-  %53 = getelementptr inbounds double, ptr %14, i64 %52
-  %54 = load double, ptr %53, align 8
-  %55 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %52
-  %56 = getelementptr inbounds i8, ptr %55, i64 24
-  %57 = load double, ptr %56, align 8
-  %58 = fcmp une double %54, %57
-  %59 = shl i64 %46, 3
-  %60 = getelementptr inbounds i8, ptr @pp_balancing, i64 %59
-  %61 = getelementptr inbounds i8, ptr %60, i64 12
-  %62 = load i32, ptr %61, align 4
-  %63 = zext i32 %62 to i64
-  %64 = getelementptr inbounds double, ptr %14, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %63
-  %67 = getelementptr inbounds i8, ptr %66, i64 24
-  %68 = load double, ptr %67, align 8
-  %69 = fcmp une double %65, %68
-  %70 = select i1 %69, i1 true, i1 %58
-  %71 = select i1 %70, i32 0, i32 %45
-  %72 = add nuw nsw i64 %46, 2
-  %73 = add i64 %47, 2
-  %74 = icmp eq i64 %73, %18
-  br i1 %74, label %19, label %44
+45:
+  %46 = phi i1 [ true, %14 ], [ %44, %42 ]
+  %47 = icmp ne i64 %15, 0
+  %48 = select i1 %47, i1 %46, i1 false
+  br i1 %48, label %80, label %83
 
-75:
-  %76 = call fastcc i32 @balance(ptr %0, ptr %2) #17
-  %77 = icmp eq i32 %76, 0
-  br i1 %77, label %84, label %78
+49:
+  %50 = phi i32 [ 1, %22 ], [ %76, %49 ]
+  %51 = phi i64 [ 0, %22 ], [ %77, %49 ]
+  %52 = phi i64 [ 0, %22 ], [ %78, %49 ]
+  %53 = shl nuw nsw i64 %51, 3
+  %54 = getelementptr inbounds i8, ptr @pp_balancing, i64 %53
+  %55 = getelementptr inbounds i8, ptr %54, i64 4
+  %56 = load i32, ptr %55, align 4
+  %57 = zext i32 %56 to i64
+  %58 = getelementptr inbounds double, ptr %19, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %57
+  %61 = getelementptr inbounds i8, ptr %60, i64 24
+  %62 = load double, ptr %61, align 8
+  %63 = fcmp une double %59, %62
+  %64 = shl i64 %51, 3
+  %65 = getelementptr inbounds i8, ptr @pp_balancing, i64 %64
+  %66 = getelementptr inbounds i8, ptr %65, i64 12
+  %67 = load i32, ptr %66, align 4
+  %68 = zext i32 %67 to i64
+  %69 = getelementptr inbounds double, ptr %19, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %68
+  %72 = getelementptr inbounds i8, ptr %71, i64 24
+  %73 = load double, ptr %72, align 8
+  %74 = fcmp une double %70, %73
+  %75 = select i1 %74, i1 true, i1 %63
+  %76 = select i1 %75, i32 0, i32 %50
+  %77 = add nuw nsw i64 %51, 2
+  %78 = add i64 %52, 2
+  %79 = icmp eq i64 %78, %23
+  br i1 %79, label %24, label %49
 
-78:
-  %79 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free, i64 %6) #17
-  %80 = icmp eq i32 %79, 0
-  br i1 %80, label %84, label %81
+80:
+  %81 = call fastcc i32 @balance(ptr %0, ptr %2) #17
+  %82 = icmp eq i32 %81, 0
+  br i1 %82, label %89, label %83
 
-81:
-  %82 = load i64, ptr %2, align 8
-  %83 = icmp eq i64 %82, 0
-  br i1 %83, label %86, label %84
-
-84:
-  %85 = phi ptr [ @.str.40, %75 ], [ @.str.40, %78 ], [ @.str.41, %81 ]
-  tail call fastcc void @say(ptr %0, i32 1, ptr %85) #17
-  br label %86
+83:
+  %84 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free, i64 %11) #17
+  %85 = icmp eq i32 %84, 0
+  br i1 %85, label %89, label %86
 
 86:
-  %87 = phi i32 [ 0, %81 ], [ 1, %84 ]
-  %88 = getelementptr inbounds i8, ptr %0, i64 128
-  %89 = load ptr, ptr %88, align 8
-  %90 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %91 = getelementptr inbounds i8, ptr %89, i64 %90
-  %92 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %93 = tail call fastcc i64 @address(ptr %91) #17
-  %94 = tail call i64 %92(i64 %93, i64 5, i64 0) #19
-  %95 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %95, align 8
-  br label %96
+  %87 = load i64, ptr %2, align 8
+  %88 = icmp eq i64 %87, 0
+  br i1 %88, label %91, label %89
 
-96:
-  %97 = phi i32 [ %87, %86 ], [ 0, %1 ]
-  %98 = tail call fastcc i32 @refresh(ptr %0) #17
-  %99 = icmp eq i32 %98, 0
-  br i1 %99, label %100, label %101
+89:
+  %90 = phi ptr [ @.str.44, %80 ], [ @.str.44, %83 ], [ @.str.45, %86 ]
+  tail call fastcc void @say(ptr %0, i32 1, ptr %90) #17
+  br label %91
 
-100:
-  store i64 3, ptr %3, align 8
+91:
+  %92 = phi i32 [ 0, %86 ], [ 1, %89 ]
+  %93 = getelementptr inbounds i8, ptr %0, i64 136
+  %94 = load ptr, ptr %93, align 8
+  %95 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %96 = getelementptr inbounds i8, ptr %94, i64 %95
+  %97 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
+  %98 = tail call fastcc i64 @address(ptr %96) #17
+  %99 = tail call i64 %97(i64 %98, i64 5, i64 0) #19
+  %100 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %100, align 8
   br label %101
 
 101:
-  %102 = phi i32 [ %97, %100 ], [ %98, %96 ]
-  ret i32 %102
+  %102 = phi i32 [ %92, %91 ], [ 0, %7 ]
+  %103 = tail call fastcc i32 @refresh(ptr %0) #17
+  %104 = icmp eq i32 %103, 0
+  br i1 %104, label %105, label %106
+
+105:
+  store i64 3, ptr %8, align 8
+  store i64 2, ptr %3, align 8
+  br label %106
+
+106:
+  %107 = phi i32 [ 3, %6 ], [ %102, %105 ], [ %103, %101 ]
+  ret i32 %107
 }
 
-define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
-  ret i32 0
+define i32 @fmi3Terminate(ptr %0) local_unnamed_addr #1 {
+  %2 = tail call fastcc i32 @terminate(ptr %0) #17
+  ret i32 %2
+}
+
+define internal fastcc i32 @terminate(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 104
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp eq i64 %3, 2
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @fail(ptr %0, ptr @.str.50) #17
+  br label %7
+
+6:
+  store i64 3, ptr %2, align 8
+  br label %7
+
+7:
+  %8 = phi i32 [ 3, %5 ], [ 0, %6 ]
+  ret i32 %8
 }
 
 define i32 @fmi3Reset(ptr %0) local_unnamed_addr #1 {
@@ -402,21 +483,21 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
   br i1 %3, label %4, label %26
 
 4:
-  %5 = getelementptr inbounds i8, ptr %0, i64 104
+  %5 = getelementptr inbounds i8, ptr %0, i64 112
   %6 = and i64 %2, 3
   %7 = icmp ult i64 %2, 4
   br i1 %7, label %12, label %8
 
 8:
   %9 = and i64 %2, 9223372036854775804
-  br label %33
+  br label %34
 
 10:
   %11 = icmp eq i64 %6, 0
   br i1 %11, label %26, label %12
 
 12:
-  %13 = phi i64 [ 0, %4 ], [ %59, %10 ]
+  %13 = phi i64 [ 0, %4 ], [ %60, %10 ]
   %14 = icmp ne i64 %6, 0
   tail call void @llvm.assume(i1 %14)
   br label %15
@@ -447,42 +528,44 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
   store i64 0, ptr %31, align 8
   %32 = getelementptr inbounds i8, ptr %0, i64 96
   store i64 0, ptr %32, align 8
+  %33 = getelementptr inbounds i8, ptr %0, i64 104
+  store i64 0, ptr %33, align 8
   ret void
 
-33:
-  %34 = phi i64 [ 0, %8 ], [ %59, %33 ]
-  %35 = phi i64 [ 0, %8 ], [ %60, %33 ]
-  %36 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %34
-  %37 = getelementptr inbounds i8, ptr %36, i64 24
-  %38 = load double, ptr %37, align 8
-  %39 = load ptr, ptr %5, align 8
-  %40 = getelementptr inbounds double, ptr %39, i64 %34
-  store double %38, ptr %40, align 8
-  %41 = or i64 %34, 1
-  %42 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %41
-  %43 = getelementptr inbounds i8, ptr %42, i64 24
-  %44 = load double, ptr %43, align 8
-  %45 = load ptr, ptr %5, align 8
-  %46 = getelementptr inbounds double, ptr %45, i64 %41
-  store double %44, ptr %46, align 8
-  %47 = or i64 %34, 2
-  %48 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %47
-  %49 = getelementptr inbounds i8, ptr %48, i64 24
-  %50 = load double, ptr %49, align 8
-  %51 = load ptr, ptr %5, align 8
-  %52 = getelementptr inbounds double, ptr %51, i64 %47
-  store double %50, ptr %52, align 8
-  %53 = or i64 %34, 3
-  %54 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %53
-  %55 = getelementptr inbounds i8, ptr %54, i64 24
-  %56 = load double, ptr %55, align 8
-  %57 = load ptr, ptr %5, align 8
-  %58 = getelementptr inbounds double, ptr %57, i64 %53
-  store double %56, ptr %58, align 8
-  %59 = add nuw nsw i64 %34, 4
-  %60 = add i64 %35, 4
-  %61 = icmp eq i64 %60, %9
-  br i1 %61, label %10, label %33
+34:
+  %35 = phi i64 [ 0, %8 ], [ %60, %34 ]
+  %36 = phi i64 [ 0, %8 ], [ %61, %34 ]
+  %37 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %35
+  %38 = getelementptr inbounds i8, ptr %37, i64 24
+  %39 = load double, ptr %38, align 8
+  %40 = load ptr, ptr %5, align 8
+  %41 = getelementptr inbounds double, ptr %40, i64 %35
+  store double %39, ptr %41, align 8
+  %42 = or i64 %35, 1
+  %43 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %42
+  %44 = getelementptr inbounds i8, ptr %43, i64 24
+  %45 = load double, ptr %44, align 8
+  %46 = load ptr, ptr %5, align 8
+  %47 = getelementptr inbounds double, ptr %46, i64 %42
+  store double %45, ptr %47, align 8
+  %48 = or i64 %35, 2
+  %49 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %48
+  %50 = getelementptr inbounds i8, ptr %49, i64 24
+  %51 = load double, ptr %50, align 8
+  %52 = load ptr, ptr %5, align 8
+  %53 = getelementptr inbounds double, ptr %52, i64 %48
+  store double %51, ptr %53, align 8
+  %54 = or i64 %35, 3
+  %55 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %54
+  %56 = getelementptr inbounds i8, ptr %55, i64 24
+  %57 = load double, ptr %56, align 8
+  %58 = load ptr, ptr %5, align 8
+  %59 = getelementptr inbounds double, ptr %58, i64 %54
+  store double %57, ptr %59, align 8
+  %60 = add nuw nsw i64 %35, 4
+  %61 = add i64 %36, 4
+  %62 = icmp eq i64 %61, %9
+  br i1 %62, label %10, label %34
 }
 
 define i32 @fmi3GetFloat64(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4) local_unnamed_addr #1 {
@@ -504,7 +587,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #17
   br label %6
 
 6:
@@ -518,10 +601,10 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 128
+  %8 = getelementptr inbounds i8, ptr %0, i64 136
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 104
-  %11 = getelementptr inbounds i8, ptr %0, i64 112
+  %10 = getelementptr inbounds i8, ptr %0, i64 112
+  %11 = getelementptr inbounds i8, ptr %0, i64 120
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
@@ -536,7 +619,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %20, label %22, label %21
 
 21:
-  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #17
   br label %72
 
 22:
@@ -656,7 +739,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %11, label %12, label %18
 
 12:
-  %13 = getelementptr inbounds i8, ptr %0, i64 104
+  %13 = getelementptr inbounds i8, ptr %0, i64 112
   %14 = getelementptr inbounds i8, ptr %0, i64 96
   %15 = getelementptr inbounds i8, ptr %0, i64 88
   %16 = getelementptr inbounds i8, ptr %0, i64 72
@@ -790,7 +873,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %89, label %92, label %43
 
 90:
-  %91 = phi ptr [ @.str.49, %24 ], [ @.str.48, %27 ], [ @.str.50, %30 ], [ @.str.49, %18 ], [ @.str.49, %24 ], [ @.str.49, %24 ], [ @.str.49, %24 ], [ @.str.51, %39 ], [ @.str.51, %35 ]
+  %91 = phi ptr [ @.str.54, %24 ], [ @.str.53, %27 ], [ @.str.55, %30 ], [ @.str.54, %18 ], [ @.str.54, %24 ], [ @.str.54, %24 ], [ @.str.54, %24 ], [ @.str.56, %39 ], [ @.str.56, %35 ]
   tail call fastcc void @fail(ptr %0, ptr %91) #17
   br label %92
 
@@ -1184,13 +1267,13 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   %22 = shl i64 %21, 3
   %23 = getelementptr inbounds i8, ptr %12, i64 40
   %24 = getelementptr inbounds i8, ptr %0, i64 48
-  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 56) #19
-  %26 = getelementptr inbounds i8, ptr %12, i64 96
-  %27 = getelementptr inbounds i8, ptr %0, i64 104
+  %25 = tail call ptr @memcpy(ptr %23, ptr %24, i64 64) #19
+  %26 = getelementptr inbounds i8, ptr %12, i64 104
+  %27 = getelementptr inbounds i8, ptr %0, i64 112
   %28 = load ptr, ptr %27, align 8
   %29 = tail call ptr @memcpy(ptr %26, ptr %28, i64 %22) #19
   %30 = getelementptr inbounds i8, ptr %26, i64 %22
-  %31 = getelementptr inbounds i8, ptr %0, i64 128
+  %31 = getelementptr inbounds i8, ptr %0, i64 136
   %32 = load ptr, ptr %31, align 8
   %33 = load i64, ptr @pp_numbers, align 8
   %34 = tail call ptr @memcpy(ptr %30, ptr %32, i64 %33) #19
@@ -1281,7 +1364,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.52, %2 ], [ @.str.53, %7 ]
+  %97 = phi ptr [ @.str.57, %2 ], [ @.str.58, %7 ]
   tail call fastcc void @fail(ptr %0, ptr %97) #17
   br label %114
 
@@ -1324,7 +1407,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #17
   br label %22
 
 5:
@@ -1333,7 +1416,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %7, label %8, label %9
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #17
   br label %22
 
 9:
@@ -1343,10 +1426,10 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   %13 = getelementptr inbounds i8, ptr %0, i64 88
   %14 = load i64, ptr %13, align 8
   %15 = getelementptr inbounds i8, ptr %1, i64 40
-  %16 = tail call ptr @memcpy(ptr %12, ptr %15, i64 56) #19
-  %17 = getelementptr inbounds i8, ptr %0, i64 104
+  %16 = tail call ptr @memcpy(ptr %12, ptr %15, i64 64) #19
+  %17 = getelementptr inbounds i8, ptr %0, i64 112
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %1, i64 96
+  %19 = getelementptr inbounds i8, ptr %1, i64 104
   %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %11) #19
   %21 = getelementptr inbounds i8, ptr %19, i64 %11
   tail call fastcc void @relocate(ptr %0, ptr %21) #17
@@ -1381,7 +1464,7 @@ define internal fastcc void @drop_state(ptr %0, ptr %1) unnamed_addr #1 {
   ret void
 }
 
-define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #2 {
+define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2) local_unnamed_addr #3 {
   %4 = tail call fastcc i64 @state_size() #17
   store i64 %4, ptr %2, align 8
   ret i32 0
@@ -1390,7 +1473,7 @@ define i32 @fmi3SerializedFMUStateSize(ptr readnone %0, ptr readnone %1, ptr %2)
 define internal fastcc i64 @state_size() unnamed_addr #0 {
   %1 = tail call fastcc i64 @numbers_of_state() #17
   %2 = shl i64 %1, 3
-  %3 = add i64 %2, 96
+  %3 = add i64 %2, 104
   %4 = load i64, ptr @pp_numbers, align 8
   %5 = add i64 %3, %4
   ret i64 %5
@@ -1411,7 +1494,7 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #17
   br label %12
 
 10:
@@ -1434,7 +1517,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.62) #17
   br label %22
 
 8:
@@ -1443,7 +1526,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.63) #17
   br label %22
 
 12:
@@ -1458,7 +1541,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %17, label %18, label %19
 
 18:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #17
   br label %22
 
 19:
@@ -1506,7 +1589,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.59) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.64) #17
   br label %254
 
 17:
@@ -1543,7 +1626,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   ]
 
 35:
-  tail call fastcc void @fail(ptr %0, ptr @.str.60) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.65) #17
   br label %254
 
 36:
@@ -1554,7 +1637,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %40, label %41, label %42
 
 41:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.66) #17
   br label %254
 
 42:
@@ -1677,7 +1760,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %124
 
 123:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #17
   br label %254
 
 124:
@@ -1865,7 +1948,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %251
 
 250:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #17
   call fastcc void @drop_state(ptr %0, ptr %8) #17
   br label %252
 
@@ -1893,7 +1976,6 @@ define i32 @fmi3DoStep(ptr %0, double %1, double %2, i1 zeroext %3, ptr %4, ptr 
   ret i32 %9
 }
 
-
 define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #1 {
   %4 = tail call fastcc double @now(ptr %0) #17
   %5 = fsub double %1, %4
@@ -1911,125 +1993,141 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.63) #17
-  br label %81
+  tail call fastcc void @fail(ptr %0, ptr @.str.68) #17
+  br label %86
 
 18:
-  %19 = getelementptr inbounds i8, ptr %0, i64 80
+  %19 = getelementptr inbounds i8, ptr %0, i64 104
   %20 = load i64, ptr %19, align 8
-  %21 = icmp eq i64 %20, 0
-  br i1 %21, label %23, label %22
+  switch i64 %20, label %22 [
+    i64 3, label %21
+    i64 2, label %23
+  ]
+
+21:
+  tail call fastcc void @fail(ptr %0, ptr @.str.69) #17
+  br label %86
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.64) #17
-  br label %81
+  tail call fastcc void @fail(ptr %0, ptr @.str.70) #17
+  br label %86
 
 23:
-  %24 = fcmp ogt double %2, 0.000000e+00
-  %25 = fcmp olt double %2, 1.000000e+300
-  %26 = and i1 %24, %25
+  %24 = getelementptr inbounds i8, ptr %0, i64 80
+  %25 = load i64, ptr %24, align 8
+  %26 = icmp eq i64 %25, 0
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.65) #17
-  br label %81
+  tail call fastcc void @fail(ptr %0, ptr @.str.71) #17
+  br label %86
 
 28:
-  %29 = fcmp ugt double %5, %13
-  %30 = fneg double %5
-  %31 = fcmp ult double %13, %30
-  %32 = or i1 %29, %31
-  br i1 %32, label %33, label %34
+  %29 = fcmp ogt double %2, 0.000000e+00
+  %30 = fcmp olt double %2, 1.000000e+300
+  %31 = and i1 %29, %30
+  br i1 %31, label %33, label %32
+
+32:
+  tail call fastcc void @fail(ptr %0, ptr @.str.72) #17
+  br label %86
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.66) #17
-  br label %81
+  %34 = fcmp ugt double %5, %13
+  %35 = fneg double %5
+  %36 = fcmp ult double %13, %35
+  %37 = or i1 %34, %36
+  br i1 %37, label %38, label %39
 
-34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
-  %36 = fdiv double %2, %35
-  %37 = fmul double %36, 0x3FEFFFFFFF768FA1
-  %38 = fcmp ogt double %37, 1.000000e+15
-  br i1 %38, label %39, label %40
+38:
+  tail call fastcc void @fail(ptr %0, ptr @.str.73) #17
+  br label %86
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.67) #17
-  br label %81
+  %40 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
+  %41 = fdiv double %2, %40
+  %42 = fmul double %41, 0x3FEFFFFFFF768FA1
+  %43 = fcmp ogt double %42, 1.000000e+15
+  br i1 %43, label %44, label %45
 
-40:
-  %41 = fptosi double %37 to i64
-  %42 = add nsw i64 %41, 1
-  %43 = sitofp i64 %42 to double
-  %44 = fdiv double %2, %43
-  %45 = fsub double %44, %7
-  %46 = fmul double %44, 1.000000e-09
-  %47 = fcmp ogt double %45, %46
-  %48 = fneg double %45
-  %49 = fcmp olt double %46, %48
-  %50 = or i1 %47, %49
-  br i1 %50, label %51, label %59
+44:
+  tail call fastcc void @fail(ptr %0, ptr @.str.74) #17
+  br label %86
 
-51:
-  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
-  %53 = icmp ne i64 %52, 0
-  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
-  %55 = icmp ne i64 %54, 0
-  %56 = select i1 %53, i1 %55, i1 false
-  br i1 %56, label %57, label %58
+45:
+  %46 = fptosi double %42 to i64
+  %47 = add nsw i64 %46, 1
+  %48 = sitofp i64 %47 to double
+  %49 = fdiv double %2, %48
+  %50 = fsub double %49, %7
+  %51 = fmul double %49, 1.000000e-09
+  %52 = fcmp ogt double %50, %51
+  %53 = fneg double %50
+  %54 = fcmp olt double %51, %53
+  %55 = or i1 %52, %54
+  br i1 %55, label %56, label %64
 
-57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.68) #17
-  br label %81
+56:
+  %57 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %58 = icmp ne i64 %57, 0
+  %59 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %60 = icmp ne i64 %59, 0
+  %61 = select i1 %58, i1 %60, i1 false
+  br i1 %61, label %62, label %63
 
-58:
-  tail call fastcc void @change_step(ptr %0, double %44) #17
-  br label %59
-
-59:
-  tail call fastcc void @lead(ptr %0, double %2) #17
-  %60 = getelementptr inbounds i8, ptr %0, i64 72
-  %61 = load i64, ptr %60, align 8
-  %62 = icmp eq i64 %61, 2
-  br i1 %62, label %63, label %65
+62:
+  tail call fastcc void @fail(ptr %0, ptr @.str.75) #17
+  br label %86
 
 63:
-  %64 = tail call fastcc i64 @restart(ptr %0) #17
-  br label %65
+  tail call fastcc void @change_step(ptr %0, double %49) #17
+  br label %64
 
-65:
-  %66 = phi i64 [ %64, %63 ], [ 1, %59 ]
-  %67 = icmp eq i64 %66, 1
-  %68 = icmp sgt i64 %41, 0
-  %69 = and i1 %68, %67
-  br i1 %69, label %70, label %72
+64:
+  tail call fastcc void @lead(ptr %0, double %2) #17
+  %65 = getelementptr inbounds i8, ptr %0, i64 72
+  %66 = load i64, ptr %65, align 8
+  %67 = icmp eq i64 %66, 2
+  br i1 %67, label %68, label %70
+
+68:
+  %69 = tail call fastcc i64 @restart(ptr %0) #17
+  br label %70
 
 70:
-  %71 = tail call fastcc i64 @advance(ptr %0, i64 %41, i64 0) #17
-  br label %72
-
-72:
-  %73 = phi i64 [ %71, %70 ], [ %66, %65 ]
-  %74 = icmp eq i64 %73, 1
-  br i1 %74, label %76, label %75
+  %71 = phi i64 [ %69, %68 ], [ 1, %64 ]
+  %72 = icmp eq i64 %71, 1
+  %73 = icmp sgt i64 %46, 0
+  %74 = and i1 %73, %72
+  br i1 %74, label %75, label %77
 
 75:
-  store i64 0, ptr %60, align 8
-  br label %79
+  %76 = tail call fastcc i64 @advance(ptr %0, i64 %46, i64 0) #17
+  br label %77
 
-76:
-  %77 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #17
-  store i64 0, ptr %60, align 8
-  %78 = icmp eq i64 %77, 1
-  br i1 %78, label %81, label %79
+77:
+  %78 = phi i64 [ %76, %75 ], [ %71, %70 ]
+  %79 = icmp eq i64 %78, 1
+  br i1 %79, label %81, label %80
 
-79:
-  %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.69, i64 %80, ptr @.str.70) #17
-  br label %81
+80:
+  store i64 0, ptr %65, align 8
+  br label %84
 
 81:
-  %82 = phi i32 [ 3, %17 ], [ 3, %22 ], [ 3, %27 ], [ 3, %33 ], [ 3, %39 ], [ 3, %57 ], [ 3, %79 ], [ 0, %76 ]
-  ret i32 %82
+  %82 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #17
+  store i64 0, ptr %65, align 8
+  %83 = icmp eq i64 %82, 1
+  br i1 %83, label %86, label %84
+
+84:
+  %85 = phi i64 [ %78, %80 ], [ %82, %81 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.76, i64 %85, ptr @.str.77) #17
+  br label %86
+
+86:
+  %87 = phi i32 [ 3, %17 ], [ 3, %21 ], [ 3, %22 ], [ 3, %27 ], [ 3, %32 ], [ 3, %38 ], [ 3, %44 ], [ 3, %62 ], [ 3, %84 ], [ 0, %81 ]
+  ret i32 %87
 }
 
 define internal fastcc double @now(ptr %0) unnamed_addr #4 {
@@ -2045,12 +2143,11 @@ define internal fastcc double @now(ptr %0) unnamed_addr #4 {
   ret double %10
 }
 
-
 define i32 @fmi3EnterEventMode(ptr readnone %0) local_unnamed_addr #0 {
   ret i32 0
 }
 
-define i32 @fmi3UpdateDiscreteStates(ptr readnone %0, ptr %1, ptr %2, ptr %3, ptr %4, ptr %5, ptr %6) local_unnamed_addr #2 {
+define i32 @fmi3UpdateDiscreteStates(ptr readnone %0, ptr %1, ptr %2, ptr %3, ptr %4, ptr %5, ptr %6) local_unnamed_addr #3 {
   store i8 0, ptr %5, align 1
   store i8 0, ptr %4, align 1
   store i8 0, ptr %3, align 1
@@ -2064,7 +2161,7 @@ define i32 @fmi3EnterContinuousTimeMode(ptr readnone %0) local_unnamed_addr #0 {
   ret i32 0
 }
 
-define i32 @fmi3CompletedIntegratorStep(ptr readnone %0, i1 zeroext %1, ptr %2, ptr %3) local_unnamed_addr #2 {
+define i32 @fmi3CompletedIntegratorStep(ptr readnone %0, i1 zeroext %1, ptr %2, ptr %3) local_unnamed_addr #3 {
   store i8 0, ptr %2, align 1
   store i8 0, ptr %3, align 1
   ret i32 0
@@ -2081,7 +2178,7 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.71) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.78) #17
   br label %14
 
 6:
@@ -2124,7 +2221,7 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.72) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.79) #17
   br label %22
 
 12:
@@ -2224,7 +2321,7 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
   br i1 %8, label %28, label %9
 
 9:
-  %10 = getelementptr inbounds i8, ptr %0, i64 128
+  %10 = getelementptr inbounds i8, ptr %0, i64 136
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
@@ -2333,13 +2430,13 @@ define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1
   ret i32 %49
 }
 
-define i32 @fmi3GetNumberOfEventIndicators(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
+define i32 @fmi3GetNumberOfEventIndicators(ptr readnone %0, ptr %1) local_unnamed_addr #3 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
   store i64 %3, ptr %1, align 8
   ret i32 0
 }
 
-define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
+define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnamed_addr #3 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %4 = shl i64 %3, 1
   store i64 %4, ptr %1, align 8
@@ -2494,17 +2591,17 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 42:
   tail call void @llvm.memcpy.p0.p0.i64(ptr align 8 dereferenceable(40) %39, ptr align 8 dereferenceable(40) %2, i64 40, i1 false)
   %43 = getelementptr inbounds i8, ptr %39, i64 640
-  %44 = getelementptr inbounds i8, ptr %39, i64 128
+  %44 = getelementptr inbounds i8, ptr %39, i64 136
   store ptr %43, ptr %44, align 8
   %45 = getelementptr inbounds i8, ptr %43, i64 %35
-  %46 = getelementptr inbounds i8, ptr %39, i64 104
+  %46 = getelementptr inbounds i8, ptr %39, i64 112
   store ptr %45, ptr %46, align 8
   %47 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %48 = getelementptr inbounds double, ptr %45, i64 %47
-  %49 = getelementptr inbounds i8, ptr %39, i64 112
+  %49 = getelementptr inbounds i8, ptr %39, i64 120
   store ptr %48, ptr %49, align 8
   %50 = getelementptr inbounds double, ptr %48, i64 %32
-  %51 = getelementptr inbounds i8, ptr %39, i64 120
+  %51 = getelementptr inbounds i8, ptr %39, i64 128
   store ptr %50, ptr %51, align 8
   %52 = getelementptr inbounds double, ptr %50, i64 %32
   %53 = getelementptr inbounds i8, ptr %52, i64 8
@@ -2691,7 +2788,7 @@ define internal fastcc i32 @finite_number(double %0) unnamed_addr #0 {
 }
 
 define internal fastcc ptr @drive_of(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  %3 = getelementptr inbounds i8, ptr %0, i64 136
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %1
   %6 = getelementptr inbounds i8, ptr %5, i64 8
@@ -3181,7 +3278,7 @@ define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %337, label %338, label %356
 
 338:
-  %339 = getelementptr inbounds i8, ptr %0, i64 104
+  %339 = getelementptr inbounds i8, ptr %0, i64 112
   br label %340
 
 340:
@@ -4286,7 +4383,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
   br i1 %14, label %15, label %26
 
 15:
-  %16 = getelementptr inbounds i8, ptr %0, i64 112
+  %16 = getelementptr inbounds i8, ptr %0, i64 120
   %17 = load ptr, ptr %16, align 8
   %18 = tail call fastcc i64 @address(ptr %17) #17
   %19 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %18) #17
@@ -4302,7 +4399,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.42, i64 %27, ptr @.str.43) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.46, i64 %27, ptr @.str.47) #17
   br label %29
 
 28:
@@ -4315,14 +4412,14 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 }
 
 define internal fastcc ptr @reals(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  %3 = getelementptr inbounds i8, ptr %0, i64 136
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
 }
 
 define internal fastcc i64 @residual(ptr %0, i32 %1, double %2, double %3) unnamed_addr #1 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 128
+  %5 = getelementptr inbounds i8, ptr %0, i64 136
   %6 = load ptr, ptr %5, align 8
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %8 = getelementptr inbounds i8, ptr %6, i64 %7
@@ -4441,7 +4538,7 @@ define internal fastcc void @put(ptr %0, i64 %1) unnamed_addr #9 {
 }
 
 define internal fastcc double @change_by(ptr %0, i64 %1, ptr %2) unnamed_addr #10 {
-  %4 = getelementptr inbounds i8, ptr %0, i64 104
+  %4 = getelementptr inbounds i8, ptr %0, i64 112
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds double, ptr %5, i64 %1
   %7 = load double, ptr %6, align 8
@@ -5075,7 +5172,7 @@ define internal fastcc double @length_of(ptr %0, ptr %1, i64 %2) unnamed_addr #6
 }
 
 define internal fastcc i32 @in_gap(ptr %0) unnamed_addr #1 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 112
+  %2 = getelementptr inbounds i8, ptr %0, i64 120
   %3 = load ptr, ptr %2, align 8
   %4 = tail call fastcc i64 @address(ptr %3) #17
   %5 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %4) #17
@@ -5125,7 +5222,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br label %8
 
 8:
-  %9 = getelementptr inbounds i8, ptr %0, i64 128
+  %9 = getelementptr inbounds i8, ptr %0, i64 136
   %10 = load ptr, ptr %9, align 8
   %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %12 = getelementptr inbounds i8, ptr %10, i64 %11
@@ -5155,7 +5252,7 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
   br i1 %6, label %7, label %9
 
 7:
-  %8 = getelementptr inbounds i8, ptr %0, i64 104
+  %8 = getelementptr inbounds i8, ptr %0, i64 112
   br label %10
 
 9:
@@ -5223,7 +5320,7 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
 define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = getelementptr inbounds i8, ptr %0, i64 80
   store i64 1, ptr %5, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 136
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
   store i8 0, ptr %6, align 8
   tail call fastcc void @append(ptr %0, ptr %1) #17
   %7 = icmp sgt i64 %2, -1
@@ -5233,14 +5330,14 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
   br i1 %10, label %11, label %14
 
 11:
-  tail call fastcc void @append(ptr %0, ptr @.str.44) #17
+  tail call fastcc void @append(ptr %0, ptr @.str.48) #17
   %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
   %13 = load ptr, ptr %12, align 8
   tail call fastcc void @append(ptr %0, ptr %13) #17
   br label %14
 
 14:
-  tail call fastcc void @append(ptr %0, ptr @.str.45) #17
+  tail call fastcc void @append(ptr %0, ptr @.str.49) #17
   tail call fastcc void @append(ptr %0, ptr %3) #17
   tail call fastcc void @fail(ptr %0, ptr %6) #17
   ret void
@@ -5349,14 +5446,14 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
 }
 
 define internal fastcc ptr @integers(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  %3 = getelementptr inbounds i8, ptr %0, i64 136
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
 }
 
 define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #12 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 136
+  %3 = getelementptr inbounds i8, ptr %0, i64 144
   br label %4
 
 4:
@@ -5397,7 +5494,7 @@ define internal fastcc void @append(ptr %0, ptr %1) unnamed_addr #12 {
 }
 
 define internal fastcc void @relocate(ptr %0, ptr %1) unnamed_addr #1 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 128
+  %3 = getelementptr inbounds i8, ptr %0, i64 136
   %4 = load ptr, ptr %3, align 8
   %5 = load i64, ptr @pp_numbers, align 8
   %6 = tail call ptr @memcpy(ptr %4, ptr %1, i64 %5) #19
@@ -5597,7 +5694,7 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
   br label %32
 
 14:
-  %15 = getelementptr inbounds i8, ptr %0, i64 104
+  %15 = getelementptr inbounds i8, ptr %0, i64 112
   %16 = load ptr, ptr %15, align 8
   %17 = getelementptr inbounds double, ptr %16, i64 %4
   %18 = load double, ptr %17, align 8
@@ -5641,7 +5738,7 @@ define internal fastcc double @room_of(ptr %0, i32 %1, double %2) unnamed_addr #
 12:
   %13 = getelementptr inbounds i8, ptr %5, i64 40
   %14 = load double, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 104
+  %15 = getelementptr inbounds i8, ptr %0, i64 112
   %16 = load ptr, ptr %15, align 8
   %17 = getelementptr inbounds double, ptr %16, i64 %4
   %18 = load double, ptr %17, align 8
@@ -5650,7 +5747,7 @@ define internal fastcc double @room_of(ptr %0, i32 %1, double %2) unnamed_addr #
   br label %31
 
 21:
-  %22 = getelementptr inbounds i8, ptr %0, i64 104
+  %22 = getelementptr inbounds i8, ptr %0, i64 112
   %23 = load ptr, ptr %22, align 8
   %24 = getelementptr inbounds double, ptr %23, i64 %4
   %25 = load double, ptr %24, align 8
@@ -5672,7 +5769,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   br i1 %7, label %49, label %8
 
 8:
-  %9 = getelementptr inbounds i8, ptr %0, i64 104
+  %9 = getelementptr inbounds i8, ptr %0, i64 112
   %10 = getelementptr inbounds i8, ptr %0, i64 72
   br label %11
 
@@ -5780,7 +5877,7 @@ define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #9 {
   br i1 %7, label %8, label %11
 
 8:
-  %9 = getelementptr inbounds i8, ptr %0, i64 104
+  %9 = getelementptr inbounds i8, ptr %0, i64 112
   %10 = getelementptr inbounds i8, ptr %0, i64 72
   br label %12
 
@@ -5872,7 +5969,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %6 = getelementptr inbounds i8, ptr %5, i64 8
   store i64 1, ptr %6, align 8
   %7 = getelementptr inbounds i8, ptr %5, i64 16
-  %8 = getelementptr inbounds i8, ptr %0, i64 120
+  %8 = getelementptr inbounds i8, ptr %0, i64 128
   %9 = load ptr, ptr %8, align 8
   %10 = tail call fastcc i64 @address(ptr %9) #17
   store i64 %10, ptr %7, align 8
@@ -5910,7 +6007,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %33 = call fastcc ptr @integers(ptr %0, i64 %32) #17
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 128
+  %35 = getelementptr inbounds i8, ptr %0, i64 136
   %36 = load ptr, ptr %35, align 8
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
@@ -5934,7 +6031,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %52, label %53, label %75
 
 53:
-  %54 = getelementptr inbounds i8, ptr %0, i64 112
+  %54 = getelementptr inbounds i8, ptr %0, i64 120
   %55 = and i64 %13, 3
   %56 = icmp ult i64 %13, 4
   br i1 %56, label %61, label %57
@@ -5968,7 +6065,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %74, label %75, label %64
 
 75:
-  %76 = getelementptr inbounds i8, ptr %0, i64 112
+  %76 = getelementptr inbounds i8, ptr %0, i64 120
   %77 = load ptr, ptr %76, align 8
   %78 = call fastcc i32 @all_finite(ptr %77, i64 %13) #17
   %79 = icmp eq i32 %78, 0
@@ -6022,7 +6119,7 @@ define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.73) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.80) #17
   br label %6
 
 6:
@@ -6051,7 +6148,7 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.74, i64 %15, ptr @.str.75) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.81, i64 %15, ptr @.str.82) #17
   br label %20
 
 16:

@@ -79,9 +79,10 @@ typedef struct {
   void *step_finished, *environment;
 } Callbacks;
 enum { UNCHANGED, VALUES_SET, POSITIONS_SET, BEGUN };
+enum { INSTANTIATED, INITIALISING, RUNNING, TERMINATED }; /* phase; part of a saved state, as in FMI */
 /* FRESH: channels are those of the state; STALE: to be observed; JUMPED: the forces have changed, too */
 enum { FRESH, STALE, JUMPED };
-typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun; } Clock; /* begun: what the initialisation has set, or that it has ended */
+typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun, phase; } Clock; /* begun: what the initialisation has set, or that it has ended */
 typedef struct {
   Callbacks on;
   Str name;
@@ -133,7 +134,7 @@ static void relocate(Instance *f, const void *image) {
 static void begin(Instance *f) {
   relocate(f, pp_image);
   for (i64 k = 0; k < pp_numbers.n_variables; k++) f->values[k] = pp_variables[k].start;
-  Clock c = {pp_numbers.t0, pp_numbers.h, 0, STALE, 0, f->c.exchange, 0};
+  Clock c = {pp_numbers.t0, pp_numbers.h, 0, STALE, 0, f->c.exchange, 0, INSTANTIATED};
   f->c = c;
 }
 
@@ -245,7 +246,9 @@ static Instance *create(Str name, Str token, const Callbacks *on, int exchange) 
   return f;
 }
 static void free_instance(Instance *f) { if (f) { Callbacks on = f->on; release(&on, f); } }
-static Status set_start(Instance *f, double start) {
+static Status set_start(Instance *f, double start, int ends, double end) {
+  if (f->c.phase != INSTANTIATED) return fail(f, "the start time is set before the initialisation; reset the instance");
+  if (ends && !(end >= start)) return fail(f, "the stop time is before the start time");
   if (!finite_number(start)) return fail(f, "the start time is not finite");
   if (pp_numbers.driven && start != pp_numbers.t0)
     return fail(f, "the start time must be that of the model description: drives prescribe positions over the time");
