@@ -177,8 +177,8 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
     if root.tag != "fmiModelDescription" or not version:
         raise FmuFileError(f"has a {DESCRIPTION} that is not one of FMI")
     if version not in ("2.", "3."):
-        text = f"version {root.get('fmiVersion')} of FMI is not supported"
-        raise FmuFileError(text, limit="2.0 | 3.0", remedy="export it with one of these")
+        wrong = f"version {root.get('fmiVersion')} of FMI is not supported"
+        raise FmuFileError(wrong, limit="2.0 | 3.0", remedy="export it with one of these")
     interface = root.find("CoSimulation")
     if interface is None:
         raise FmuFileError("is not for co-simulation", remedy="export it for co-simulation")
