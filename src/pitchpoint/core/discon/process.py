@@ -268,7 +268,7 @@ class Discon:
             return answer
         try:
             status = process.wait(self.timeout)
-        except subprocess.TimeoutExpired:  # the library has closed the pipe and goes on
+        except subprocess.TimeoutExpired:  # the library has closed the pipe and still runs
             process.kill()
             status = process.wait()
         printed = self._last_line()
