@@ -86,6 +86,17 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
     return AeroDynInput(blade, flow, tuple(notes))
 
 
+def aerodyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Files that `read_aerodyn` reads besides the primary file; none if that cannot be read."""
+    try:
+        text = read_input(path)
+    except ModelError:
+        return ()
+    blade = text.find("ADBlFile(1)")
+    names = [*_airfoil_files(text), *([] if blade is None else [blade.tokens[0]])]
+    return tuple(str(beside(text.path, name)) for name in names)
+
+
 def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) -> Blade:
     """Blade file of AeroDyn v15.
 

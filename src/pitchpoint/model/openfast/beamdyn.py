@@ -58,6 +58,15 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
     return beam_table(place, sections, points[:, :3], -np.radians(points[:, 3]), arc)
 
 
+def beamdyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Files that `read_beamdyn` reads besides the primary file; none if that cannot be read."""
+    try:
+        named = read_input(path).find("BldFile")
+    except ModelError:
+        return ()
+    return () if named is None else (str(beside(Path(path), named.tokens[0])),)
+
+
 def beam_table(
     place: FloatArray,
     sections: list[dict[str, float]],
