@@ -147,9 +147,10 @@ WRONG = {
         "-180 to 180",
     ),
     "relative_thickness: 0.2": ("relative_thickness: 0.2x", "airfoils[2].relative_thickness"),
+    "hub_height: 80.0": ("hub_height: 8" + 350 * "0", "assembly.hub_height (small.yaml, line 2)"),
+    "values: [2.0, 2.8": ("values: [2" + 350 * "0" + ", 2.8", "chord.values[0] (small.yaml, line 7): '2000"),
     "number_of_blades: 3": ("number_of_blades: 2.5", "is not a whole number"),
     "components:": ("parts:", "components"),
-    "hub_height: 80.0": ("hub_height: [80.0", "YAML syntax"),
     "re: 1.0e6": ("re: 1.0e6, re: 2", "YAML syntax"),
 }
 

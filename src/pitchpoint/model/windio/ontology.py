@@ -103,12 +103,13 @@ class Ontology:
         found = self.get(*place)
         if found is None:
             return math.nan
-        if isinstance(found, bool) or not isinstance(found, int | float) or not math.isfinite(found):
+        value = _finite(found)
+        if value is None:
             self.problem(place, "is not a finite number", _shown(found))
             return math.nan
-        if positive and not found > 0.0:
-            self.problem(place, "is out of range", f"{found:g}", "> 0")
-        return float(found)
+        if positive and not value > 0.0:
+            self.problem(place, "is out of range", f"{value:g}", "> 0")
+        return value
 
     def entries(self, *place: Any) -> list[Any]:
         """List at a path; empty with a problem if there is none."""
@@ -124,7 +125,7 @@ class Ontology:
             self.problem(place, "is the number of values", str(len(found)), f"<= {MOST_POINTS}")
             return np.zeros(0)
         for k, value in enumerate(found):
-            if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            if _finite(value) is None:
                 self.problem((*place, k), "is not a finite number", _shown(value))
                 return np.zeros(0)
         return np.array(found, dtype=float)
@@ -208,6 +209,17 @@ def _contents(path: str, stamp: int) -> tuple[Any, Mapping[Place, int]]:
         )
         raise ModelError([problem], path)
     return tree.data, tree.lines
+
+
+def _finite(value: Any) -> float | None:
+    """Finite number of a value of the file; None if it is none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        number = float(value)
+    except OverflowError:  # a whole number of more than 308 digits
+        return None
+    return number if math.isfinite(number) else None
 
 
 def _shown(value: Any) -> str:
