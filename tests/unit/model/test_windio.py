@@ -48,6 +48,15 @@ def test_rotor_and_tower(file, text):
     assert found.tower is not None and found.tower.radius_at(40.0) == pytest.approx(2.25)
 
 
+@pytest.mark.parametrize("version", ["1.0", '"1.0.1"', "1"])
+def test_the_first_version_may_have_its_number(file, version):
+    """Its angles are in radians."""
+    rotor = read_windio_rotor(file(f"windIO_version: {version}\n{VERSION_1}")).rotor
+    assert (rotor.precone, rotor.tilt) == pytest.approx((0.05, 0.08))
+    with pytest.raises(ModelError, match=r"windIO_version \(third.yaml, line 1\): '3.0' is not .* 1 or 2"):
+        read_windio_rotor(file(f"windIO_version: 3.0\n{VERSION_1}", "third.yaml"))
+
+
 def test_both_layouts_are_one_turbine(file):
     """Angles of the second have six digits."""
     one, two = (read_windio_rotor(file(t, f"{k}.yaml")).rotor for k, t in enumerate((VERSION_1, VERSION_2)))
@@ -151,6 +160,7 @@ WRONG = {
     "values: [2.0, 2.8": ("values: [2" + 350 * "0" + ", 2.8", "chord.values[0] (small.yaml, line 7): '2000"),
     "number_of_blades: 3": ("number_of_blades: 2.5", "is not a whole number"),
     "components:": ("parts:", "components"),
+    "hub_height: 80.0, ": ("hub_height: [80.0, ", "YAML syntax"),
     "re: 1.0e6": ("re: 1.0e6, re: 2", "YAML syntax"),
 }
 

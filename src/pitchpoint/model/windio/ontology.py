@@ -48,7 +48,9 @@ class Ontology:
     @property
     def version(self) -> int:
         """Number of the layout: 1 (radians, `outer_shape_bem`) or 2 (degrees, `outer_shape`)."""
-        return 2 if "windIO_version" in self.data or self.has("components", "blade", "outer_shape") else 1
+        if "windIO_version" in self.data:
+            return 1 if str(self.data["windIO_version"]).split(".")[0] == "1" else 2
+        return 2 if self.has("components", "blade", "outer_shape") else 1
 
     def angle(self, value: Any) -> Any:
         """Angle of the file in rad."""
@@ -184,18 +186,23 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     """
     file = Path(path)
     try:
-        stamp = file.stat().st_mtime_ns
+        status = file.stat()
     except OSError as error:
         reason = error.strerror or "failed"
         raise ModelError(
             [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
         ) from None
-    data, lines = _contents(str(file), stamp)
-    return Ontology(file, data, lines)
+    data, lines = _contents(str(file), status.st_mtime_ns, status.st_size)
+    found = Ontology(file, data, lines)
+    given = str(data.get("windIO_version", "2"))
+    if given.split(".")[0] not in ("1", "2"):
+        found.problem(("windIO_version",), "is not a version that can be read", _shown(given), "1 or 2")
+        found.stop()
+    return found
 
 
 @functools.lru_cache(maxsize=4)
-def _contents(path: str, stamp: int) -> tuple[Any, Mapping[Place, int]]:
+def _contents(path: str, stamp: int, size: int) -> tuple[Any, Mapping[Place, int]]:
     name = Path(path).name
     try:
         tree = Tree(text_of(path))
