@@ -111,6 +111,16 @@ def test_tower_as_a_beam(file):
     assert np.interp(0.5, table.position, table.bending_1) == pytest.approx(2e11 * middle, rel=1e-9)
 
 
+def test_moments_are_about_the_aerodynamic_centre(file):
+    """windIO: the centre used to define the polars. Its station moves with it, and the moments stay."""
+    old = VERSION_1[VERSION_1.index("  - name: thin") :]
+    moved = VERSION_1.replace(old, old.replace("aerodynamic_center: 0.25", "aerodynamic_center: 0.3", 1))
+    one, two = (read_windio_rotor(file(t, f"{k}.yaml")).rotor.blade for k, t in enumerate((VERSION_1, moved)))
+    assert two.sweep[-1] - one.sweep[-1] == pytest.approx(0.05 * 0.5)
+    for blade in (one, two):
+        assert blade.polars[blade.polar_index[-1]].at(0.0)[2] == -0.08
+
+
 def test_polars_of_several_reynolds_numbers(file):
     """The polar of each station is that of its Reynolds number at 2 rad/s, linear over the logarithm."""
     old = VERSION_1[VERSION_1.index("  - name: thin") : VERSION_1.index("materials:")]

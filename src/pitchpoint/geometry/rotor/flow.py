@@ -34,7 +34,8 @@ class RotorFlow:
         Tower whose potential flow changes the wind at the blades; None without.
     sectors
         Number of azimuths over which the loads are averaged; 1 is sufficient for axial flow,
-        at least 36 are required with a tower.
+        at least 36 are required with a tower. In models the azimuth is that of the blades, and it has no
+        effect.
 
     Raises
     ------

@@ -24,7 +24,7 @@ _NAMES = {1: ("c_l", "c_d", "c_m"), 2: ("cl", "cd", "cm")}
 @dataclass(frozen=True)
 class Airfoil:
     """Airfoil of a file: relative thickness, aerodynamic centre from the leading edge over the chord, and
-    its polars by increasing Reynolds number."""
+    its polars by increasing Reynolds number, whose moments are about this centre."""
 
     thickness: float
     center: float

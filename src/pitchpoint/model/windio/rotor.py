@@ -36,7 +36,8 @@ def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
     Chord, twist, reference axis and relative thickness are monotone cubic polynomials (PCHIP) between their
     points; the coefficients of a section are those of its relative thickness between the airfoils. Polars of
     several Reynolds numbers are taken at the rated rotor speed of the file. The stations are where the file
-    has chords, each at the aerodynamic centre.
+    has chords, each at the aerodynamic centre of the file, to which windIO refers the polars; moments are
+    about it.
 
     Parameters
     ----------
