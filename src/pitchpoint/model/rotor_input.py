@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.blade import Rotor
-from pitchpoint.geometry.rotor.flow import RotorFlow
+from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.model.blade_stations import blade_of
 from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
@@ -17,8 +17,6 @@ from pitchpoint.model.windio.rotor import WindIORotor, read_windio_rotor
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
-
-TOWER_SECTORS = 72
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.tower import Tower
 
+TOWER_SECTORS = 72
+"""Number of azimuths over which the readers of files average the loads of a rotor with tower."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class RotorFlow:
