@@ -13,7 +13,7 @@ from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.model.blade_stations import blade_of
 from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
-from pitchpoint.model.windio.rotor import WindIORotor, read_windio_rotor
+from pitchpoint.model.windio.rotor import WindIORotor, read_windio_blades
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
@@ -96,4 +96,4 @@ def _aerodyn(path: str, state: object) -> AeroDynInput:
 
 @functools.lru_cache(maxsize=8)
 def _ontology(path: str, state: object) -> WindIORotor:
-    return read_windio_rotor(path)
+    return read_windio_blades(path)

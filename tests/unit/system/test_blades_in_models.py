@@ -283,6 +283,19 @@ def test_exit_codes(tmp_path, capsys):
     assert "box.bts: header: 40 bytes are there: the file is cut off" in capsys.readouterr().err
 
 
+def test_the_place_of_the_hub_is_that_of_the_model(tmp_path):
+    """A windIO file without hub height and with a senseless tilt has the same blades."""
+    found = []
+    for text in (VERSION_1, VERSION_1.replace("hub_height: 80.0, ", "").replace("uptilt: 0.08", "uptilt: up")):
+        file = tmp_path / f"{len(found)}.yaml"
+        file.write_text(text, encoding="utf-8")
+        rotor = rotor_input(loads_model(HUB + f"    windio: {file}\n").wind_rotors["rotor"]).rotor
+        found.append((rotor.blade.sweep.tolist(), rotor.hub_radius, rotor.precone, rotor.hub_height))
+    assert found[0] == found[1]
+    with pytest.raises(ModelError, match="2 problems"):
+        read_windio_rotor(file)
+
+
 def test_a_changed_blade_file_of_beamdyn_is_another_model(tmp_path):
     """The primary file names it: its content is in the hash, and it is read again."""
     primary = write_beamdyn(tmp_path, *matrices())
