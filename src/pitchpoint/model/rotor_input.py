@@ -21,10 +21,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RotorInput:
-    """Geometry of a rotor at zero tilt, as the bodies have the tilt, and the air around it."""
+    """Geometry of a rotor at zero tilt, as the bodies have the tilt, the air around it, and notes on what its
+    file contains that is not used."""
 
     rotor: Rotor
     flow: RotorFlow
+    notes: tuple[str, ...] = ()
 
 
 def rotor_input(part: WindRotor) -> RotorInput:
@@ -86,7 +88,7 @@ def _windio(part: WindRotor) -> RotorInput:
             text = "has no tower in the windIO file"
             raise ModelError([Message("tower_flow", text, remedy="give tower_flow: false")])
         flow = RotorFlow(tower=given.tower, sectors=TOWER_SECTORS)
-    return RotorInput(_rotor(part, given.rotor), flow)
+    return RotorInput(_rotor(part, given.rotor), flow, given.notes)
 
 
 @functools.lru_cache(maxsize=8)

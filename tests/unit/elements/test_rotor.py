@@ -96,7 +96,7 @@ def test_heavily_loaded_stations_have_the_thrust_of_buhl() -> None:
 
 @pytest.mark.parametrize("f", [0.1, 0.5, 0.9, 1.0])
 def test_derivatives_of_buhls_curve(f: float) -> None:
-    """The quadratic equation C_T(a) = 4 F κ (1 - a)^2 differentiated, also where its leading term vanishes."""
+    """The quadratic equation C_T(a) = 4 F κ (1 - a)^2 differentiated, also where it is linear."""
     singular = (25.0 / 9.0 - 2.0 * f) / (2.0 * f)
     for kappa in (0.7, 3.0, 50.0, *(singular + d for d in (-1e-3, -1e-6, -1e-9, 0.0, 1e-9, 1e-6, 1e-3))):
         a, by_kappa, by_f = heavy_induction(kappa, f)

@@ -12,8 +12,8 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
-from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.model.reading import yaml_tree
+from pitchpoint.model.remarks.collect import remarks_of_file
 from tests.support.cli_files import json_of
 
 MAIN = """\
@@ -138,7 +138,9 @@ def test_files_beside_the_folder_of_the_model(files, tmp_path):
 
 
 def test_a_name_that_begins_with_dots_is_in_the_folder(files, tmp_path):
-    file = files(model=MAIN.replace("gears.yaml", "..parts.txt"), **{"drives/loads": LOADS.partition("\n")[2]})
+    file = files(
+        model=MAIN.replace("gears.yaml", "..parts.txt"), **{"drives/loads": LOADS.partition("\n")[2]}
+    )
     (tmp_path / "..parts.txt").write_text(GEARS, encoding="utf-8")
     assert load_model(file).origin.files == ("..parts.txt", "drives/loads.yaml")
 

@@ -121,6 +121,34 @@ def test_moments_are_about_the_aerodynamic_centre(file):
         assert blade.polars[blade.polar_index[-1]].at(0.0)[2] == -0.08
 
 
+def test_airfoils_and_polars_that_are_not_used_are_noted(file):
+    """An airfoil of the same thickness, and polars of a configuration that the blade does not name."""
+    assert read_windio_rotor(file(VERSION_2)).notes == ()
+    more = VERSION_2[VERSION_2.index("      - configuration") : VERSION_2.index("  - name: thick")]
+    rough = more.replace("default", "rough").replace("[0.5, 0.5]", "[0.7, 0.7]")
+    text = VERSION_2.replace(more, more + rough, 1).replace("rthick: 0.4", "rthick: 0.2")
+    found = read_windio_rotor(file(text, "more.yaml"))
+    assert found.notes == (
+        "airfoil round: polars of the configuration default, not of rough",
+        "airfoil thin: not used, as thick has the same relative thickness",
+    )
+    assert found.rotor.blade.polars[found.rotor.blade.polar_index[0]].at(0.0)[1] == 0.5
+    text = text.replace(
+        "name: round, spanwise_position: 0.0, configuration: [default]",
+        "name: round, spanwise_position: 0.0, configuration: [rough]",
+    )
+    with pytest.raises(
+        ModelError, match="'?default'? is another configuration of round than at a place before"
+    ):
+        read_windio_rotor(file(text, "two.yaml"))
+    text = text.replace(
+        "name: round, spanwise_position: 0.2, configuration: [default]",
+        "name: round, spanwise_position: 0.2, configuration: [rough]",
+    )
+    blade = read_windio_rotor(file(text, "rough.yaml")).rotor.blade
+    assert blade.polars[blade.polar_index[0]].at(0.0)[1] == 0.7
+
+
 def test_polars_of_several_reynolds_numbers(file):
     """The polar of each station is that of its Reynolds number at 2 rad/s, linear over the logarithm."""
     old = VERSION_1[VERSION_1.index("  - name: thin") : VERSION_1.index("materials:")]

@@ -17,6 +17,7 @@ from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.windio.rotor import read_windio_rotor
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
@@ -286,12 +287,22 @@ def test_exit_codes(tmp_path, capsys):
 def test_the_place_of_the_hub_is_that_of_the_model(tmp_path):
     """A windIO file without hub height and with a senseless tilt has the same blades."""
     found = []
-    for text in (VERSION_1, VERSION_1.replace("hub_height: 80.0, ", "").replace("uptilt: 0.08", "uptilt: up")):
+    for text in (
+        VERSION_1,
+        VERSION_1.replace("hub_height: 80.0, ", "").replace("uptilt: 0.08", "uptilt: up"),
+    ):
         file = tmp_path / f"{len(found)}.yaml"
         file.write_text(text, encoding="utf-8")
         rotor = rotor_input(loads_model(HUB + f"    windio: {file}\n").wind_rotors["rotor"]).rotor
         found.append((rotor.blade.sweep.tolist(), rotor.hub_radius, rotor.precone, rotor.hub_height))
     assert found[0] == found[1]
+    file.write_text(VERSION_1.replace("relative_thickness: 0.4", "relative_thickness: 0.2"), encoding="utf-8")
+    model = loads_model(HUB + f"    windio: {file}\n")
+    remark = (
+        "wind_rotors.rotor.windio (line 8): airfoil thin: not used, as thick has the same relative thickness"
+    )
+    assert remark in [str(each) for each in remarks_of_file(model)]
+    file.write_text(text, encoding="utf-8")
     with pytest.raises(ModelError, match="2 problems"):
         read_windio_rotor(file)
 

@@ -28,7 +28,7 @@ BAD = np.array([0.0, 1.0])
 
 @dataclass
 class Ontology:
-    """Contents of a windIO file, and the problems found in it so far.
+    """Contents of a windIO file, and the problems and notes of its reading so far.
 
     Parameters
     ----------
@@ -44,6 +44,7 @@ class Ontology:
     data: Any
     lines: Mapping[Place, int]
     problems: list[Message] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
 
     @property
     def version(self) -> int:

@@ -24,10 +24,13 @@ class WindIORotor:
         Blades with their polars, hub radius, precone, tilt, hub height, overhang.
     tower
         Elevations and diameters; None if the file has no tower.
+    notes
+        Airfoils and polars of the file that are not used.
     """
 
     rotor: Rotor
     tower: Tower | None
+    notes: tuple[str, ...] = ()
 
 
 def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
@@ -84,7 +87,7 @@ def _read(path: str | os.PathLike[str], placed: bool) -> WindIORotor:
         )
     except ModelError as error:
         raise ModelError([p.changed(file=file.path.name) for p in error.problems], str(path)) from None
-    return WindIORotor(rotor, tower)
+    return WindIORotor(rotor, tower, tuple(file.notes))
 
 
 def _place(file: Ontology, downwind: bool) -> dict[str, float]:
