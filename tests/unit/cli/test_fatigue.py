@@ -58,7 +58,7 @@ def test_pulses_of_a_pair_at_constant_torque(result, capsys):
     assert abs(torque["mean"]) == pytest.approx(50.0, rel=1e-3)
     assert found["duration"] == pytest.approx(0.3, rel=1e-3)
     [note] = found["notes"]
-    assert note.startswith("less than 10 pulses per tooth of pinion, wheel")
+    assert note.startswith("fewer than 10 pulses per tooth of pinion, wheel")
 
 
 def test_meshes_without_single_pairs(capsys, tmp_path):
