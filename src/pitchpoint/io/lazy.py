@@ -115,7 +115,8 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     where = member(file, group) if group else file
     handle = ReopenedFile.of(name, file)
     arrays = {key: item for key, item in members(where).items() if isinstance(item, h5py.Dataset)}
-    over = {key: _dimensions(item) for key, item in arrays.items()}
+    scales: dict[int, h5py.Dataset] = {}
+    over = {key: _dimensions(item, scales) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
     variables = {}
     # read the status before the values: a growing file must not give a status without values
@@ -210,9 +211,9 @@ def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, .
     return found
 
 
-def _dimensions(item: h5py.Dataset) -> tuple[str, ...]:
+def _dimensions(item: h5py.Dataset, scales: dict[int, h5py.Dataset]) -> tuple[str, ...]:
     """Names of the dimensions of an array; a dimension scale has its own name."""
-    return tuple(str(place.name.rpartition("/")[2]) for place in dimensions_of(item))
+    return tuple(str(place.name.rpartition("/")[2]) for place in dimensions_of(item, scales))
 
 
 def _attributes(stored: Mapping[str, Any]) -> dict[str, Any]:

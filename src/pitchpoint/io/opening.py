@@ -96,11 +96,20 @@ def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
     return {name: member(group, name) for name in group}
 
 
-def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
+def dimensions_of(item: h5py.Dataset, known: dict[int, h5py.Dataset]) -> tuple[h5py.Dataset, ...]:
     """Dimension scales of a variable; a scale is its own dimension.
 
     The references are followed individually: the HDF5 function H5DSiterate_scales crashes the process if a
     reference is invalid.
+
+    Parameters
+    ----------
+    item
+        Variable.
+    known
+        Scales found before in the file by their address, empty for the first variable. HDF5 searches the
+        whole file for the name of an object given by a reference: minutes for 1500 channels of a growing
+        file, without this table.
 
     Raises
     ------
@@ -112,11 +121,19 @@ def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
     if item.is_scale:
         return (item,)
     lists = item.attrs["DIMENSION_LIST"] if item.ndim else ()
-    places = tuple(item.file[references[0]] for references in lists)
-    good = all(isinstance(place, h5py.Dataset) and place.name and place.ndim == 1 for place in places)
-    if len(places) != item.ndim or not good:
+    found = []
+    for references in lists:
+        place = item.file[references[0]]
+        address = h5py.h5o.get_info(place.id).addr
+        if address not in known:
+            name = place.name
+            if not isinstance(place, h5py.Dataset) or not name or place.ndim != 1:
+                raise ValueError(f"the dimensions of {item.name} are missing")
+            known[address] = item.file[name]
+        found.append(known[address])
+    if len(found) != item.ndim:
         raise ValueError(f"the dimensions of {item.name} are missing")
-    return places
+    return tuple(found)
 
 
 def open_file(path: str | os.PathLike[str]) -> h5py.File:
@@ -242,6 +259,7 @@ def _look_through(file: h5py.File) -> None:
 
     size = file.id.get_filesize()
     groups: list[h5py.Group] = [file]
+    scales: dict[int, h5py.Dataset] = {}
     while groups:
         group = groups.pop()
         inside = members(group).values()
@@ -252,10 +270,10 @@ def _look_through(file: h5py.File) -> None:
             if isinstance(item, h5py.Group):
                 groups.append(item)
             elif isinstance(item, h5py.Dataset):
-                _look_at(item, size)
+                _look_at(item, size, scales)
 
 
-def _look_at(item: h5py.Dataset, size: int) -> None:
+def _look_at(item: h5py.Dataset, size: int, scales: dict[int, h5py.Dataset]) -> None:
     """Whether an array of its declared size fits in a file of this size."""
     if item.id.get_storage_size() > size:
         raise ValueError(f"{item.name} is larger than its file")
@@ -266,7 +284,7 @@ def _look_at(item: h5py.Dataset, size: int) -> None:
             most *= -(-length // step)
         if count > most + 1:  # a killed writer may have stored a block before the length of the array
             raise ValueError(f"{item.name} has {count} blocks where {most} have room")
-    dimensions_of(item)
+    dimensions_of(item, scales)
 
 
 def _text(value: Any) -> str:

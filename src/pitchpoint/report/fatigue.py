@@ -113,8 +113,9 @@ class LoadCases:
                 continue
             changed = sorted(name for name in {*teeth, *own} if teeth.get(name) != own.get(name))
             if changed:
+                names = ", ".join(changed)
                 raise PitchpointError(
-                    f"result {number}: other numbers of teeth than the first result: {', '.join(changed)}; {remedy}"
+                    f"result {number}: other numbers of teeth than result 1: {names}; {remedy}"
                 )
         self.note("the results are of different versions of the model; teeth are those of the first one")
 
@@ -164,8 +165,8 @@ def fatigue_loads(
     dict
         `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by
         slope), `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank:
-        `pulses`, `largest` and `equivalent` force [N] of the teeth from 0, the `worst` tooth, `levels`, `exceeded`;
-        `force`, that of `teeth` in words.
+        `pulses`, `largest` and `equivalent` force [N] of the teeth from 0, the `worst` tooth, `levels`,
+        `exceeded`; `force`, that of `teeth` in words.
     """
     cases.require_one_machine()
     names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)

@@ -69,6 +69,8 @@ def test_meshes_without_single_pairs(capsys, tmp_path):
     row = found["teeth"]["pinion"]["front"]
     assert row["largest"] == pytest.approx([50.0 / (0.03 * math.cos(math.radians(20)))] * 20, rel=1e-3)
     assert "the whole mesh force counts" in found["notes"][0]
+    assert run_command(["fatigue", target, "-q"]) == 0
+    assert "Teeth: forces of whole meshes" in capsys.readouterr().out
 
 
 def test_load_cases_are_added(result, capsys, tmp_path):

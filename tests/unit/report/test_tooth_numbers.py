@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.fatigue import LoadCases, fatigue_loads
 from pitchpoint.solvers.time import solve_time
@@ -89,3 +90,21 @@ def test_large_exponents():
     model, data = computed(PAIR, "run")
     row = fatigue_loads(LoadCases(model, [data], [None]), tooth_slope=100.0)["teeth"]["pinion"]["front"]
     assert row["equivalent"] == pytest.approx(row["largest"], rel=0.02)
+
+
+def test_results_of_other_models():
+    """Other values are a note, other teeth or meshes an error."""
+    model, data = computed(PAIR, "run")
+    _, heavier = computed(PAIR.replace("inertia: 0.02", "inertia: 0.03"), "run")
+    notes = fatigue_loads(LoadCases(model, [data, heavier], [None, None]))["notes"]
+    assert any("different versions of the model" in note for note in notes)
+    assert not any(
+        "versions" in n for n in fatigue_loads(LoadCases(model, [data, data], [None, None]))["notes"]
+    )
+    for other, words in (
+        (PAIR.replace("number_of_teeth: 30", "number_of_teeth: 31"), "numbers of teeth.*: wheel"),
+        (PAIR.replace("  stage: {", "  pair: {"), "meshes pair"),
+    ):
+        _, changed = computed(other, "run")
+        with pytest.raises(PitchpointError, match=words):
+            fatigue_loads(LoadCases(model, [data, changed], [None, None]))
