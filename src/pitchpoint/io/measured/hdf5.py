@@ -272,7 +272,8 @@ def read_own(path: Path, wanted: Wanted) -> Record:
                 )
                 raise refused(path, "", "", what, None, "name a result of run")
             items = members(file)
-            found = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset) and _over_time(v)}
+            scales: dict[int, h5py.Dataset] = {}
+            found = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset) and _over_time(v, scales)}
             count = min(v.shape[0] for v in (items["time"], *found.values()))
             columns = tuple(_own_column(path, v, n, count) for n, v in found.items() if wanted.takes(n))
             time = Column("time", _numbers(path, "time", items["time"], None)[:count], "s")
@@ -286,10 +287,10 @@ def read_own(path: Path, wanted: Wanted) -> Record:
     return Record("pitchpoint result", columns, time, attributes=about, notes=tuple(notes))
 
 
-def _over_time(dataset: h5py.Dataset) -> bool:
+def _over_time(dataset: h5py.Dataset, scales: dict[int, h5py.Dataset]) -> bool:
     if dataset.is_scale or len(dataset.shape) != 1:
         return False
-    return bool(dimensions_of(dataset)[0].name == "/time")
+    return bool(dimensions_of(dataset, scales)[0].name == "/time")
 
 
 def _own_column(path: Path, dataset: h5py.Dataset, name: str, count: int) -> Column:
