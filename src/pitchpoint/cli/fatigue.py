@@ -77,6 +77,9 @@ def fatigue(
             if "time" not in data.dims:
                 raise click.BadParameter(f"{file} is not a time response", param_hint="FILES")
         cases = LoadCases(stored_model(files[0], allow_code), results, hours)
+        for file, data in zip(files, results, strict=True):
+            if (status := data.attrs.get("status", "finished")) != "finished":
+                cases.note(f"{file}: the run has not finished: {status}; its samples up to now count")
         slopes = options["slopes"] or SLOPES
         tooth_slope = options["tooth_slope"] or TOOTH_SLOPE
         found = fatigue_loads(cases, options["patterns"], slopes, options["cycles"], tooth_slope)

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import csv
 import math
+import shutil
 
+import h5py
 import numpy as np
 import pytest
 
@@ -98,6 +100,16 @@ def test_few_samples_per_mesh_are_named(result, capsys, tmp_path):
     thin = str(tmp_path / "thin.h5")
     assert run_command(["run", str(model), "-q", "-o", thin]) == 0
     assert "5.0 samples per mesh period" in json_of(["fatigue", thin], capsys)["notes"][0]
+
+
+def test_a_run_that_has_not_finished(result, capsys, tmp_path):
+    """The samples in the file count, with a note."""
+    target = tmp_path / "part.h5"
+    shutil.copy(result, target)
+    with h5py.File(target, "r+") as file:
+        file.attrs["status"] = "running"
+    found = json_of(["fatigue", str(target)], capsys)
+    assert "has not finished: running" in found["notes"][0] and found["teeth"]["pinion"]["front"]
 
 
 @pytest.mark.parametrize(
