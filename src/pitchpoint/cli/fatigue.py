@@ -133,7 +133,7 @@ def _print(found: Mapping[str, Any]) -> None:
     if rows:
         head = ["gear", "flank", "teeth", "fewest pulses", "most", "largest force"]
         head += ["smallest equivalent", "largest", "tooth"]
-        title = f"Teeth: {found['force']}, equivalent for m = {found['tooth_slope']:g}"
+        title = f"Teeth: {found['tooth_force']}, equivalent for m = {found['tooth_slope']:g}"
         table(title, head, rows, ["equivalent: as many constant pulses as the teeth have in the mean"])
 
 
