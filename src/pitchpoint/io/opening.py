@@ -102,7 +102,6 @@ class Dimensions:
     A scale that a reference gives has no name; HDF5 would look for it in all groups, for each axis of each
     variable again. Here one table of addresses is used.
 
-
     Parameters
     ----------
     file
