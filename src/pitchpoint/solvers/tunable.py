@@ -84,9 +84,7 @@ def tunable_places(
     return found
 
 
-def check_sums(
-    model: Model, scenario: str, run: ExportedRun, others: Sequence[Place], place: Place
-) -> None:
+def check_sums(model: Model, scenario: str, run: ExportedRun, others: Sequence[Place], place: Place) -> None:
     """Refuse a parameter that changes the same words as another one, unless their effects add.
 
     Parameters
