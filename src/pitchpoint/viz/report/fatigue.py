@@ -52,9 +52,10 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         for gear, flank, row in teeth
     ]
     section.add(plain_table(head, rows))
+    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     section.add(
         f"<p>{found['tooth_force'].capitalize()}; equivalent for m = {found['tooth_slope']:g}, as many "
-        f"constant pulses as the teeth have in the mean. {escape(' '.join(f'{note}.' for note in found['notes']))}</p>"
+        f"constant pulses as the teeth have in the mean. {notes}</p>"
     )
     figure = theme.figure("force of a tooth [kN]", "share of the pulses above [%]")
     largest = sorted(teeth, key=lambda entry: -max(entry[2]["largest"]))[:DRAWN]
