@@ -47,7 +47,7 @@ RECORD = np.dtype(
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
         ("speed", "f8"),  # SPEED, RAMP, RATE: [rad/s]
-        ("since", "f8"),  # RAMP: begin [s]
+        ("since", "f8"),  # RAMP: start [s]
         ("gain", "f8"),  # RAMP, RATE: derivative of the speed [rad/s^2]
         ("pool", "i8"),
         ("start", "i8"),

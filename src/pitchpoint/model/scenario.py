@@ -120,7 +120,7 @@ class Drive(Component):
 
 @dataclass(frozen=True, kw_only=True)
 class Course(Component):
-    """Course of an input over time: a value, points or a formula."""
+    """Time history of an input: a value, points or a formula."""
 
     value: float | None = key("value", "constant value", None, one_of="course")
     points: tuple[tuple[float, float], ...] | None = key(

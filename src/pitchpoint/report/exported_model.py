@@ -166,8 +166,11 @@ def fmu_model(
             "free_balancing": rest.free_balancing,
             "balancing": [x for pair in balancing for x in pair],
             "spins": rest.spins,
+            "gaps": [channel for channel, _ in rest.gaps],
         },
         [x for pair in zip(rest.times, rest.weights, strict=True) for x in pair],
+        rest.extents,
+        [most for _, most in rest.gaps],
     )
 
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.io.fmu.model import INPUT, OUTPUT, PARAMETER, SPEED, STATE, FmuModel
 from pitchpoint.io.fmu.web import web_assembly
 from pitchpoint.model.numbers import number_at
 from pitchpoint.report.exported_model import begin_export, fmu_model
 from pitchpoint.report.scene.live import live_scene
-from pitchpoint.solvers.tunable import tunable_places
+from pitchpoint.solvers.tunable import check_sums, tunable_places
 from pitchpoint.viz.live_page import live_page
 from pitchpoint.viz.quantities import pretty, scale
 
@@ -60,11 +60,14 @@ def offered(
     run, _ = begin_export(model, scenario, (), inputs)
     found: list[Place] = []
     for path in (f"meshes.{name}.{number}" for name in meshes for number in NUMBERS):
-        try:
-            if number_at(model, path) is not None:
-                found = list(tunable_places(model, scenario, run, [*(p.name for p in found), path]))
-        except PitchpointError:
+        if number_at(model, path) is None:
             continue
+        try:
+            (place,) = tunable_places(model, scenario, run, [path])
+            check_sums(model, scenario, run, found, place)
+        except ModelError:  # it cannot be changed in a running model
+            continue
+        found.append(place)
     return model, run, tuple(found)
 
 
@@ -129,14 +132,15 @@ def _initial_speed(run: ExportedRun, unit: FmuModel, model: Model, scenario: str
     n = len(run.states)
     rates = [k for k in unit.of_kind(STATE) if unit.variables[k].first >= n and unit.variables[k].start]
     start = speeds[named[0]]
+    least, most = sorted((0.02 * start, 2.0 * start))
     return [
         {
             "name": f"initial speed of {named[0]}",
             "references": rates,
             "values": [unit.variables[k].start for k in rates],
             "start": start,
-            "least": 0.02 * start,
-            "most": 2.0 * start,
+            "least": least,
+            "most": most,
             **_display("speed", "rad/s", start),
         }
     ]

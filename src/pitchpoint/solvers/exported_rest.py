@@ -12,6 +12,8 @@ from pitchpoint.elements.kind import CLUTCH, DRIVE
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.element_batches import free_flying
 from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads, balancing_spins
+from pitchpoint.solvers.equilibrium.failure import tooth_gaps
+from pitchpoint.solvers.equilibrium.unknowns import extents
 from pitchpoint.solvers.gear_trains import complete, driven_coordinates, exchange_all, held_spins
 from pitchpoint.solvers.load_cycle import load_cycle
 from pitchpoint.solvers.mean_balance import cycle_instants
@@ -37,6 +39,10 @@ class ExportedRest:
         Spins that advance with these times.
     entries
         Row, column and place in the blocks of every entry of the matrix, shape (n, 3).
+    extents
+        Size of every coordinate whose rounding error it has at least [m, rad].
+    gaps
+        Channel and largest value [m] of the deflection of each mesh with a broken tooth.
     """
 
     free: tuple[int, ...] = ()
@@ -46,6 +52,8 @@ class ExportedRest:
     weights: tuple[float, ...] = ()
     spins: tuple[int, ...] = ()
     entries: tuple[tuple[int, int, int], ...] = ()
+    extents: tuple[float, ...] = ()
+    gaps: tuple[tuple[int, float], ...] = ()
 
 
 def exported_rest(system: System, state: State, scenario: Scenario) -> ExportedRest:
@@ -81,6 +89,8 @@ def exported_rest(system: System, state: State, scenario: Scenario) -> ExportedR
         tuple(weights.tolist()),
         tuple(turning),
         tuple(zip(*(part.tolist() for part in system.layout.entries), strict=True)),
+        tuple(extents(system).tolist()),
+        tuple(tooth_gaps(system).values()),
     )
 
 

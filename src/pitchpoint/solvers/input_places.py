@@ -126,7 +126,7 @@ def lead(record: np.void, value: float, t: float, size: float) -> bool:
     value
         Speed at the end of the step [rad/s, m/s].
     t, size
-        Begin of the step, and the step [s].
+        Start of the step, and its size [s].
 
     Returns
     -------

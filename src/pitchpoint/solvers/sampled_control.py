@@ -34,8 +34,8 @@ FINEST = 1e-3
 """Smallest fraction of the chosen step to which the instants may reduce it."""
 
 
-CHANGING = ("status", "failure", "_calls", "_states", "_waiting")
-"""Attributes of a sampler that change during a run."""
+CHANGING = ("status", "failure", "_calls", "_waiting")
+"""Attributes of a sampler that change during a run, besides the states of the controllers."""
 
 
 class Sampler:
@@ -107,11 +107,14 @@ class Sampler:
 
     def save(self) -> dict[str, Any]:
         """Copy of all that changes from call to call, for `restore`."""
-        return copy.deepcopy({name: getattr(self, name) for name in CHANGING})
+        states = [c.keeping[0](s) for c, s in zip(self.system.controllers, self._states, strict=True)]
+        return {"states": states, "own": copy.deepcopy({name: getattr(self, name) for name in CHANGING})}
 
     def restore(self, saved: dict[str, Any]) -> None:
         """Go back to what `save` has returned."""
-        vars(self).update(copy.deepcopy(saved))
+        pairs = zip(self.system.controllers, saved["states"], strict=True)
+        self._states[:] = [c.keeping[1](s) for c, s in pairs]
+        vars(self).update(copy.deepcopy(saved["own"]))
 
     def _room(self) -> float:
         return SAME * min(c.period for c in self.system.controllers)

@@ -178,7 +178,7 @@ class Stepper(EndsControllers):
         Raises
         ------
         ModelError
-            If a name is not an input, or a value is not finite; then none is set.
+            If a name is not an input, or a value is not finite or out of range; then none is set.
         """
         if self._inputs.set(values):
             self._jumped = self._stale = True

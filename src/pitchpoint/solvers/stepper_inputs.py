@@ -57,6 +57,7 @@ class StepperInputs:
         self._drives = {name: system.records[kind][k] for name, (kind, k) in found.items()}
         self.ends = sum(len(system.records[kind]) for kind in system.kinds(DRIVE)) > len(drives)
         self._start = {p.name: p.start for p in (*places, *drives)}
+        self._ranges = {p.name: (p.least, p.most) for p in (*places, *drives)}
         self.values = dict(self._start)
         self.units = {p.name: p.unit for p in (*places, *drives)}
 
@@ -68,7 +69,7 @@ class StepperInputs:
         Raises
         ------
         ModelError
-            If a name is not an input, or a value is not finite; then none is set.
+            If a name is not an input, or a value is not finite or out of range; then none is set.
         """
         problems = []
         for name, value in values.items():
@@ -78,6 +79,10 @@ class StepperInputs:
                 problems.append(Message(name, "is not an input", remedy=f"{known}inputs: {listed}"))
             elif not math.isfinite(value):
                 problems.append(Message(name, "is not a finite number", str(value), remedy="check its law"))
+            elif not self._ranges[name][0] <= value <= self._ranges[name][1]:
+                shown = f"{value:.9g} {self.units[name]}", "{:.9g} to {:.9g}".format(*self._ranges[name])
+                remedy = "change it in the model file, and start again"
+                problems.append(Message(name, "is out of range", *shown, remedy))
         if problems:
             raise ModelError(problems)
         changed = {name for name, value in values.items() if float(value) != self.values[name]}

@@ -10,7 +10,8 @@ that follow from the start of the run, such as damping constants of modal dampin
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -79,10 +80,31 @@ def tunable_places(
     wanted = ranges or {}
     found = tuple(_place(model, scenario, run, path, wanted.get(path)) for path in paths)
     for k, place in enumerate(found):
-        for other in found[:k]:
-            if {offset for offset, _ in place.words} & {offset for offset, _ in other.words}:
-                _check_sum(model, scenario, run, other, place)
+        check_sums(model, scenario, run, found[:k], place)
     return found
+
+
+def check_sums(model: Model, scenario: str, run: ExportedRun, others: Sequence[Place], place: Place) -> None:
+    """Refuse a parameter that changes the same words as another one, unless their effects add.
+
+    Parameters
+    ----------
+    model, scenario, run
+        As for `tunable_places`.
+    others
+        Parameters, also those without common words.
+    place
+        The parameter.
+
+    Raises
+    ------
+    ModelError
+        If the effects do not add.
+    """
+    for other in others:
+        if {offset for offset, _ in place.words} & {offset for offset, _ in other.words}:
+            with _refusing(place.name):
+                _check_sum(model, scenario, run, other, place)
 
 
 def _place(
@@ -97,19 +119,18 @@ def _place(
     values = [start + change * (abs(start) or 1.0) for change in CHANGES]
     if limits is None and (words := study.affine(values)) is not None:
         place = Place(path, *texts, words)
-        study.check(place, values[2])
+        with _refusing(path):
+            study.check(place, values[2])
         return place
     tried = [limits] if limits else [_around(start, share) for share in RANGES]
     for least, most in tried:
         try:
-            place = Place(path, *texts, study.interpolated(start, least, most), least, most)
-            study.check(place, least + 0.8 * (most - least))
+            with _refusing(path):
+                place = Place(path, *texts, study.interpolated(start, least, most), least, most)
+                study.check(place, least + 0.8 * (most - least))
         except ModelError:
             if (least, most) == tried[-1]:
                 raise
-        except PitchpointError as error:
-            if (least, most) == tried[-1]:
-                raise _refused(path, str(error)) from error
         else:
             return place
     raise AssertionError(path)
@@ -249,6 +270,17 @@ def _refused(path: str, what: str) -> ModelError:
         "leave it fixed, or give quantities that depend on it as values, such as damping instead of a ratio"
     )
     return ModelError([Message(path, what, remedy=remedy)])
+
+
+@contextmanager
+def _refusing(path: str) -> Iterator[None]:
+    """Refuse a parameter with which the model cannot be compiled or evaluated."""
+    try:
+        yield
+    except ModelError:
+        raise
+    except PitchpointError as error:
+        raise _refused(path, str(error)) from error
 
 
 def _from_the_start(run: ExportedRun, compiled: System) -> list[tuple[int, float]]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import traceback
 from collections.abc import Callable, Sequence
@@ -40,6 +41,8 @@ class SampledController:
         Passed to the function unchanged.
     finish
         Called with the state at the end of the run; returns remarks.
+    keeping
+        Functions that return a saved copy of a state, and a state from a saved copy.
     """
 
     name: str
@@ -51,6 +54,7 @@ class SampledController:
     state: Any = None
     parameters: Any = ()
     finish: Callable[[Any], tuple[str, ...]] | None = None
+    keeping: tuple[Callable[[Any], Any], Callable[[Any], Any]] = (copy.deepcopy, copy.deepcopy)
 
     def __post_init__(self) -> None:
         """Check period and delay."""

@@ -14,6 +14,7 @@ from pitchpoint.core.status import SINGULAR
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.equilibrium import solve
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium, solve_equilibrium
+from pitchpoint.solvers.equilibrium.unknowns import extents
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -281,3 +282,16 @@ def test_forces_that_change_with_the_phase_are_balanced_in_few_steps(cosine, tor
     force = float(values[system.layout.channel("mesh_force[m]")])
     assert abs(force) == pytest.approx(torque / (0.03 * math.cos(math.radians(20.0))), rel=1e-9)
     assert found.iterations <= 17
+
+
+def test_angles_are_rounded_as_one_radian_and_positions_as_the_height():
+    """A disk 150 m above the origin."""
+    text = (
+        "bodies: {disk: {motion: free, mass: 1 kg, inertia: 1 kg m^2, transverse_inertia: 1 kg m^2, "
+        "position: [0, 0, 150 m]}}\n"
+        "bearings: {one: {body: disk, stiffness: {radial: 1e8 N/m, axial: 1e8 N/m, tilt: 1e6 N m/rad}}}\n"
+    )
+    system = compile_model(loads_model(text))
+    coordinates = [name.rpartition(".")[2] for name in system.layout.coordinates]
+    want = [150.0 if name in ("x", "y", "z") else 1.0 for name in coordinates]
+    assert sum(x == 150.0 for x in want) == 3 and extents(system).tolist() == want

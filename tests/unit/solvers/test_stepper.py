@@ -201,6 +201,18 @@ def test_a_set_point_of_the_model_file_is_an_input():
     assert stepper.value("speed[fan]") > 30.0
 
 
+def test_an_input_has_a_range_where_its_effect_is_not_affine():
+    """The words of a centre distance are polynomials, valid near the value of the file."""
+    name = "meshes.stage.center_distance"
+    stepper = pp.Stepper(pair("adams"), "steady", inputs=[name])
+    start = stepper.inputs[name]
+    with pytest.raises(pp.ModelError, match=rf"{name}: 0.1545 m is out of range .*0.1\d* to 0.1\d*"):
+        stepper.set({name: 1.03 * start, "loads.input.torque": 1.0})
+    assert stepper.inputs[name] == start and stepper.inputs["loads.input.torque"] == 150.0
+    stepper.set({name: 1.001 * start})
+    assert stepper.inputs[name] == 1.001 * start
+
+
 def test_the_speed_of_a_drive_is_an_input():
     """Linear in a communication step: the angle is the area; a table of speeds ends with the scenario."""
     stepper = pp.Stepper(pp.load_model(text=DRIVEN), "steady")

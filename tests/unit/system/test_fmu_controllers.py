@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import json
 import os
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -18,7 +20,7 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import MissingDependencyError
-from pitchpoint.core.fmi import fmu_file
+from pitchpoint.core.fmi import fmu_file, fmu_process
 from pitchpoint.core.fmi.fmu_file import FmuFileError, own_platform, read_fmu
 from pitchpoint.core.status import CONTROLLER
 from tests.support.fmu_models import need_linker
@@ -267,6 +269,48 @@ def test_a_stepper_cannot_save_the_state_of_an_fmu(strange):
         stepper.save()
 
 
+def test_a_context_ends_the_process_of_an_fmu(strange):
+    """The process ends with the context, while the stepper and its states still exist."""
+    (strange / "model.yaml").write_text(MACHINE)
+    with pp.Stepper(pp.load_model(strange / "model.yaml", allow_code=True), "run") as stepper:
+        stepper.advance(2e-3)
+        assert len(processes()) == 1
+    assert not processes() and stepper.closed and stepper.t == pytest.approx(2e-3)
+    with pytest.raises(pp.SolverError, match="its controllers have ended"):
+        stepper.advance(1e-3)
+
+
+@dataclass
+class CountedUnit:
+    """Process of a unit that saves its number of requests; it records them."""
+
+    requests: list
+
+    def save(self):
+        self.requests.append("save")
+        return self
+
+    def restore(self):
+        self.requests.append("restore")
+        return self
+
+    def close(self):
+        self.requests.append("close")
+
+
+def test_only_a_sampler_saves_restores_and_ends_a_unit():
+    """A saved state may be copied: the running unit does not notice it."""
+    unit = CountedUnit([])
+    state = {"unit": unit, "t": 0.1}
+    saved = fmu_process.save(state)
+    state["t"] = 0.2
+    copied = copy.copy(saved)
+    assert unit.requests == ["save"] and copied["t"] == 0.1
+    assert fmu_process.restore(copied) == {"unit": unit, "t": 0.1}
+    assert fmu_process.finish(state) == () and fmu_process.finish(state) == ()
+    assert unit.requests == ["save", "restore", "close"]
+
+
 @pytest.mark.parametrize("version", [2, 3])
 def test_a_stepper_saves_the_state_of_an_fmu_that_can(version, tmp_path):
     """Our own unit: the restored run has the same bits, also after another load."""
@@ -283,7 +327,15 @@ def test_a_stepper_saves_the_state_of_an_fmu_that_can(version, tmp_path):
         stepper.advance(0.04)
         ends.append(list(stepper.outputs().values()))
     assert ends[0] == ends[2] != ends[1]
-    del stepper, state
+    held = stepper._loop.sampler._states[0]["unit"]
+    copied = copy.deepcopy(state._more["sampler"]["own"])  # no request to the unit
+    assert copied["_calls"] == [6] and not held._forgotten
+    del state
+    gc.collect()
+    assert held._forgotten == [1]  # released with the next request
+    stepper.advance(0.01)
+    assert held._forgotten == []
+    del stepper, held
     assert not processes()
 
 

@@ -14,7 +14,7 @@ import subprocess
 import tempfile
 import threading
 import weakref
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -25,6 +25,8 @@ from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.errors import MissingDependencyError, PitchpointError
 from pitchpoint.core.fmi.fmu_file import FmuFile, FmuVariable
 
+UNIT = "unit"
+"""Key of the process in the state of a controller."""
 STARTING = 60.0
 """Wall time for the start of the process and the initialisation, in addition to the limit [s]."""
 
@@ -71,8 +73,8 @@ class FmuFunction:
     ) -> list[float]:
         """Outputs at t."""
         given = [_to_unit(v, float(x)) for v, x in zip(self.inputs, inputs, strict=True)]
-        if "unit" not in state:
-            state["unit"] = FmuProcess(self.file, self.time_limit)
+        if UNIT not in state:
+            state[UNIT] = FmuProcess(self.file, self.time_limit)
             request = {
                 "inputs": [(v.type, v.reference) for v in self.inputs],
                 "outputs": [(v.type, v.reference) for v in self.outputs],
@@ -80,10 +82,10 @@ class FmuFunction:
                 "values": given,
                 "t": t,
             }
-            found = state["unit"].begin(request)
+            found = state[UNIT].begin(request)
         else:
             last = state["t"]
-            found = state["unit"].call({"t": last, "h": t - last, "values": given})
+            found = state[UNIT].call({"t": last, "h": t - last, "values": given})
         state["t"] = t
         return [v.factor * x + v.offset for v, x in zip(self.outputs, found, strict=True)]
 
@@ -115,16 +117,27 @@ class FmuProcess:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
-        self.states = 0
+        self._saved = 0
+        self._forgotten: list[int] = []  # saved states to be released with the next request
         self._answers: queue.Queue[bytes] = queue.Queue()
         threading.Thread(target=_listen, args=(self._process.stdout, self._answers), daemon=True).start()
         self.close = weakref.finalize(self, _end, self._process, self._folder)
 
-    def __deepcopy__(self, memo: Any) -> _SavedUnit:
-        """Saved state of the unit, whose copy restores it: states of controllers are saved as copies."""
+    def save(self) -> SavedUnit:
+        """Save the state of the unit.
+
+        Raises
+        ------
+        FmuError
+            If the unit cannot do so.
+        """
         if not self.file.saves:
             raise FmuError(f"the state of the FMU {Path(self.file.path).name} cannot be saved")
-        return _SavedUnit(self)
+        self._saved += 1
+        self.call({"save": self._saved})
+        saved = SavedUnit(self, self._saved)
+        weakref.finalize(saved, self._forgotten.append, self._saved)
+        return saved
 
     def begin(self, request: dict[str, Any]) -> list[float]:
         """Instantiate and initialise the unit; returns its outputs.
@@ -160,8 +173,11 @@ class FmuProcess:
         name = Path(self.file.path).name
         pipe = self._process.stdin
         assert pipe is not None
+        if not self.close.alive:
+            raise FmuError(f"the FMU {name} has ended")
+        forgotten = [self._forgotten.pop() for _ in range(len(self._forgotten))]
         try:
-            pipe.write(json.dumps(request).encode() + b"\n")
+            pipe.write(json.dumps({**request, "release": forgotten}).encode() + b"\n")
             pipe.flush()
             answer = self._answers.get(timeout=self.time_limit + more_time)
         except queue.Empty:
@@ -183,32 +199,61 @@ class FmuProcess:
         return values
 
 
-class _SavedUnit:
-    """State of a unit in its process; released with this object.
+@dataclass(frozen=True, eq=False)
+class SavedUnit:
+    """State of a unit, kept in its process until this object is deleted.
 
     Parameters
     ----------
     process
         Process of the unit.
+    number
+        Number of the state there.
     """
 
-    def __init__(self, process: FmuProcess) -> None:
-        self.process = process
-        process.states += 1
-        self.number = process.states
-        process.call({"save": self.number})
-        weakref.finalize(self, _release, process, self.number)
+    process: FmuProcess
+    number: int
 
-    def __deepcopy__(self, memo: Any) -> FmuProcess:
+    def restore(self) -> FmuProcess:
+        """Set the unit to this state; returns its process."""
         self.process.call({"restore": self.number})
         return self.process
 
 
-def _release(process: FmuProcess, number: int) -> None:
-    """Delete a saved state, if the process still exists."""
-    with suppress(FmuError):
-        if process.close.alive:
-            process.call({"release": number})
+def save(state: Mapping[str, Any]) -> dict[str, Any]:
+    """Save the state of a sampled controller that calls a unit, for `restore`.
+
+    Parameters
+    ----------
+    state
+        State of the controller, see `FmuFunction`.
+    """
+    return {**state, UNIT: state[UNIT].save()} if UNIT in state else {**state}
+
+
+def restore(saved: Mapping[str, Any]) -> dict[str, Any]:
+    """Set a unit to a saved state; returns the state of its controller.
+
+    Parameters
+    ----------
+    saved
+        From `save`.
+    """
+    return {**saved, UNIT: saved[UNIT].restore()} if UNIT in saved else {**saved}
+
+
+def finish(state: dict[str, Any]) -> tuple[str, ...]:
+    """End the process of a unit and delete its files; there are no remarks.
+
+    Parameters
+    ----------
+    state
+        State of the controller, see `FmuFunction`.
+    """
+    process = state.pop(UNIT, None)
+    if process is not None:
+        process.close()
+    return ()
 
 
 def _listen(answers: IO[bytes], waiting: queue.Queue[bytes]) -> None:

@@ -40,11 +40,9 @@ def main() -> None:
         try:
             if unit is None:
                 unit = _Unit(request, messages)
-            elif "h" in request:
-                unit.messages = messages
-                unit.step(request)
             else:
-                unit.keep(request)
+                unit.messages = messages
+                unit.answer(request)
             answer: dict[str, Any] = {"values": unit.values()}
         except Exception as error:  # noqa: BLE001 - whatever happens is reported
             answer = {"failed": "; ".join([str(error) or type(error).__name__, *messages[-1:]])}
@@ -124,15 +122,17 @@ class _Unit:
                 raise RuntimeError(f"it has stopped within the step, at {reached:.9g} s")
         self._set_inputs(request["values"])
 
-    def keep(self, request: dict[str, Any]) -> None:
-        """Save, restore or release a state of a number."""
+    def answer(self, request: dict[str, Any]) -> None:
+        """Release saved states, then advance, or save or restore a state of a number."""
         word = "FMUstate" if self.version == 2 else "FMUState"
+        for number in request["release"]:
+            getattr(self.unit, f"free{word}")(self.states.pop(number))
         if "save" in request:
             self.states[request["save"]] = getattr(self.unit, f"get{word}")()
         elif "restore" in request:
             getattr(self.unit, f"set{word}")(self.states[request["restore"]])
         else:
-            getattr(self.unit, f"free{word}")(self.states.pop(request["release"]))
+            self.step(request)
 
     def _set_inputs(self, values: list[float]) -> None:
         self._set([(*variable, value) for variable, value in zip(self.inputs, values, strict=True)])

@@ -84,8 +84,9 @@ class FmuModel:
         End and communication step of the default experiment [s].
     shafts
         Name of every shaft with a torque or a drive, and its torque, angle and speed.
-    rest, instants
-        Integers and instants of the initial equilibrium, by their names in `glue/instance.h`.
+    rest, instants, extents, depths
+        Integers, instants, sizes of the coordinates, and largest deflections for the initial equilibrium, by
+        their names in `glue/instance.h`.
     """
 
     name: str
@@ -102,14 +103,15 @@ class FmuModel:
     shafts: tuple[tuple[str, str, str, str], ...] = ()
     rest: Mapping[str, Sequence[int]] = field(default_factory=dict)
     instants: Sequence[float] = ()
+    extents: Sequence[float] = ()
+    depths: Sequence[float] = ()
 
     @cached_property
     def token(self) -> str:
         """Identifier of the model: the same for the same memory, code and variables."""
         digest = hashlib.sha256(self.image.data)
-        digest.update(
-            repr((self.name, self.code, self.numbers, self.reals, self.variables, self.rest)).encode()
-        )
+        start = self.rest, *map(tuple, (self.instants, self.extents, self.depths))
+        digest.update(repr((self.name, self.code, self.numbers, self.reals, self.variables, start)).encode())
         for symbol, bitcode in self.entries:
             digest.update(symbol.encode() + bitcode)
         return "{" + str(uuid.UUID(bytes=digest.digest()[:16])) + "}"

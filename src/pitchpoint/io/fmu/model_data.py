@@ -48,6 +48,7 @@ def data_text(model: FmuModel) -> str:
         "n_balancing": len(model.rest["balancing"]) // 2,
         "n_instants": len(model.instants) // 2,
         "n_spins": len(model.rest["spins"]),
+        "n_gaps": len(model.rest["gaps"]),
     }
     integers, reals = number_names()
     values = [f"i64 {({**model.numbers, **counts})[n]}" for n in integers]
@@ -71,6 +72,8 @@ def data_text(model: FmuModel) -> str:
     lines.append(_array("pp_indicators", "i32", model.indicators))
     lines += [_array(f"pp_{name}", "i32", numbers) for name, numbers in model.rest.items()]
     lines.append(_array("pp_instants", "double", map(_real, model.instants)))
+    lines.append(_array("pp_extents", "double", map(_real, model.extents)))
+    lines.append(_array("pp_depths", "double", map(_real, model.depths)))
     lines += [_text(f"pp_sentence_{k}", sentence(k)) for k in range(STATUSES)]
     lines.append(_array("pp_sentences", "ptr", (f"@pp_sentence_{k}" for k in range(STATUSES))))
     lines.append(_constant("pp_n_sentences", "i64", str(STATUSES)))

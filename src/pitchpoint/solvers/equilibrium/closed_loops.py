@@ -18,7 +18,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.constraints.assembly import REDUNDANT, close_loops, loop_rows
 from pitchpoint.solvers.equilibrium.approach import Contacts
-from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, slopes
+from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, extents, slopes
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source
@@ -81,16 +81,14 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     holds = loop_rows(system)
     here, contacts = _closed(system, state, kept, drawn=True), Contacts.of(system)
-    mu = FIRST
+    mu, far = FIRST, extents(system)
     for count in range(MAX_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
-        # positions are rounded as those in the world, at least as 1 m, and angles as 1 rad: the resulting
-        # force error limits the residual
-        far = max(1.0, float(np.abs(system.workspace.fr["r"]).max()))
-        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + np.where(system.weight == 1.0, far, 1.0)))
+        # the force error of rounded positions limits the residual
+        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + far))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):

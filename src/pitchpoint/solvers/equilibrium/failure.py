@@ -256,19 +256,14 @@ def broken_tooth(system: System, state: State) -> str:
     state
         Last state of the iteration, converged or not.
     """
-    model = system.model
-    suspects = {} if model is None else _broken(model)
-    if model is None or not suspects:
+    gaps = tooth_gaps(system)
+    if system.model is None or not gaps:
         return ""
     values = evaluate.observe(system, state)
-    known = {c.name: k for k, c in enumerate(system.layout.channels)}
-    for mesh, faults in suspects.items():
-        if f"deflection[{mesh}]" not in known:
-            continue
-        depth = abs(float(values[known[f"deflection[{mesh}]"]])) - 0.5 * model.backlash(mesh)
-        first = model.every_mesh[mesh].gears[0]
-        shape = (model.gears[first] if first in model.gears else model.bevel_gears[first]).geometry
-        if depth > DEEPEST * shape.m_n:
+    for mesh, (channel, most) in gaps.items():
+        deflection = abs(float(values[channel]))
+        if deflection > most:
+            depth, faults = deflection - 0.5 * system.model.backlash(mesh), _broken(system.model)[mesh]
             return (
                 f"no equilibrium: no tooth pair carries load in the mesh {mesh} in this position, where "
                 f"{' or '.join(faults)} leaves a gap (penetration of the next pair: "
@@ -276,6 +271,25 @@ def broken_tooth(system: System, state: State) -> str:
                 "(with start: assembled to begin in it), reduce the severity, or increase the contact ratio"
             )
     return ""
+
+
+def tooth_gaps(system: System) -> dict[str, tuple[int, float]]:
+    """Channel of the deflection of each mesh with a broken tooth, and the largest one of an equilibrium [m].
+
+    Parameters
+    ----------
+    system
+        The system.
+    """
+    model, found = system.model, {}
+    known = {c.name: k for k, c in enumerate(system.layout.channels)}
+    for mesh in {} if model is None else _broken(model):
+        if model is not None and f"deflection[{mesh}]" in known:
+            first = model.every_mesh[mesh].gears[0]
+            shape = (model.gears[first] if first in model.gears else model.bevel_gears[first]).geometry
+            most = 0.5 * model.backlash(mesh) + DEEPEST * shape.m_n
+            found[mesh] = known[f"deflection[{mesh}]"], float(most)
+    return found
 
 
 def _broken(model: Model) -> dict[str, list[str]]:

@@ -50,7 +50,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     GROWTH,
     ROUNDING,
     SOFTENING,
-    extent,
+    extents,
     inverse_of,
     rest_matrix,
     unsettled_states,
@@ -203,7 +203,7 @@ def _pseudo_time(
     tangent, contacts, started = Tangent(system, state), Contacts.of(system), time.monotonic()
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
-    mu, floats, size = first, False, extent(system)
+    mu, floats, size = first, False, extents(system)
     learned: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # last step, residual missed
     for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)

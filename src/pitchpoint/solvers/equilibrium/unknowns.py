@@ -216,14 +216,20 @@ def wrapped(system: System, state: State) -> State:
     return state
 
 
-def extent(system: System) -> float:
-    """Largest distance of a body from the origin of the world as drawn [m], at least 1 m.
+def extents(system: System) -> Array:
+    """Size of every coordinate whose rounding error it has at least, shape (nd,).
 
-    Positions have the rounding error of this distance, angles that of one radian: the forces of stiff parts
-    of a tall machine have the error of stiffness times distance.
+    Angles have the error of one radian, positions that of the largest distance of a body from the origin of
+    the world as drawn, at least 1 m: the forces of stiff parts of a tall machine have the error of stiffness
+    times distance.
+
+    Parameters
+    ----------
+    system
+        The system.
     """
     bodies = system.program["body"]
     distance = np.zeros(len(bodies))
     for b in range(1, len(bodies)):
         distance[b] = distance[bodies["parent"][b]] + float(np.linalg.norm(bodies["pos"][b]))
-    return float(max(1.0, distance.max(initial=0.0)))
+    return np.where(system.weight == 1.0, max(1.0, distance.max(initial=0.0)), 1.0)

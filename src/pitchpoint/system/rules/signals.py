@@ -12,6 +12,7 @@ import numpy as np
 
 from pitchpoint.core import nomenclature
 from pitchpoint.core.errors import CompileError
+from pitchpoint.core.fmi import fmu_process
 from pitchpoint.core.fmi.fmu_file import read_fmu
 from pitchpoint.core.fmi.fmu_process import FmuFunction, check_importer
 from pitchpoint.core.formula.formula import Formula
@@ -304,4 +305,7 @@ def _fmu(net: SignalNet, name: str, part: FmuController) -> SampledController:
     parameters = tuple(zip(numbers, part.parameters.values(), strict=True))
     function = FmuFunction(file, inputs, outputs, parameters, part.time_limit)
     signals = tuple(part.inputs.values()), tuple(part.outputs.values())
-    return SampledController(name, function, *signals, part.period, 0.0, {})
+    keeping = fmu_process.save, fmu_process.restore
+    return SampledController(
+        name, function, *signals, part.period, 0.0, {}, finish=fmu_process.finish, keeping=keeping
+    )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ctypes as ct
 import dataclasses
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -17,6 +18,7 @@ from pitchpoint.system import evaluate
 from tests.support.fmi_host import Unit
 from tests.support.fmu_models import DRIVEN, need_linker, own_run, own_start, pair, unit_of
 from tests.unit.solvers.test_extrapolated_loads import model as gust_model
+from tests.unit.solvers.test_missing_teeth import SPUR, TEXT
 
 H = 1e-5
 BACKLASH = "meshes.stage.backlash.normal"
@@ -161,6 +163,42 @@ def test_two_parameters_of_one_number_add_and_ranges_hold(helical):
     assert float(limits.get("max")) - float(limits.get("min")) == pytest.approx(0.004 * 0.1319985)
     one = unit.instance().initialise()
     assert one.set({DISTANCE: 0.14}) == 3 and "out of the range" in unit.messages[-1]
+    one.free()
+
+
+def test_directional_derivatives_at_a_limit_of_a_parameter(helical):
+    """One-sided at the limit, against a difference from outside; zero for opposite changes of one number."""
+    _, unit = helical
+    limits = unit.variables[DISTANCE]
+    most, distance = float(limits.get("max")), [int(limits.get("valueReference"))]
+    slopes = [int(v.get("valueReference")) for name, v in unit.variables.items() if name.startswith("der(r")]
+    one = unit.instance(exchange=True).initialise(**{DISTANCE: most})
+    got = one.directional(slopes, distance, [1.0])
+    np.testing.assert_array_equal(one.directional(slopes, 2 * distance, [1.0, -1.0]), 0.0)
+    at, step = one.get(slopes), 1e-6
+    assert one.set({DISTANCE: most - step}) == 0
+    want = (at - one.get(slopes)) / step
+    np.testing.assert_allclose(got, want, rtol=0, atol=1e-4 * np.abs(want).max())
+    one.free()
+
+
+def test_instants_without_an_equilibrium_are_skipped_with_a_message(tmp_path):
+    """The balancing torque is the mean of the others, as in our own start; flank friction needs the mean."""
+    need_linker()
+    text = TEXT.format(**SPUR, law="din3990").replace("tooth: 4", "tooth: 20")
+    text = text.replace("begin: {start: assembled,", "steady: {method: adams,")
+    model = loads_model(text.replace("{law: din3990}", "{law: din3990}, friction: {mu: 0.05, v_eps: 1 mm/s}"))
+    unit = Unit(unit_of("adams", tmp_path, 3, model=model), tmp_path)
+    own = own_start("adams", model.replace("loads.brake.torque", 210.0)).system
+    one = unit.instance()
+    no, zero = ct.c_bool(False), ct.c_double(0.0)
+    assert one.call("EnterInitializationMode", no, zero, zero, no, zero) == 0
+    assert one.set({"loads.brake.torque": 210.0}) == 0
+    assert one.call("ExitInitializationMode") == 1
+    assert "balancing torques are means without the instants that have no equilibrium" in unit.messages[-1]
+    torque = one.get([int(unit.variables["loads.motor.torque"].get("valueReference"))])
+    want = own.records["torque"]["value"][own.names["torque"].index("motor")]
+    assert torque == pytest.approx(want, rel=1e-9)
     one.free()
 
 

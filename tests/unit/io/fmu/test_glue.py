@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -14,6 +15,8 @@ from pitchpoint.io.fmu import model
 from pitchpoint.io.fmu.glue import make
 from pitchpoint.io.fmu.model_data import STATUSES, glue, number_names
 from pitchpoint.multibody.channels import CTL
+from pitchpoint.report.exported_model import fmu_model
+from pitchpoint.solvers.equilibrium.unknowns import extents
 from pitchpoint.solvers.exported_run import export_run
 from pitchpoint.solvers.sampling import RECORDER
 from pitchpoint.system import requests
@@ -56,10 +59,24 @@ def test_records_and_codes_are_those_of_the_package():
     assert status.sentence(STATUSES - 1) and "unknown" in status.sentence(STATUSES)
 
 
-def test_every_number_of_the_header_is_given():
-    run = export_run(compile_model(pair("generalized_alpha"), "steady"))
+@pytest.fixture(scope="module")
+def exported():
+    """Started run of the pair."""
+    return export_run(compile_model(pair("generalized_alpha"), "steady"))
+
+
+def test_the_identifier_depends_on_the_data_of_the_start(exported):
+    unit = fmu_model(exported, (), "pair", "pair")
+    assert list(unit.extents) == extents(exported.system).tolist()
+    for change in ({"instants": (0.0, 0.5, 1e-4, 0.5)}, {"extents": (2.0, *unit.extents[1:])}):
+        assert replace(unit, **change).token != unit.token
+    assert replace(unit).token == unit.token
+
+
+def test_every_number_of_the_header_is_given(exported):
+    run = exported
     integers, reals = number_names()
     counted = {"n_moved", "n_code", "n_variables", "n_indicators", "n_drives"}
-    counted |= {"n_entries", "n_free", "n_free_balancing", "n_balancing", "n_instants", "n_spins"}
+    counted |= {"n_entries", "n_free", "n_free_balancing", "n_balancing", "n_instants", "n_spins", "n_gaps"}
     assert set(integers) == counted | set(run.numbers)
     assert reals == ["t0", "h", "rate"]

@@ -54,6 +54,12 @@ static double length_of(const double *x, const double *mass, i64 n) {
   for (i64 k = 0; k < n; k++) sum += mass[k] * x[k] * x[k];
   return sum;
 }
+/* whether a broken tooth leaves no pair in contact: the next one penetrates too far (equilibrium.failure) */
+static int in_gap(Instance *f) {
+  if (request(f, OBSERVE, address(f->row)) != OK) return 1;
+  for (i64 k = 0; k < pp_numbers.n_gaps; k++) if (size_of(f->row[pp_gaps[k]]) > pp_depths[k]) return 1;
+  return 0;
+}
 /* equilibrium of the free coordinates by pseudo-transient continuation; 0 if there is none */
 static int settle(Instance *f, const u32 *free, i64 n) {
   i64 nd = pp_numbers.nd, found = 0;
@@ -78,9 +84,9 @@ static int settle(Instance *f, const u32 *free, i64 n) {
       if (s != OK) break;
       gather(f, place, n, A);
       found = 1;
-      for (i64 i = 0; i < n; i++) { /* positions are rounded as 1 m and 1 rad */
+      for (i64 i = 0; i < n; i++) { /* the force error of rounded positions limits the residual */
         double rounded = 0.0;
-        for (i64 j = 0; j < n; j++) rounded += size_of(A[i * n + j]) * (size_of(q[free[j]]) + 1.0);
+        for (i64 j = 0; j < n; j++) rounded += size_of(A[i * n + j]) * (size_of(q[free[j]]) + pp_extents[free[j]]);
         wanted[i] = 1.8e-15 * rounded > 1e-12 * loads ? 1.8e-15 * rounded : 1e-12 * loads;
         next[i] = R[free[i]];
         if (!(size_of(next[i]) <= wanted[i])) found = 0;
@@ -123,12 +129,17 @@ static int settle(Instance *f, const u32 *free, i64 n) {
     if (regular && mu < 1e-3) mu = 1e-3;
     if (!regular) for (i64 k = 0; k < n; k++) q[free[k]] = before[k];
   }
+  if (found && pp_numbers.n_gaps) {
+    found = !in_gap(f);
+    residual(f, 0, 0.0, 0.0);
+  }
   if (!found) for (i64 k = 0; k < nd; k++) q[k] = last[k];
   release(&f->on, room);
   return (int)found;
 }
-/* torques of the balancing loads, which are inputs, as means over the instants of a mesh cycle */
-static int balance(Instance *f) {
+/* torques of the balancing loads, which are inputs, as means over the instants of a mesh cycle; those without an
+   equilibrium, such as at a missing tooth, are skipped and counted */
+static int balance(Instance *f, i64 *skipped) {
   i64 nd = pp_numbers.nd, n = pp_numbers.n_balancing;
   double *q = reals(f, pp_numbers.q), *v = reals(f, pp_numbers.v), *R = reals(f, pp_numbers.R);
   double *at = allocate(&f->on, (size_t)(8 * (nd + n))), counted = 0.0;
@@ -140,12 +151,16 @@ static int balance(Instance *f) {
     if (!(weight > 0.0)) continue;
     for (i64 k = 0; k < nd; k++) q[k] = at[k];
     for (i64 k = 0; k < pp_numbers.n_spins; k++) q[pp_spins[k]] += t * v[pp_spins[k]];
-    if (t != 0.0 && !settle(f, pp_free_balancing, pp_numbers.n_free_balancing)) continue;
+    if (t != 0.0 && !settle(f, pp_free_balancing, pp_numbers.n_free_balancing)) { ++*skipped; continue; }
     counted += weight;
     for (i64 k = 0; k < n; k++) sum[k] += weight * R[pp_balancing[2 * k]];
   }
   for (i64 k = 0; done && k < nd; k++) q[k] = at[k];
-  done = done && counted > 0.0;
+  if (done && !(counted > 0.0)) { /* no other instant */
+    done = residual(f, 0, 0.0, 0.0) == OK;
+    for (i64 k = 0; k < n; k++) sum[k] = R[pp_balancing[2 * k]];
+    counted = 1.0;
+  }
   for (i64 k = 0; done && k < n; k++) {
     i64 variable = pp_balancing[2 * k + 1];
     f->values[variable] += sum[k] / counted;
@@ -154,19 +169,23 @@ static int balance(Instance *f) {
   if (at) release(&f->on, at);
   return done;
 }
-/* initial state for the values set in the initialisation; from now on states are no more set */
+/* initial state for the values set in the initialisation; from now on states are no longer set */
 static Status end_start(Instance *f) {
   Status s = fOK;
   if (f->c.begun == VALUES_SET && pp_numbers.n_free) {
+    i64 skipped = 0;
     int own = 1; /* balancing torques that were not set */
     for (i64 k = 0; k < pp_numbers.n_balancing; k++) {
       i64 variable = pp_balancing[2 * k + 1];
       if (f->values[variable] != pp_variables[variable].start) own = 0;
     }
-    int found = !(pp_numbers.n_balancing && own) || balance(f);
+    int found = !(pp_numbers.n_balancing && own) || balance(f, &skipped);
     if (!found || !settle(f, pp_free, pp_numbers.n_free)) {
       s = fWarning;
       say(f, s, "no equilibrium was found for these inputs and parameters: the run starts in the state of the model description");
+    } else if (skipped) {
+      s = fWarning;
+      say(f, s, "the balancing torques are means without the instants that have no equilibrium, such as those at a missing tooth");
     }
     Ctl *c = (Ctl *)(f->m + pp_numbers.ctl);
     pp_entries[1](address(c), WRAP, 0);

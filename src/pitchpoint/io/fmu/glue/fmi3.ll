@@ -1,6 +1,6 @@
-; c6d73bf2b17828d39840aecb57dfc1428c38640bd811d2913802beff10b5dcb3
+; eb2413f67b644935f2c2e642c2491fcc2a5ec84839844e67462d81076338fb2c
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
 %struct.Place = type { i64, i64, i64, i64, double }
 %struct.Callbacks = type { ptr, ptr, ptr, ptr, ptr }
@@ -55,51 +55,55 @@
 @pp_balancing = external local_unnamed_addr constant [0 x i32], align 4
 @pp_free = external constant [0 x i32], align 4
 @.str.40 = private unnamed_addr constant [111 x i8] c"no equilibrium was found for these inputs and parameters: the run starts in the state of the model description\00", align 1
+@.str.41 = private unnamed_addr constant [112 x i8] c"the balancing torques are means without the instants that have no equilibrium, such as those at a missing tooth\00", align 1
 @pp_entries = external local_unnamed_addr constant [0 x ptr], align 8
 @pp_free_balancing = external constant [0 x i32], align 4
 @pp_instants = external local_unnamed_addr constant [0 x double], align 8
 @pp_spins = external local_unnamed_addr constant [0 x i32], align 4
 @pp_coefficients = external local_unnamed_addr constant [0 x double], align 8
+@pp_extents = external local_unnamed_addr constant [0 x double], align 8
 @pp_entries_of_matrix = external local_unnamed_addr constant [0 x i32], align 4
-@.str.41 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
-@.str.42 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
+@pp_gaps = external local_unnamed_addr constant [0 x i32], align 4
+@pp_depths = external local_unnamed_addr constant [0 x double], align 8
+@.str.42 = private unnamed_addr constant [31 x i8] c"the forces cannot be evaluated\00", align 1
+@.str.43 = private unnamed_addr constant [28 x i8] c"check inputs and parameters\00", align 1
 @pp_n_sentences = external local_unnamed_addr constant i64, align 8
-@.str.43 = private unnamed_addr constant [3 x i8] c": \00", align 1
+@.str.44 = private unnamed_addr constant [3 x i8] c": \00", align 1
 @pp_sentences = external local_unnamed_addr constant [0 x ptr], align 8
-@.str.44 = private unnamed_addr constant [3 x i8] c"; \00", align 1
+@.str.45 = private unnamed_addr constant [3 x i8] c"; \00", align 1
 @pp_image = external constant [0 x i64], align 8
 @pp_code = external local_unnamed_addr constant [0 x i32], align 4
 @pp_moved = external local_unnamed_addr constant [0 x i32], align 4
-@.str.45 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
-@.str.46 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
+@.str.46 = private unnamed_addr constant [53 x i8] c"the numbers of values and of value references differ\00", align 1
+@.str.47 = private unnamed_addr constant [65 x i8] c"no variable with a floating-point value has this value reference\00", align 1
 @pp_indicators = external local_unnamed_addr constant [0 x i32], align 4
-@.str.47 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
-@.str.48 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
-@.str.49 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
-@.str.50 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
-@.str.51 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.52 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.53 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.54 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.55 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.56 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.57 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.58 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.59 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.60 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.61 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.62 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.63 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.64 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.65 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.66 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.67 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.68 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.69 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.70 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.71 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.72 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.73 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.48 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
+@.str.49 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
+@.str.50 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
+@.str.51 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
+@.str.52 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.53 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.54 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.55 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.56 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.57 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.58 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.59 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.60 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.61 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.62 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.63 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.64 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.65 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
+@.str.66 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.67 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
+@.str.68 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.69 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.70 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.71 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.72 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@.str.73 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.74 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi3GetVersion() local_unnamed_addr #0 {
   ret ptr @.str
@@ -176,9 +180,9 @@ define internal fastcc i32 @set_start(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %38, label %5
 
 5:
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %7 = icmp ne i64 %6, 0
-  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
+  %8 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
   %9 = fcmp une double %1, %8
   %10 = select i1 %7, i1 %9, i1 false
   br i1 %10, label %38, label %11
@@ -240,137 +244,145 @@ define i32 @fmi3ExitInitializationMode(ptr %0) local_unnamed_addr #1 {
 }
 
 define internal fastcc i32 @end_start(ptr %0) unnamed_addr #1 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 96
-  %3 = load i64, ptr %2, align 8
-  %4 = icmp eq i64 %3, 1
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
-  %6 = icmp ne i64 %5, 0
-  %7 = select i1 %4, i1 %6, i1 false
-  br i1 %7, label %8, label %91
+  %2 = alloca i64, align 8
+  %3 = getelementptr inbounds i8, ptr %0, i64 96
+  %4 = load i64, ptr %3, align 8
+  %5 = icmp eq i64 %4, 1
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 56), align 8
+  %7 = icmp ne i64 %6, 0
+  %8 = select i1 %5, i1 %7, i1 false
+  br i1 %8, label %9, label %96
 
-8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %10 = icmp sgt i64 %9, 0
-  br i1 %10, label %11, label %39
+9:
+  store i64 0, ptr %2, align 8
+  %10 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %11 = icmp sgt i64 %10, 0
+  br i1 %11, label %12, label %40
 
-11:
-  %12 = getelementptr inbounds i8, ptr %0, i64 104
-  %13 = load ptr, ptr %12, align 8
-  %14 = and i64 %9, 1
-  %15 = icmp eq i64 %9, 1
-  br i1 %15, label %20, label %16
+12:
+  %13 = getelementptr inbounds i8, ptr %0, i64 104
+  %14 = load ptr, ptr %13, align 8
+  %15 = and i64 %10, 1
+  %16 = icmp eq i64 %10, 1
+  br i1 %16, label %21, label %17
 
-16:
-  %17 = and i64 %9, 9223372036854775806
-  br label %43
+17:
+  %18 = and i64 %10, 9223372036854775806
+  br label %44
 
-18:
-  %19 = icmp eq i64 %14, 0
-  br i1 %19, label %36, label %20
+19:
+  %20 = icmp eq i64 %15, 0
+  br i1 %20, label %37, label %21
 
-20:
-  %21 = phi i32 [ 1, %11 ], [ %70, %18 ]
-  %22 = phi i64 [ 0, %11 ], [ %71, %18 ]
-  %23 = icmp ne i64 %14, 0
-  tail call void @llvm.assume(i1 %23)
-  %24 = shl nuw nsw i64 %22, 3
-  %25 = getelementptr inbounds i8, ptr @pp_balancing, i64 %24
-  %26 = getelementptr inbounds i8, ptr %25, i64 4
-  %27 = load i32, ptr %26, align 4
-  %28 = zext i32 %27 to i64
-  %29 = getelementptr inbounds double, ptr %13, i64 %28
-  %30 = load double, ptr %29, align 8
-  %31 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %28
-  %32 = getelementptr inbounds i8, ptr %31, i64 24
-  %33 = load double, ptr %32, align 8
-  %34 = fcmp une double %30, %33
-  %35 = select i1 %34, i32 0, i32 %21
-  br label %36
+21:
+  %22 = phi i32 [ 1, %12 ], [ %71, %19 ]
+  %23 = phi i64 [ 0, %12 ], [ %72, %19 ]
+  %24 = icmp ne i64 %15, 0
+  tail call void @llvm.assume(i1 %24)
+  %25 = shl nuw nsw i64 %23, 3
+  %26 = getelementptr inbounds i8, ptr @pp_balancing, i64 %25
+  %27 = getelementptr inbounds i8, ptr %26, i64 4
+  %28 = load i32, ptr %27, align 4
+  %29 = zext i32 %28 to i64
+  %30 = getelementptr inbounds double, ptr %14, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %29
+  %33 = getelementptr inbounds i8, ptr %32, i64 24
+  %34 = load double, ptr %33, align 8
+  %35 = fcmp une double %31, %34
+  %36 = select i1 %35, i32 0, i32 %22
+  br label %37
 
-36:
-  %37 = phi i32 [ %70, %18 ], [ %35, %20 ]
-  %38 = icmp ne i32 %37, 0
-  br label %39
+37:
+  %38 = phi i32 [ %71, %19 ], [ %36, %21 ]
+  %39 = icmp ne i32 %38, 0
+  br label %40
 
-39:
-  %40 = phi i1 [ true, %8 ], [ %38, %36 ]
-  %41 = icmp ne i64 %9, 0
-  %42 = select i1 %41, i1 %40, i1 false
-  br i1 %42, label %74, label %77
+40:
+  %41 = phi i1 [ true, %9 ], [ %39, %37 ]
+  %42 = icmp ne i64 %10, 0
+  %43 = select i1 %42, i1 %41, i1 false
+  br i1 %43, label %75, label %78
 
-43:
-  %44 = phi i32 [ 1, %16 ], [ %70, %43 ]
-  %45 = phi i64 [ 0, %16 ], [ %71, %43 ]
-  %46 = phi i64 [ 0, %16 ], [ %72, %43 ]
-  %47 = shl nuw nsw i64 %45, 3
-  %48 = getelementptr inbounds i8, ptr @pp_balancing, i64 %47
-  %49 = getelementptr inbounds i8, ptr %48, i64 4
-  %50 = load i32, ptr %49, align 4
-  %51 = zext i32 %50 to i64
-  %52 = getelementptr inbounds double, ptr %13, i64 %51
-  %53 = load double, ptr %52, align 8
-  %54 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %51
-  %55 = getelementptr inbounds i8, ptr %54, i64 24
-  %56 = load double, ptr %55, align 8
-  %57 = fcmp une double %53, %56
-  %58 = shl i64 %45, 3
-  %59 = getelementptr inbounds i8, ptr @pp_balancing, i64 %58
-  %60 = getelementptr inbounds i8, ptr %59, i64 12
-  %61 = load i32, ptr %60, align 4
-  %62 = zext i32 %61 to i64
-  %63 = getelementptr inbounds double, ptr %13, i64 %62
-  %64 = load double, ptr %63, align 8
-  %65 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %62
-  %66 = getelementptr inbounds i8, ptr %65, i64 24
-  %67 = load double, ptr %66, align 8
-  %68 = fcmp une double %64, %67
-  %69 = select i1 %68, i1 true, i1 %57
-  %70 = select i1 %69, i32 0, i32 %44
-  %71 = add nuw nsw i64 %45, 2
-  %72 = add i64 %46, 2
-  %73 = icmp eq i64 %72, %17
-  br i1 %73, label %18, label %43
+44:
+  %45 = phi i32 [ 1, %17 ], [ %71, %44 ]
+  %46 = phi i64 [ 0, %17 ], [ %72, %44 ]
+  %47 = phi i64 [ 0, %17 ], [ %73, %44 ]
+  %48 = shl nuw nsw i64 %46, 3
+  %49 = getelementptr inbounds i8, ptr @pp_balancing, i64 %48
+  %50 = getelementptr inbounds i8, ptr %49, i64 4
+  %51 = load i32, ptr %50, align 4
+  %52 = zext i32 %51 to i64
+  %53 = getelementptr inbounds double, ptr %14, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %52
+  %56 = getelementptr inbounds i8, ptr %55, i64 24
+  %57 = load double, ptr %56, align 8
+  %58 = fcmp une double %54, %57
+  %59 = shl i64 %46, 3
+  %60 = getelementptr inbounds i8, ptr @pp_balancing, i64 %59
+  %61 = getelementptr inbounds i8, ptr %60, i64 12
+  %62 = load i32, ptr %61, align 4
+  %63 = zext i32 %62 to i64
+  %64 = getelementptr inbounds double, ptr %14, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %63
+  %67 = getelementptr inbounds i8, ptr %66, i64 24
+  %68 = load double, ptr %67, align 8
+  %69 = fcmp une double %65, %68
+  %70 = select i1 %69, i1 true, i1 %58
+  %71 = select i1 %70, i32 0, i32 %45
+  %72 = add nuw nsw i64 %46, 2
+  %73 = add i64 %47, 2
+  %74 = icmp eq i64 %73, %18
+  br i1 %74, label %19, label %44
 
-74:
-  %75 = tail call fastcc i32 @balance(ptr %0) #17
-  %76 = icmp eq i32 %75, 0
-  br i1 %76, label %80, label %77
+75:
+  %76 = call fastcc i32 @balance(ptr %0, ptr %2) #17
+  %77 = icmp eq i32 %76, 0
+  br i1 %77, label %84, label %78
 
-77:
-  %78 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free, i64 %5) #17
-  %79 = icmp eq i32 %78, 0
-  br i1 %79, label %80, label %81
-
-80:
-  tail call fastcc void @say(ptr %0, i32 1, ptr @.str.40) #17
-  br label %81
+78:
+  %79 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free, i64 %6) #17
+  %80 = icmp eq i32 %79, 0
+  br i1 %80, label %84, label %81
 
 81:
-  %82 = phi i32 [ 0, %77 ], [ 1, %80 ]
-  %83 = getelementptr inbounds i8, ptr %0, i64 128
-  %84 = load ptr, ptr %83, align 8
-  %85 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %86 = getelementptr inbounds i8, ptr %84, i64 %85
-  %87 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %88 = tail call fastcc i64 @address(ptr %86) #17
-  %89 = tail call i64 %87(i64 %88, i64 5, i64 0) #19
-  %90 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %90, align 8
-  br label %91
+  %82 = load i64, ptr %2, align 8
+  %83 = icmp eq i64 %82, 0
+  br i1 %83, label %86, label %84
 
-91:
-  %92 = phi i32 [ %82, %81 ], [ 0, %1 ]
-  %93 = tail call fastcc i32 @refresh(ptr %0) #17
-  %94 = icmp eq i32 %93, 0
-  br i1 %94, label %95, label %96
+84:
+  %85 = phi ptr [ @.str.40, %75 ], [ @.str.40, %78 ], [ @.str.41, %81 ]
+  tail call fastcc void @say(ptr %0, i32 1, ptr %85) #17
+  br label %86
 
-95:
-  store i64 3, ptr %2, align 8
+86:
+  %87 = phi i32 [ 0, %81 ], [ 1, %84 ]
+  %88 = getelementptr inbounds i8, ptr %0, i64 128
+  %89 = load ptr, ptr %88, align 8
+  %90 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %91 = getelementptr inbounds i8, ptr %89, i64 %90
+  %92 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
+  %93 = tail call fastcc i64 @address(ptr %91) #17
+  %94 = tail call i64 %92(i64 %93, i64 5, i64 0) #19
+  %95 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %95, align 8
   br label %96
 
 96:
-  %97 = phi i32 [ %92, %95 ], [ %93, %91 ]
-  ret i32 %97
+  %97 = phi i32 [ %87, %86 ], [ 0, %1 ]
+  %98 = tail call fastcc i32 @refresh(ptr %0) #17
+  %99 = icmp eq i32 %98, 0
+  br i1 %99, label %100, label %101
+
+100:
+  store i64 3, ptr %3, align 8
+  br label %101
+
+101:
+  %102 = phi i32 [ %97, %100 ], [ %98, %96 ]
+  ret i32 %102
 }
 
 define i32 @fmi3Terminate(ptr readnone %0) local_unnamed_addr #0 {
@@ -424,7 +436,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -491,7 +503,7 @@ define internal fastcc i32 @agree(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.45) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
   br label %6
 
 6:
@@ -506,12 +518,12 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 128
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %10 = getelementptr inbounds i8, ptr %0, i64 104
   %11 = getelementptr inbounds i8, ptr %0, i64 112
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   br label %15
 
 15:
@@ -523,7 +535,7 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %20, label %22, label %21
 
 21:
-  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
   br label %72
 
 22:
@@ -647,7 +659,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %14 = getelementptr inbounds i8, ptr %0, i64 96
   %15 = getelementptr inbounds i8, ptr %0, i64 88
   %16 = getelementptr inbounds i8, ptr %0, i64 72
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   br label %43
 
 18:
@@ -777,7 +789,7 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %89, label %92, label %43
 
 90:
-  %91 = phi ptr [ @.str.48, %24 ], [ @.str.47, %27 ], [ @.str.49, %30 ], [ @.str.48, %18 ], [ @.str.48, %24 ], [ @.str.48, %24 ], [ @.str.48, %24 ], [ @.str.50, %39 ], [ @.str.50, %35 ]
+  %91 = phi ptr [ @.str.49, %24 ], [ @.str.48, %27 ], [ @.str.50, %30 ], [ @.str.49, %18 ], [ @.str.49, %24 ], [ @.str.49, %24 ], [ @.str.49, %24 ], [ @.str.51, %39 ], [ @.str.51, %35 ]
   tail call fastcc void @fail(ptr %0, ptr %91) #17
   br label %92
 
@@ -1268,7 +1280,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.51, %2 ], [ @.str.52, %7 ]
+  %97 = phi ptr [ @.str.52, %2 ], [ @.str.53, %7 ]
   tail call fastcc void @fail(ptr %0, ptr %97) #17
   br label %114
 
@@ -1311,7 +1323,7 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.53) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.54) #17
   br label %18
 
 5:
@@ -1389,7 +1401,7 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.55) #17
   br label %12
 
 10:
@@ -1412,7 +1424,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %6, label %20, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #17
   br label %40
 
 8:
@@ -1447,7 +1459,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %28, label %8, label %29
 
 29:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.57) #17
   br label %40
 
 30:
@@ -1462,7 +1474,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %35, label %36, label %37
 
 36:
-  tail call fastcc void @fail(ptr %0, ptr @.str.52) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.53) #17
   br label %40
 
 37:
@@ -1510,13 +1522,13 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.57) #17
-  br label %160
+  tail call fastcc void @fail(ptr %0, ptr @.str.58) #17
+  br label %254
 
 17:
   %18 = phi double [ 1.000000e+300, %12 ], [ %49, %48 ]
   %19 = icmp eq i64 %2, 0
-  br i1 %19, label %160, label %20
+  br i1 %19, label %254, label %20
 
 20:
   %21 = and i64 %2, 7
@@ -1525,7 +1537,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
 
 23:
   %24 = and i64 %2, -8
-  br label %66
+  br label %67
 
 25:
   %26 = phi double [ 1.000000e+300, %14 ], [ %49, %48 ]
@@ -1547,8 +1559,8 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   ]
 
 35:
-  tail call fastcc void @fail(ptr %0, ptr @.str.58) #17
-  br label %160
+  tail call fastcc void @fail(ptr %0, ptr @.str.59) #17
+  br label %254
 
 36:
   %37 = getelementptr inbounds double, ptr %5, i64 %27
@@ -1558,8 +1570,8 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %40, label %41, label %42
 
 41:
-  tail call fastcc void @fail(ptr %0, ptr @.str.59) #17
-  br label %160
+  tail call fastcc void @fail(ptr %0, ptr @.str.60) #17
+  br label %254
 
 42:
   %43 = fcmp une double %38, 0.000000e+00
@@ -1584,7 +1596,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %53, label %64, label %54
 
 54:
-  %55 = phi i64 [ 0, %20 ], [ %84, %52 ]
+  %55 = phi i64 [ 0, %20 ], [ %85, %52 ]
   %56 = icmp ne i64 %21, 0
   tail call void @llvm.assume(i1 %56)
   br label %57
@@ -1601,161 +1613,290 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
 
 64:
   %65 = fcmp une double %18, 1.000000e+300
-  br i1 %65, label %87, label %160
+  br i1 %65, label %66, label %254
 
 66:
-  %67 = phi i64 [ 0, %23 ], [ %84, %66 ]
-  %68 = phi i64 [ 0, %23 ], [ %85, %66 ]
-  %69 = getelementptr inbounds double, ptr %6, i64 %67
-  store double 0.000000e+00, ptr %69, align 8
-  %70 = getelementptr inbounds double, ptr %6, i64 %67
-  %71 = getelementptr inbounds i8, ptr %70, i64 8
-  store double 0.000000e+00, ptr %71, align 8
-  %72 = getelementptr inbounds double, ptr %6, i64 %67
-  %73 = getelementptr inbounds i8, ptr %72, i64 16
-  store double 0.000000e+00, ptr %73, align 8
-  %74 = getelementptr inbounds double, ptr %6, i64 %67
-  %75 = getelementptr inbounds i8, ptr %74, i64 24
-  store double 0.000000e+00, ptr %75, align 8
-  %76 = getelementptr inbounds double, ptr %6, i64 %67
-  %77 = getelementptr inbounds i8, ptr %76, i64 32
-  store double 0.000000e+00, ptr %77, align 8
-  %78 = getelementptr inbounds double, ptr %6, i64 %67
-  %79 = getelementptr inbounds i8, ptr %78, i64 40
-  store double 0.000000e+00, ptr %79, align 8
-  %80 = getelementptr inbounds double, ptr %6, i64 %67
-  %81 = getelementptr inbounds i8, ptr %80, i64 48
-  store double 0.000000e+00, ptr %81, align 8
-  %82 = getelementptr inbounds double, ptr %6, i64 %67
-  %83 = getelementptr inbounds i8, ptr %82, i64 56
-  store double 0.000000e+00, ptr %83, align 8
-  %84 = add nuw i64 %67, 8
-  %85 = add i64 %68, 8
-  %86 = icmp eq i64 %85, %24
-  br i1 %86, label %52, label %66
+  br i1 %13, label %88, label %98
 
-87:
-  store ptr null, ptr %8, align 8
-  %88 = shl i64 %2, 3
-  %89 = tail call fastcc ptr @allocate(ptr %0, i64 %88) #17
-  %90 = icmp eq ptr %89, null
-  br i1 %90, label %91, label %92
+67:
+  %68 = phi i64 [ 0, %23 ], [ %85, %67 ]
+  %69 = phi i64 [ 0, %23 ], [ %86, %67 ]
+  %70 = getelementptr inbounds double, ptr %6, i64 %68
+  store double 0.000000e+00, ptr %70, align 8
+  %71 = getelementptr inbounds double, ptr %6, i64 %68
+  %72 = getelementptr inbounds i8, ptr %71, i64 8
+  store double 0.000000e+00, ptr %72, align 8
+  %73 = getelementptr inbounds double, ptr %6, i64 %68
+  %74 = getelementptr inbounds i8, ptr %73, i64 16
+  store double 0.000000e+00, ptr %74, align 8
+  %75 = getelementptr inbounds double, ptr %6, i64 %68
+  %76 = getelementptr inbounds i8, ptr %75, i64 24
+  store double 0.000000e+00, ptr %76, align 8
+  %77 = getelementptr inbounds double, ptr %6, i64 %68
+  %78 = getelementptr inbounds i8, ptr %77, i64 32
+  store double 0.000000e+00, ptr %78, align 8
+  %79 = getelementptr inbounds double, ptr %6, i64 %68
+  %80 = getelementptr inbounds i8, ptr %79, i64 40
+  store double 0.000000e+00, ptr %80, align 8
+  %81 = getelementptr inbounds double, ptr %6, i64 %68
+  %82 = getelementptr inbounds i8, ptr %81, i64 48
+  store double 0.000000e+00, ptr %82, align 8
+  %83 = getelementptr inbounds double, ptr %6, i64 %68
+  %84 = getelementptr inbounds i8, ptr %83, i64 56
+  store double 0.000000e+00, ptr %84, align 8
+  %85 = add nuw i64 %68, 8
+  %86 = add i64 %69, 8
+  %87 = icmp eq i64 %86, %24
+  br i1 %87, label %52, label %67
 
-91:
-  tail call fastcc void @fail(ptr %0, ptr @.str.60) #17
-  br label %129
+88:
+  %89 = phi double [ %18, %66 ], [ %110, %98 ]
+  %90 = phi double [ %18, %66 ], [ %112, %98 ]
+  %91 = shl i64 %2, 3
+  %92 = tail call fastcc ptr @allocate(ptr %0, i64 %91) #17
+  %93 = icmp ugt i64 %4, 1
+  %94 = fcmp olt double %89, %18
+  %95 = select i1 %93, i1 %94, i1 false
+  %96 = fcmp olt double %90, %18
+  %97 = select i1 %95, i1 %96, i1 false
+  br i1 %97, label %115, label %179
 
-92:
-  %93 = call fastcc i32 @keep_state(ptr %0, ptr %8) #17
-  %94 = icmp eq i32 %93, 0
-  br i1 %94, label %95, label %129
+98:
+  %99 = phi i64 [ %113, %98 ], [ 0, %66 ]
+  %100 = phi double [ %112, %98 ], [ %18, %66 ]
+  %101 = phi double [ %110, %98 ], [ %18, %66 ]
+  %102 = getelementptr inbounds i32, ptr %3, i64 %99
+  %103 = load i32, ptr %102, align 4
+  %104 = getelementptr inbounds double, ptr %5, i64 %99
+  %105 = load double, ptr %104, align 8
+  %106 = tail call fastcc double @room_of(ptr %0, i32 %103, double %105) #17
+  %107 = fneg double %105
+  %108 = tail call fastcc double @room_of(ptr %0, i32 %103, double %107) #17
+  %109 = fcmp olt double %106, %101
+  %110 = select i1 %109, double %106, double %101
+  %111 = fcmp olt double %108, %100
+  %112 = select i1 %111, double %108, double %100
+  %113 = add nuw i64 %99, 1
+  %114 = icmp eq i64 %113, %4
+  br i1 %114, label %88, label %98
 
-95:
-  %96 = fneg double %18
-  %97 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %96) #17
-  %98 = icmp eq i32 %97, 0
-  br i1 %98, label %99, label %129
+115:
+  %116 = icmp eq ptr %92, null
+  br i1 %116, label %123, label %117
 
-99:
-  %100 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %89) #17
-  %101 = icmp eq i32 %100, 0
-  br i1 %101, label %102, label %129
+117:
+  %118 = and i64 %2, 3
+  %119 = icmp ult i64 %2, 4
+  %120 = and i64 %2, -4
+  %121 = icmp eq i64 %118, 0
+  %122 = icmp ne i64 %118, 0
+  br label %124
 
-102:
-  %103 = load ptr, ptr %8, align 8
-  %104 = call fastcc i32 @restore(ptr %0, ptr %103) #17
-  %105 = icmp eq i32 %104, 0
-  br i1 %105, label %106, label %132
+123:
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #17
+  br label %254
 
-106:
-  %107 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %18) #17
-  %108 = icmp eq i32 %107, 0
-  br i1 %108, label %109, label %129
+124:
+  %125 = phi i64 [ %146, %145 ], [ 0, %117 ]
+  %126 = getelementptr inbounds i32, ptr %3, i64 %125
+  %127 = getelementptr inbounds double, ptr %5, i64 %125
+  %128 = tail call fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %126, i64 1, ptr %127, ptr %92) #17
+  %129 = icmp eq i32 %128, 0
+  br i1 %129, label %130, label %177
 
-109:
-  %110 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #17
-  %111 = icmp eq i32 %110, 0
-  br i1 %111, label %112, label %129
+130:
+  br i1 %119, label %132, label %148
 
-112:
-  %113 = fmul double %18, 2.000000e+00
-  %114 = and i64 %2, 1
-  %115 = icmp eq i64 %2, 1
-  br i1 %115, label %120, label %116
-
-116:
-  %117 = and i64 %2, -2
-  br label %136
-
-118:
-  %119 = icmp eq i64 %114, 0
-  br i1 %119, label %129, label %120
-
-120:
-  %121 = phi i64 [ 0, %112 ], [ %152, %118 ]
-  %122 = icmp ne i64 %114, 0
-  call void @llvm.assume(i1 %122)
-  %123 = getelementptr inbounds double, ptr %6, i64 %121
-  %124 = load double, ptr %123, align 8
-  %125 = getelementptr inbounds double, ptr %89, i64 %121
-  %126 = load double, ptr %125, align 8
-  %127 = fsub double %124, %126
-  %128 = fdiv double %127, %113
-  store double %128, ptr %123, align 8
-  br label %129
-
-129:
-  %130 = phi i32 [ %107, %106 ], [ %100, %99 ], [ %97, %95 ], [ 3, %91 ], [ %93, %92 ], [ %110, %109 ], [ 0, %118 ], [ 0, %120 ]
-  %131 = load ptr, ptr %8, align 8
-  br label %132
+131:
+  br i1 %121, label %145, label %132
 
 132:
-  %133 = phi ptr [ %131, %129 ], [ %103, %102 ]
-  %134 = phi i32 [ %130, %129 ], [ %104, %102 ]
-  %135 = icmp eq ptr %133, null
-  br i1 %135, label %157, label %155
+  %133 = phi i64 [ 0, %130 ], [ %174, %131 ]
+  tail call void @llvm.assume(i1 %122)
+  br label %134
 
-136:
-  %137 = phi i64 [ 0, %116 ], [ %152, %136 ]
-  %138 = phi i64 [ 0, %116 ], [ %153, %136 ]
-  %139 = getelementptr inbounds double, ptr %6, i64 %137
+134:
+  %135 = phi i64 [ %142, %134 ], [ %133, %132 ]
+  %136 = phi i64 [ %143, %134 ], [ 0, %132 ]
+  %137 = getelementptr inbounds double, ptr %92, i64 %135
+  %138 = load double, ptr %137, align 8
+  %139 = getelementptr inbounds double, ptr %6, i64 %135
   %140 = load double, ptr %139, align 8
-  %141 = getelementptr inbounds double, ptr %89, i64 %137
-  %142 = load double, ptr %141, align 8
-  %143 = fsub double %140, %142
-  %144 = fdiv double %143, %113
-  store double %144, ptr %139, align 8
-  %145 = or i64 %137, 1
-  %146 = getelementptr inbounds double, ptr %6, i64 %145
-  %147 = load double, ptr %146, align 8
-  %148 = getelementptr inbounds double, ptr %89, i64 %145
-  %149 = load double, ptr %148, align 8
-  %150 = fsub double %147, %149
-  %151 = fdiv double %150, %113
-  store double %151, ptr %146, align 8
-  %152 = add nuw i64 %137, 2
-  %153 = add i64 %138, 2
-  %154 = icmp eq i64 %153, %117
-  br i1 %154, label %118, label %136
+  %141 = fadd double %138, %140
+  store double %141, ptr %139, align 8
+  %142 = add nuw i64 %135, 1
+  %143 = add i64 %136, 1
+  %144 = icmp eq i64 %143, %118
+  br i1 %144, label %145, label %134
 
-155:
-  %156 = call fastcc i32 @restore(ptr %0, ptr %133) #17
-  br label %157
+145:
+  %146 = add nuw i64 %125, 1
+  %147 = icmp ult i64 %146, %4
+  br i1 %147, label %124, label %177
 
-157:
+148:
+  %149 = phi i64 [ %174, %148 ], [ 0, %130 ]
+  %150 = phi i64 [ %175, %148 ], [ 0, %130 ]
+  %151 = getelementptr inbounds double, ptr %92, i64 %149
+  %152 = load double, ptr %151, align 8
+  %153 = getelementptr inbounds double, ptr %6, i64 %149
+  %154 = load double, ptr %153, align 8
+  %155 = fadd double %152, %154
+  store double %155, ptr %153, align 8
+  %156 = or i64 %149, 1
+  %157 = getelementptr inbounds double, ptr %92, i64 %156
+  %158 = load double, ptr %157, align 8
+  %159 = getelementptr inbounds double, ptr %6, i64 %156
+  %160 = load double, ptr %159, align 8
+  %161 = fadd double %158, %160
+  store double %161, ptr %159, align 8
+  %162 = or i64 %149, 2
+  %163 = getelementptr inbounds double, ptr %92, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = getelementptr inbounds double, ptr %6, i64 %162
+  %166 = load double, ptr %165, align 8
+  %167 = fadd double %164, %166
+  store double %167, ptr %165, align 8
+  %168 = or i64 %149, 3
+  %169 = getelementptr inbounds double, ptr %92, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr inbounds double, ptr %6, i64 %168
+  %172 = load double, ptr %171, align 8
+  %173 = fadd double %170, %172
+  store double %173, ptr %171, align 8
+  %174 = add nuw i64 %149, 4
+  %175 = add i64 %150, 4
+  %176 = icmp eq i64 %175, %120
+  br i1 %176, label %131, label %148
+
+177:
+  %178 = phi i32 [ 0, %145 ], [ %128, %124 ]
+  tail call fastcc void @release(ptr %0, ptr %92) #17
+  br label %254
+
+179:
+  %180 = xor i1 %96, true
+  %181 = select i1 %94, i1 true, i1 %180
+  %182 = select i1 %94, double 0.000000e+00, double %89
+  %183 = select i1 %181, double %90, double 0.000000e+00
+  store ptr null, ptr %8, align 8
+  %184 = icmp eq ptr %92, null
+  br i1 %184, label %250, label %185
+
+185:
+  %186 = call fastcc i32 @keep_state(ptr %0, ptr %8) #17
+  %187 = icmp eq i32 %186, 0
+  br i1 %187, label %188, label %222
+
+188:
+  %189 = fneg double %183
+  %190 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %189) #17
+  %191 = icmp eq i32 %190, 0
+  br i1 %191, label %192, label %222
+
+192:
+  %193 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %92) #17
+  %194 = icmp eq i32 %193, 0
+  br i1 %194, label %195, label %222
+
+195:
+  %196 = load ptr, ptr %8, align 8
+  %197 = call fastcc i32 @restore(ptr %0, ptr %196) #17
+  %198 = icmp eq i32 %197, 0
+  br i1 %198, label %199, label %225
+
+199:
+  %200 = call fastcc i32 @add(ptr %0, ptr %3, i64 %4, ptr %5, double %182) #17
+  %201 = icmp eq i32 %200, 0
+  br i1 %201, label %202, label %222
+
+202:
+  %203 = call fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %6) #17
+  %204 = icmp eq i32 %203, 0
+  br i1 %204, label %205, label %222
+
+205:
+  %206 = fadd double %182, %183
+  %207 = and i64 %2, 1
+  %208 = icmp eq i64 %2, 1
+  br i1 %208, label %213, label %209
+
+209:
+  %210 = and i64 %2, -2
+  br label %229
+
+211:
+  %212 = icmp eq i64 %207, 0
+  br i1 %212, label %222, label %213
+
+213:
+  %214 = phi i64 [ 0, %205 ], [ %245, %211 ]
+  %215 = icmp ne i64 %207, 0
+  call void @llvm.assume(i1 %215)
+  %216 = getelementptr inbounds double, ptr %6, i64 %214
+  %217 = load double, ptr %216, align 8
+  %218 = getelementptr inbounds double, ptr %92, i64 %214
+  %219 = load double, ptr %218, align 8
+  %220 = fsub double %217, %219
+  %221 = fdiv double %220, %206
+  store double %221, ptr %216, align 8
+  br label %222
+
+222:
+  %223 = phi i32 [ %200, %199 ], [ %193, %192 ], [ %190, %188 ], [ %186, %185 ], [ %203, %202 ], [ 0, %211 ], [ 0, %213 ]
+  %224 = load ptr, ptr %8, align 8
+  br label %225
+
+225:
+  %226 = phi ptr [ %224, %222 ], [ %196, %195 ]
+  %227 = phi i32 [ %223, %222 ], [ %197, %195 ]
+  %228 = icmp eq ptr %226, null
+  br i1 %228, label %251, label %248
+
+229:
+  %230 = phi i64 [ 0, %209 ], [ %245, %229 ]
+  %231 = phi i64 [ 0, %209 ], [ %246, %229 ]
+  %232 = getelementptr inbounds double, ptr %6, i64 %230
+  %233 = load double, ptr %232, align 8
+  %234 = getelementptr inbounds double, ptr %92, i64 %230
+  %235 = load double, ptr %234, align 8
+  %236 = fsub double %233, %235
+  %237 = fdiv double %236, %206
+  store double %237, ptr %232, align 8
+  %238 = or i64 %230, 1
+  %239 = getelementptr inbounds double, ptr %6, i64 %238
+  %240 = load double, ptr %239, align 8
+  %241 = getelementptr inbounds double, ptr %92, i64 %238
+  %242 = load double, ptr %241, align 8
+  %243 = fsub double %240, %242
+  %244 = fdiv double %243, %206
+  store double %244, ptr %239, align 8
+  %245 = add nuw i64 %230, 2
+  %246 = add i64 %231, 2
+  %247 = icmp eq i64 %246, %210
+  br i1 %247, label %211, label %229
+
+248:
+  %249 = call fastcc i32 @restore(ptr %0, ptr %226) #17
+  br label %251
+
+250:
+  tail call fastcc void @fail(ptr %0, ptr @.str.61) #17
   call fastcc void @drop_state(ptr %0, ptr %8) #17
-  br i1 %90, label %159, label %158
+  br label %252
 
-158:
-  call fastcc void @release(ptr %0, ptr %89) #17
-  br label %159
+251:
+  call fastcc void @drop_state(ptr %0, ptr %8) #17
+  call fastcc void @release(ptr %0, ptr %92) #17
+  br label %252
 
-159:
-  br label %160
+252:
+  %253 = phi i32 [ %227, %251 ], [ 3, %250 ]
+  br label %254
 
-160:
-  %161 = phi i32 [ %134, %159 ], [ 3, %16 ], [ 0, %64 ], [ 3, %35 ], [ 3, %41 ], [ 0, %17 ]
-  ret i32 %161
+254:
+  %255 = phi i32 [ 0, %64 ], [ 3, %16 ], [ 3, %123 ], [ %253, %252 ], [ %178, %177 ], [ 3, %35 ], [ 3, %41 ], [ 0, %17 ]
+  ret i32 %255
 }
 
 define i32 @fmi3DoStep(ptr %0, double %1, double %2, i1 zeroext %3, ptr %4, ptr %5, ptr %6, ptr %7) local_unnamed_addr #1 {
@@ -1786,7 +1927,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.61) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.62) #17
   br label %81
 
 18:
@@ -1796,7 +1937,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %21, label %23, label %22
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.62) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.63) #17
   br label %81
 
 23:
@@ -1806,7 +1947,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.63) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.64) #17
   br label %81
 
 28:
@@ -1817,18 +1958,18 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %32, label %33, label %34
 
 33:
-  tail call fastcc void @fail(ptr %0, ptr @.str.64) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.65) #17
   br label %81
 
 34:
-  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
+  %35 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
   %36 = fdiv double %2, %35
   %37 = fmul double %36, 0x3FEFFFFFFF768FA1
   %38 = fcmp ogt double %37, 1.000000e+15
   br i1 %38, label %39, label %40
 
 39:
-  tail call fastcc void @fail(ptr %0, ptr @.str.65) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.66) #17
   br label %81
 
 40:
@@ -1845,15 +1986,15 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %50, label %51, label %59
 
 51:
-  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %52 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %53 = icmp ne i64 %52, 0
-  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %54 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %55 = icmp ne i64 %54, 0
   %56 = select i1 %53, i1 %55, i1 false
   br i1 %56, label %57, label %58
 
 57:
-  tail call fastcc void @fail(ptr %0, ptr @.str.66) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #17
   br label %81
 
 58:
@@ -1899,7 +2040,7 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
 
 79:
   %80 = phi i64 [ %73, %75 ], [ %77, %76 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.67, i64 %80, ptr @.str.68) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.68, i64 %80, ptr @.str.69) #17
   br label %81
 
 81:
@@ -1956,7 +2097,7 @@ define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
   br i1 %4, label %5, label %6
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.69) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.70) #17
   br label %14
 
 6:
@@ -1987,7 +2128,7 @@ define i32 @fmi3SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -1999,15 +2140,15 @@ define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.70) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.71) #17
   br label %22
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
   %15 = shl i64 %4, 3
   %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #19
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #17
   %19 = getelementptr inbounds double, ptr %1, i64 %4
   %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #19
@@ -2026,19 +2167,19 @@ define i32 @fmi3GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
   br i1 %7, label %17, label %8
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
   %11 = shl i64 %4, 3
   %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #19
   %13 = getelementptr inbounds double, ptr %1, i64 %4
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #17
   %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #19
   br label %17
@@ -2054,7 +2195,7 @@ define i32 @fmi3GetContinuousStateDerivatives(ptr %0, ptr %1, i64 %2) local_unna
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2068,12 +2209,12 @@ define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %11, label %12, label %21
 
 12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
   %15 = shl i64 %4, 3
   %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #19
   %17 = getelementptr inbounds double, ptr %1, i64 %4
-  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #17
   %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #19
   br label %21
@@ -2101,7 +2242,7 @@ define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr 
 9:
   %10 = getelementptr inbounds i8, ptr %0, i64 128
   %11 = load ptr, ptr %10, align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %13 = getelementptr inbounds i8, ptr %11, i64 %12
   %14 = tail call fastcc i64 @address(ptr %13) #17
   %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #17
@@ -2133,7 +2274,7 @@ define i32 @fmi3GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unna
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2215,7 +2356,7 @@ define i32 @fmi3GetNumberOfEventIndicators(ptr readnone %0, ptr %1) local_unname
 }
 
 define i32 @fmi3GetNumberOfContinuousStates(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %4 = shl i64 %3, 1
   store i64 %4, ptr %1, align 8
   ret i32 0
@@ -2326,7 +2467,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 14:
   %15 = icmp ne i32 %3, 0
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
   %17 = icmp eq i64 %16, 0
   %18 = select i1 %15, i1 %17, i1 false
   br i1 %18, label %21, label %19
@@ -2351,7 +2492,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
   %31 = tail call fastcc i64 @numbers_of_state() #17
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
   %35 = load i64, ptr @pp_numbers, align 8
@@ -2512,7 +2653,7 @@ define internal fastcc void @say(ptr %0, i32 %1, ptr %2) unnamed_addr #1 {
 
 define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
   %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %3 = add nsw i64 %2, %1
   ret i64 %3
 }
@@ -2592,410 +2733,506 @@ define internal fastcc void @turn_on(ptr %0, ptr %1, double %2, double %3, doubl
   ret void
 }
 
-define internal fastcc i32 @balance(ptr %0) unnamed_addr #1 {
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %5 = tail call fastcc ptr @reals(ptr %0, i64 %4) #17
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %7 = tail call fastcc ptr @reals(ptr %0, i64 %6) #17
-  %8 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
-  %9 = tail call fastcc ptr @reals(ptr %0, i64 %8) #17
-  %10 = add nsw i64 %3, %2
-  %11 = shl nsw i64 %10, 3
-  %12 = tail call fastcc ptr @allocate(ptr %0, i64 %11) #17
-  %13 = getelementptr inbounds double, ptr %12, i64 %2
-  %14 = icmp eq ptr %12, null
-  br i1 %14, label %287, label %15
+define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
+  %11 = add nsw i64 %4, %3
+  %12 = shl nsw i64 %11, 3
+  %13 = tail call fastcc ptr @allocate(ptr %0, i64 %12) #17
+  %14 = getelementptr inbounds double, ptr %13, i64 %3
+  %15 = icmp eq ptr %13, null
+  br i1 %15, label %359, label %16
 
-15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %17 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free_balancing, i64 %16) #17
-  %18 = icmp ne i32 %17, 0
-  %19 = icmp sgt i64 %2, 0
-  %20 = and i1 %18, %19
-  br i1 %20, label %21, label %40
+16:
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %18 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free_balancing, i64 %17) #17
+  %19 = icmp ne i32 %18, 0
+  %20 = icmp sgt i64 %3, 0
+  %21 = and i1 %19, %20
+  br i1 %21, label %22, label %41
 
-21:
-  %22 = and i64 %2, 3
-  %23 = icmp ult i64 %2, 4
-  br i1 %23, label %28, label %24
+22:
+  %23 = and i64 %3, 3
+  %24 = icmp ult i64 %3, 4
+  br i1 %24, label %29, label %25
 
-24:
-  %25 = and i64 %2, 9223372036854775804
-  br label %64
+25:
+  %26 = and i64 %3, 9223372036854775804
+  br label %65
 
-26:
-  %27 = icmp eq i64 %22, 0
-  br i1 %27, label %40, label %28
+27:
+  %28 = icmp eq i64 %23, 0
+  br i1 %28, label %41, label %29
 
-28:
-  %29 = phi i64 [ 0, %21 ], [ %82, %26 ]
-  %30 = icmp ne i64 %22, 0
-  tail call void @llvm.assume(i1 %30)
-  br label %31
+29:
+  %30 = phi i64 [ 0, %22 ], [ %83, %27 ]
+  %31 = icmp ne i64 %23, 0
+  tail call void @llvm.assume(i1 %31)
+  br label %32
 
-31:
-  %32 = phi i64 [ %37, %31 ], [ %29, %28 ]
-  %33 = phi i64 [ %38, %31 ], [ 0, %28 ]
-  %34 = getelementptr inbounds double, ptr %5, i64 %32
-  %35 = load double, ptr %34, align 8
-  %36 = getelementptr inbounds double, ptr %12, i64 %32
-  store double %35, ptr %36, align 8
-  %37 = add nuw nsw i64 %32, 1
-  %38 = add i64 %33, 1
-  %39 = icmp eq i64 %38, %22
-  br i1 %39, label %40, label %31
+32:
+  %33 = phi i64 [ %38, %32 ], [ %30, %29 ]
+  %34 = phi i64 [ %39, %32 ], [ 0, %29 ]
+  %35 = getelementptr inbounds double, ptr %6, i64 %33
+  %36 = load double, ptr %35, align 8
+  %37 = getelementptr inbounds double, ptr %13, i64 %33
+  store double %36, ptr %37, align 8
+  %38 = add nuw nsw i64 %33, 1
+  %39 = add i64 %34, 1
+  %40 = icmp eq i64 %39, %23
+  br i1 %40, label %41, label %32
 
-40:
-  %41 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 80), align 8
-  %42 = icmp sgt i64 %41, 0
-  %43 = select i1 %18, i1 %42, i1 false
-  br i1 %43, label %44, label %85
+41:
+  %42 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 80), align 8
+  %43 = icmp sgt i64 %42, 0
+  %44 = select i1 %19, i1 %43, i1 false
+  br i1 %44, label %45, label %86
 
-44:
-  %45 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
-  %46 = icmp sgt i64 %45, 0
-  %47 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
-  %48 = icmp sgt i64 %3, 0
-  %49 = and i64 %2, 3
-  %50 = icmp ult i64 %2, 4
-  %51 = and i64 %2, 9223372036854775804
-  %52 = icmp eq i64 %49, 0
-  %53 = icmp ne i64 %49, 0
-  %54 = and i64 %45, 1
-  %55 = icmp eq i64 %45, 1
-  %56 = and i64 %45, 9223372036854775806
-  %57 = icmp eq i64 %54, 0
-  %58 = icmp ne i64 %54, 0
-  %59 = and i64 %3, 1
-  %60 = icmp eq i64 %3, 1
-  %61 = and i64 %3, 9223372036854775806
-  %62 = icmp eq i64 %59, 0
-  %63 = icmp ne i64 %59, 0
-  br label %92
+45:
+  %46 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 88), align 8
+  %47 = icmp sgt i64 %46, 0
+  %48 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 64), align 8
+  %49 = icmp sgt i64 %4, 0
+  %50 = and i64 %3, 3
+  %51 = icmp ult i64 %3, 4
+  %52 = and i64 %3, 9223372036854775804
+  %53 = icmp eq i64 %50, 0
+  %54 = icmp ne i64 %50, 0
+  %55 = and i64 %46, 1
+  %56 = icmp eq i64 %46, 1
+  %57 = and i64 %46, 9223372036854775806
+  %58 = icmp eq i64 %55, 0
+  %59 = icmp ne i64 %55, 0
+  %60 = and i64 %4, 1
+  %61 = icmp eq i64 %4, 1
+  %62 = and i64 %4, 9223372036854775806
+  %63 = icmp eq i64 %60, 0
+  %64 = icmp ne i64 %60, 0
+  br label %93
 
-64:
-  %65 = phi i64 [ 0, %24 ], [ %82, %64 ]
-  %66 = phi i64 [ 0, %24 ], [ %83, %64 ]
-  %67 = getelementptr inbounds double, ptr %5, i64 %65
-  %68 = load double, ptr %67, align 8
-  %69 = getelementptr inbounds double, ptr %12, i64 %65
-  store double %68, ptr %69, align 8
-  %70 = or i64 %65, 1
-  %71 = getelementptr inbounds double, ptr %5, i64 %70
-  %72 = load double, ptr %71, align 8
-  %73 = getelementptr inbounds double, ptr %12, i64 %70
-  store double %72, ptr %73, align 8
-  %74 = or i64 %65, 2
-  %75 = getelementptr inbounds double, ptr %5, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = getelementptr inbounds double, ptr %12, i64 %74
-  store double %76, ptr %77, align 8
-  %78 = or i64 %65, 3
-  %79 = getelementptr inbounds double, ptr %5, i64 %78
-  %80 = load double, ptr %79, align 8
-  %81 = getelementptr inbounds double, ptr %12, i64 %78
-  store double %80, ptr %81, align 8
-  %82 = add nuw nsw i64 %65, 4
-  %83 = add i64 %66, 4
-  %84 = icmp eq i64 %83, %25
-  br i1 %84, label %26, label %64
+65:
+  %66 = phi i64 [ 0, %25 ], [ %83, %65 ]
+  %67 = phi i64 [ 0, %25 ], [ %84, %65 ]
+  %68 = getelementptr inbounds double, ptr %6, i64 %66
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds double, ptr %13, i64 %66
+  store double %69, ptr %70, align 8
+  %71 = or i64 %66, 1
+  %72 = getelementptr inbounds double, ptr %6, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr inbounds double, ptr %13, i64 %71
+  store double %73, ptr %74, align 8
+  %75 = or i64 %66, 2
+  %76 = getelementptr inbounds double, ptr %6, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = getelementptr inbounds double, ptr %13, i64 %75
+  store double %77, ptr %78, align 8
+  %79 = or i64 %66, 3
+  %80 = getelementptr inbounds double, ptr %6, i64 %79
+  %81 = load double, ptr %80, align 8
+  %82 = getelementptr inbounds double, ptr %13, i64 %79
+  store double %81, ptr %82, align 8
+  %83 = add nuw nsw i64 %66, 4
+  %84 = add i64 %67, 4
+  %85 = icmp eq i64 %84, %26
+  br i1 %85, label %27, label %65
 
-85:
-  %86 = phi double [ 0.000000e+00, %40 ], [ %224, %223 ]
-  br i1 %20, label %87, label %241
+86:
+  %87 = phi double [ 0.000000e+00, %41 ], [ %228, %227 ]
+  br i1 %21, label %88, label %245
 
-87:
-  %88 = and i64 %2, 3
-  %89 = icmp ult i64 %2, 4
-  br i1 %89, label %229, label %90
+88:
+  %89 = and i64 %3, 3
+  %90 = icmp ult i64 %3, 4
+  br i1 %90, label %233, label %91
 
-90:
-  %91 = and i64 %2, 9223372036854775804
+91:
+  %92 = and i64 %3, 9223372036854775804
   br label %248
 
-92:
-  %93 = phi double [ 0.000000e+00, %44 ], [ %224, %223 ]
-  %94 = phi i64 [ 0, %44 ], [ %225, %223 ]
-  %95 = shl nuw nsw i64 %94, 4
-  %96 = getelementptr inbounds i8, ptr @pp_instants, i64 %95
-  %97 = load double, ptr %96, align 8
-  %98 = getelementptr inbounds i8, ptr %96, i64 8
-  %99 = load double, ptr %98, align 8
-  %100 = fcmp ogt double %99, 0.000000e+00
-  br i1 %100, label %101, label %223
-
-101:
-  br i1 %19, label %102, label %115
+93:
+  %94 = phi double [ 0.000000e+00, %45 ], [ %228, %227 ]
+  %95 = phi i64 [ 0, %45 ], [ %229, %227 ]
+  %96 = shl nuw nsw i64 %95, 4
+  %97 = getelementptr inbounds i8, ptr @pp_instants, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = getelementptr inbounds i8, ptr %97, i64 8
+  %100 = load double, ptr %99, align 8
+  %101 = fcmp ogt double %100, 0.000000e+00
+  br i1 %101, label %102, label %227
 
 102:
-  br i1 %50, label %104, label %117
+  br i1 %20, label %103, label %116
 
 103:
-  br i1 %52, label %115, label %104
+  br i1 %51, label %105, label %118
 
 104:
-  %105 = phi i64 [ 0, %102 ], [ %135, %103 ]
-  tail call void @llvm.assume(i1 %53)
-  br label %106
+  br i1 %53, label %116, label %105
 
-106:
-  %107 = phi i64 [ %112, %106 ], [ %105, %104 ]
-  %108 = phi i64 [ %113, %106 ], [ 0, %104 ]
-  %109 = getelementptr inbounds double, ptr %12, i64 %107
-  %110 = load double, ptr %109, align 8
-  %111 = getelementptr inbounds double, ptr %5, i64 %107
-  store double %110, ptr %111, align 8
-  %112 = add nuw nsw i64 %107, 1
-  %113 = add i64 %108, 1
-  %114 = icmp eq i64 %113, %49
-  br i1 %114, label %115, label %106
+105:
+  %106 = phi i64 [ 0, %103 ], [ %136, %104 ]
+  tail call void @llvm.assume(i1 %54)
+  br label %107
 
-115:
-  br i1 %46, label %116, label %150
+107:
+  %108 = phi i64 [ %113, %107 ], [ %106, %105 ]
+  %109 = phi i64 [ %114, %107 ], [ 0, %105 ]
+  %110 = getelementptr inbounds double, ptr %13, i64 %108
+  %111 = load double, ptr %110, align 8
+  %112 = getelementptr inbounds double, ptr %6, i64 %108
+  store double %111, ptr %112, align 8
+  %113 = add nuw nsw i64 %108, 1
+  %114 = add i64 %109, 1
+  %115 = icmp eq i64 %114, %50
+  br i1 %115, label %116, label %107
 
 116:
-  br i1 %55, label %139, label %152
+  br i1 %47, label %117, label %151
 
 117:
-  %118 = phi i64 [ %135, %117 ], [ 0, %102 ]
-  %119 = phi i64 [ %136, %117 ], [ 0, %102 ]
-  %120 = getelementptr inbounds double, ptr %12, i64 %118
-  %121 = load double, ptr %120, align 8
-  %122 = getelementptr inbounds double, ptr %5, i64 %118
-  store double %121, ptr %122, align 8
-  %123 = or i64 %118, 1
-  %124 = getelementptr inbounds double, ptr %12, i64 %123
-  %125 = load double, ptr %124, align 8
-  %126 = getelementptr inbounds double, ptr %5, i64 %123
-  store double %125, ptr %126, align 8
-  %127 = or i64 %118, 2
-  %128 = getelementptr inbounds double, ptr %12, i64 %127
-  %129 = load double, ptr %128, align 8
-  %130 = getelementptr inbounds double, ptr %5, i64 %127
-  store double %129, ptr %130, align 8
-  %131 = or i64 %118, 3
-  %132 = getelementptr inbounds double, ptr %12, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = getelementptr inbounds double, ptr %5, i64 %131
-  store double %133, ptr %134, align 8
-  %135 = add nuw nsw i64 %118, 4
-  %136 = add i64 %119, 4
-  %137 = icmp eq i64 %136, %51
-  br i1 %137, label %103, label %117
+  br i1 %56, label %140, label %153
 
-138:
-  br i1 %57, label %150, label %139
+118:
+  %119 = phi i64 [ %136, %118 ], [ 0, %103 ]
+  %120 = phi i64 [ %137, %118 ], [ 0, %103 ]
+  %121 = getelementptr inbounds double, ptr %13, i64 %119
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr inbounds double, ptr %6, i64 %119
+  store double %122, ptr %123, align 8
+  %124 = or i64 %119, 1
+  %125 = getelementptr inbounds double, ptr %13, i64 %124
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %6, i64 %124
+  store double %126, ptr %127, align 8
+  %128 = or i64 %119, 2
+  %129 = getelementptr inbounds double, ptr %13, i64 %128
+  %130 = load double, ptr %129, align 8
+  %131 = getelementptr inbounds double, ptr %6, i64 %128
+  store double %130, ptr %131, align 8
+  %132 = or i64 %119, 3
+  %133 = getelementptr inbounds double, ptr %13, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr inbounds double, ptr %6, i64 %132
+  store double %134, ptr %135, align 8
+  %136 = add nuw nsw i64 %119, 4
+  %137 = add i64 %120, 4
+  %138 = icmp eq i64 %137, %52
+  br i1 %138, label %104, label %118
 
 139:
-  %140 = phi i64 [ 0, %116 ], [ %174, %138 ]
-  tail call void @llvm.assume(i1 %58)
-  %141 = getelementptr inbounds i32, ptr @pp_spins, i64 %140
-  %142 = load i32, ptr %141, align 4
-  %143 = zext i32 %142 to i64
-  %144 = getelementptr inbounds double, ptr %7, i64 %143
-  %145 = load double, ptr %144, align 8
-  %146 = fmul double %97, %145
-  %147 = getelementptr inbounds double, ptr %5, i64 %143
-  %148 = load double, ptr %147, align 8
-  %149 = fadd double %148, %146
-  store double %149, ptr %147, align 8
-  br label %150
+  br i1 %58, label %151, label %140
 
-150:
-  %151 = fcmp une double %97, 0.000000e+00
-  br i1 %151, label %177, label %180
+140:
+  %141 = phi i64 [ 0, %117 ], [ %175, %139 ]
+  tail call void @llvm.assume(i1 %59)
+  %142 = getelementptr inbounds i32, ptr @pp_spins, i64 %141
+  %143 = load i32, ptr %142, align 4
+  %144 = zext i32 %143 to i64
+  %145 = getelementptr inbounds double, ptr %8, i64 %144
+  %146 = load double, ptr %145, align 8
+  %147 = fmul double %98, %146
+  %148 = getelementptr inbounds double, ptr %6, i64 %144
+  %149 = load double, ptr %148, align 8
+  %150 = fadd double %149, %147
+  store double %150, ptr %148, align 8
+  br label %151
 
-152:
-  %153 = phi i64 [ %174, %152 ], [ 0, %116 ]
-  %154 = phi i64 [ %175, %152 ], [ 0, %116 ]
-  %155 = getelementptr inbounds i32, ptr @pp_spins, i64 %153
-  %156 = load i32, ptr %155, align 4
-  %157 = zext i32 %156 to i64
-  %158 = getelementptr inbounds double, ptr %7, i64 %157
-  %159 = load double, ptr %158, align 8
-  %160 = fmul double %97, %159
-  %161 = getelementptr inbounds double, ptr %5, i64 %157
-  %162 = load double, ptr %161, align 8
-  %163 = fadd double %162, %160
-  store double %163, ptr %161, align 8
-  %164 = getelementptr inbounds i32, ptr @pp_spins, i64 %153
-  %165 = getelementptr inbounds i8, ptr %164, i64 4
-  %166 = load i32, ptr %165, align 4
-  %167 = zext i32 %166 to i64
-  %168 = getelementptr inbounds double, ptr %7, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %97, %169
-  %171 = getelementptr inbounds double, ptr %5, i64 %167
-  %172 = load double, ptr %171, align 8
-  %173 = fadd double %172, %170
-  store double %173, ptr %171, align 8
-  %174 = add nuw nsw i64 %153, 2
-  %175 = add i64 %154, 2
-  %176 = icmp eq i64 %175, %56
-  br i1 %176, label %138, label %152
+151:
+  %152 = fcmp une double %98, 0.000000e+00
+  br i1 %152, label %178, label %184
 
-177:
-  %178 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free_balancing, i64 %47) #17
-  %179 = icmp eq i32 %178, 0
-  br i1 %179, label %223, label %180
+153:
+  %154 = phi i64 [ %175, %153 ], [ 0, %117 ]
+  %155 = phi i64 [ %176, %153 ], [ 0, %117 ]
+  %156 = getelementptr inbounds i32, ptr @pp_spins, i64 %154
+  %157 = load i32, ptr %156, align 4
+  %158 = zext i32 %157 to i64
+  %159 = getelementptr inbounds double, ptr %8, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %98, %160
+  %162 = getelementptr inbounds double, ptr %6, i64 %158
+  %163 = load double, ptr %162, align 8
+  %164 = fadd double %163, %161
+  store double %164, ptr %162, align 8
+  %165 = getelementptr inbounds i32, ptr @pp_spins, i64 %154
+  %166 = getelementptr inbounds i8, ptr %165, i64 4
+  %167 = load i32, ptr %166, align 4
+  %168 = zext i32 %167 to i64
+  %169 = getelementptr inbounds double, ptr %8, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = fmul double %98, %170
+  %172 = getelementptr inbounds double, ptr %6, i64 %168
+  %173 = load double, ptr %172, align 8
+  %174 = fadd double %173, %171
+  store double %174, ptr %172, align 8
+  %175 = add nuw nsw i64 %154, 2
+  %176 = add i64 %155, 2
+  %177 = icmp eq i64 %176, %57
+  br i1 %177, label %139, label %153
 
-180:
-  %181 = fadd double %93, %99
-  br i1 %48, label %182, label %223
+178:
+  %179 = tail call fastcc i32 @settle(ptr %0, ptr @pp_free_balancing, i64 %48) #17
+  %180 = icmp eq i32 %179, 0
+  br i1 %180, label %181, label %184
 
-182:
-  br i1 %60, label %211, label %183
+181:
+  %182 = load i64, ptr %1, align 8
+  %183 = add nsw i64 %182, 1
+  store i64 %183, ptr %1, align 8
+  br label %227
 
-183:
-  %184 = phi i64 [ %207, %183 ], [ 0, %182 ]
-  %185 = phi i64 [ %208, %183 ], [ 0, %182 ]
-  %186 = shl nsw i64 %184, 3
-  %187 = getelementptr inbounds i8, ptr @pp_balancing, i64 %186
-  %188 = load i32, ptr %187, align 4
-  %189 = zext i32 %188 to i64
-  %190 = getelementptr inbounds double, ptr %9, i64 %189
-  %191 = load double, ptr %190, align 8
-  %192 = fmul double %99, %191
-  %193 = getelementptr inbounds double, ptr %13, i64 %184
-  %194 = load double, ptr %193, align 8
-  %195 = fadd double %194, %192
-  store double %195, ptr %193, align 8
-  %196 = or i64 %184, 1
-  %197 = shl nsw i64 %196, 3
-  %198 = getelementptr inbounds i8, ptr @pp_balancing, i64 %197
-  %199 = load i32, ptr %198, align 4
-  %200 = zext i32 %199 to i64
-  %201 = getelementptr inbounds double, ptr %9, i64 %200
-  %202 = load double, ptr %201, align 8
-  %203 = fmul double %99, %202
-  %204 = getelementptr inbounds double, ptr %13, i64 %196
-  %205 = load double, ptr %204, align 8
-  %206 = fadd double %205, %203
-  store double %206, ptr %204, align 8
-  %207 = add nuw nsw i64 %184, 2
-  %208 = add i64 %185, 2
-  %209 = icmp eq i64 %208, %61
-  br i1 %209, label %210, label %183
+184:
+  %185 = fadd double %94, %100
+  br i1 %49, label %186, label %227
 
-210:
-  br i1 %62, label %223, label %211
+186:
+  br i1 %61, label %215, label %187
 
-211:
-  %212 = phi i64 [ 0, %182 ], [ %207, %210 ]
-  tail call void @llvm.assume(i1 %63)
-  %213 = shl nsw i64 %212, 3
-  %214 = getelementptr inbounds i8, ptr @pp_balancing, i64 %213
-  %215 = load i32, ptr %214, align 4
-  %216 = zext i32 %215 to i64
-  %217 = getelementptr inbounds double, ptr %9, i64 %216
-  %218 = load double, ptr %217, align 8
-  %219 = fmul double %99, %218
-  %220 = getelementptr inbounds double, ptr %13, i64 %212
-  %221 = load double, ptr %220, align 8
-  %222 = fadd double %221, %219
-  store double %222, ptr %220, align 8
-  br label %223
+187:
+  %188 = phi i64 [ %211, %187 ], [ 0, %186 ]
+  %189 = phi i64 [ %212, %187 ], [ 0, %186 ]
+  %190 = shl nsw i64 %188, 3
+  %191 = getelementptr inbounds i8, ptr @pp_balancing, i64 %190
+  %192 = load i32, ptr %191, align 4
+  %193 = zext i32 %192 to i64
+  %194 = getelementptr inbounds double, ptr %10, i64 %193
+  %195 = load double, ptr %194, align 8
+  %196 = fmul double %100, %195
+  %197 = getelementptr inbounds double, ptr %14, i64 %188
+  %198 = load double, ptr %197, align 8
+  %199 = fadd double %198, %196
+  store double %199, ptr %197, align 8
+  %200 = or i64 %188, 1
+  %201 = shl nsw i64 %200, 3
+  %202 = getelementptr inbounds i8, ptr @pp_balancing, i64 %201
+  %203 = load i32, ptr %202, align 4
+  %204 = zext i32 %203 to i64
+  %205 = getelementptr inbounds double, ptr %10, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = fmul double %100, %206
+  %208 = getelementptr inbounds double, ptr %14, i64 %200
+  %209 = load double, ptr %208, align 8
+  %210 = fadd double %209, %207
+  store double %210, ptr %208, align 8
+  %211 = add nuw nsw i64 %188, 2
+  %212 = add i64 %189, 2
+  %213 = icmp eq i64 %212, %62
+  br i1 %213, label %214, label %187
 
-223:
-  %224 = phi double [ %93, %177 ], [ %93, %92 ], [ %181, %180 ], [ %181, %210 ], [ %181, %211 ]
-  %225 = add nuw nsw i64 %94, 1
-  %226 = icmp slt i64 %225, %41
-  br i1 %226, label %92, label %85
+214:
+  br i1 %63, label %227, label %215
+
+215:
+  %216 = phi i64 [ 0, %186 ], [ %211, %214 ]
+  tail call void @llvm.assume(i1 %64)
+  %217 = shl nsw i64 %216, 3
+  %218 = getelementptr inbounds i8, ptr @pp_balancing, i64 %217
+  %219 = load i32, ptr %218, align 4
+  %220 = zext i32 %219 to i64
+  %221 = getelementptr inbounds double, ptr %10, i64 %220
+  %222 = load double, ptr %221, align 8
+  %223 = fmul double %100, %222
+  %224 = getelementptr inbounds double, ptr %14, i64 %216
+  %225 = load double, ptr %224, align 8
+  %226 = fadd double %225, %223
+  store double %226, ptr %224, align 8
+  br label %227
 
 227:
-  %228 = icmp eq i64 %88, 0
-  br i1 %228, label %241, label %229
+  %228 = phi double [ %94, %93 ], [ %94, %181 ], [ %185, %184 ], [ %185, %214 ], [ %185, %215 ]
+  %229 = add nuw nsw i64 %95, 1
+  %230 = icmp slt i64 %229, %42
+  br i1 %230, label %93, label %86
 
-229:
-  %230 = phi i64 [ 0, %87 ], [ %266, %227 ]
-  %231 = icmp ne i64 %88, 0
-  tail call void @llvm.assume(i1 %231)
-  br label %232
+231:
+  %232 = icmp eq i64 %89, 0
+  br i1 %232, label %245, label %233
 
-232:
-  %233 = phi i64 [ %238, %232 ], [ %230, %229 ]
-  %234 = phi i64 [ %239, %232 ], [ 0, %229 ]
-  %235 = getelementptr inbounds double, ptr %12, i64 %233
-  %236 = load double, ptr %235, align 8
-  %237 = getelementptr inbounds double, ptr %5, i64 %233
-  store double %236, ptr %237, align 8
-  %238 = add nuw nsw i64 %233, 1
-  %239 = add i64 %234, 1
-  %240 = icmp eq i64 %239, %88
-  br i1 %240, label %241, label %232
+233:
+  %234 = phi i64 [ 0, %88 ], [ %266, %231 ]
+  %235 = icmp ne i64 %89, 0
+  tail call void @llvm.assume(i1 %235)
+  br label %236
 
-241:
-  %242 = fcmp ogt double %86, 0.000000e+00
-  %243 = select i1 %18, i1 %242, i1 false
-  %244 = icmp sgt i64 %3, 0
-  %245 = and i1 %243, %244
-  br i1 %245, label %246, label %285
+236:
+  %237 = phi i64 [ %242, %236 ], [ %234, %233 ]
+  %238 = phi i64 [ %243, %236 ], [ 0, %233 ]
+  %239 = getelementptr inbounds double, ptr %13, i64 %237
+  %240 = load double, ptr %239, align 8
+  %241 = getelementptr inbounds double, ptr %6, i64 %237
+  store double %240, ptr %241, align 8
+  %242 = add nuw nsw i64 %237, 1
+  %243 = add i64 %238, 1
+  %244 = icmp eq i64 %243, %89
+  br i1 %244, label %245, label %236
 
-246:
-  %247 = getelementptr inbounds i8, ptr %0, i64 104
-  br label %269
+245:
+  %246 = fcmp ule double %87, 0.000000e+00
+  %247 = select i1 %19, i1 %246, i1 false
+  br i1 %247, label %269, label %333
 
 248:
-  %249 = phi i64 [ 0, %90 ], [ %266, %248 ]
-  %250 = phi i64 [ 0, %90 ], [ %267, %248 ]
-  %251 = getelementptr inbounds double, ptr %12, i64 %249
+  %249 = phi i64 [ 0, %91 ], [ %266, %248 ]
+  %250 = phi i64 [ 0, %91 ], [ %267, %248 ]
+  %251 = getelementptr inbounds double, ptr %13, i64 %249
   %252 = load double, ptr %251, align 8
-  %253 = getelementptr inbounds double, ptr %5, i64 %249
+  %253 = getelementptr inbounds double, ptr %6, i64 %249
   store double %252, ptr %253, align 8
   %254 = or i64 %249, 1
-  %255 = getelementptr inbounds double, ptr %12, i64 %254
+  %255 = getelementptr inbounds double, ptr %13, i64 %254
   %256 = load double, ptr %255, align 8
-  %257 = getelementptr inbounds double, ptr %5, i64 %254
+  %257 = getelementptr inbounds double, ptr %6, i64 %254
   store double %256, ptr %257, align 8
   %258 = or i64 %249, 2
-  %259 = getelementptr inbounds double, ptr %12, i64 %258
+  %259 = getelementptr inbounds double, ptr %13, i64 %258
   %260 = load double, ptr %259, align 8
-  %261 = getelementptr inbounds double, ptr %5, i64 %258
+  %261 = getelementptr inbounds double, ptr %6, i64 %258
   store double %260, ptr %261, align 8
   %262 = or i64 %249, 3
-  %263 = getelementptr inbounds double, ptr %12, i64 %262
+  %263 = getelementptr inbounds double, ptr %13, i64 %262
   %264 = load double, ptr %263, align 8
-  %265 = getelementptr inbounds double, ptr %5, i64 %262
+  %265 = getelementptr inbounds double, ptr %6, i64 %262
   store double %264, ptr %265, align 8
   %266 = add nuw nsw i64 %249, 4
   %267 = add i64 %250, 4
-  %268 = icmp eq i64 %267, %91
-  br i1 %268, label %227, label %248
+  %268 = icmp eq i64 %267, %92
+  br i1 %268, label %231, label %248
 
 269:
-  %270 = phi i64 [ 0, %246 ], [ %283, %269 ]
-  %271 = shl nuw nsw i64 %270, 3
-  %272 = getelementptr inbounds i8, ptr @pp_balancing, i64 %271
-  %273 = getelementptr inbounds i8, ptr %272, i64 4
-  %274 = load i32, ptr %273, align 4
-  %275 = zext i32 %274 to i64
-  %276 = getelementptr inbounds double, ptr %13, i64 %270
-  %277 = load double, ptr %276, align 8
-  %278 = fdiv double %277, %86
-  %279 = load ptr, ptr %247, align 8
-  %280 = getelementptr inbounds double, ptr %279, i64 %275
-  %281 = load double, ptr %280, align 8
-  %282 = fadd double %278, %281
-  store double %282, ptr %280, align 8
-  tail call fastcc void @put(ptr %0, i64 %275) #17
-  %283 = add nuw nsw i64 %270, 1
-  %284 = icmp slt i64 %283, %3
-  br i1 %284, label %269, label %285
+  %270 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  %271 = icmp eq i64 %270, 1
+  %272 = icmp sgt i64 %4, 0
+  br i1 %272, label %273, label %356
 
-285:
-  tail call fastcc void @release(ptr %0, ptr %12) #17
-  %286 = zext i1 %243 to i32
-  br label %287
+273:
+  %274 = and i64 %4, 3
+  %275 = icmp ult i64 %4, 4
+  br i1 %275, label %317, label %276
 
-287:
-  %288 = phi i32 [ 0, %1 ], [ %286, %285 ]
-  ret i32 %288
+276:
+  %277 = and i64 %4, 9223372036854775804
+  br label %278
+
+278:
+  %279 = phi i64 [ 0, %276 ], [ %312, %278 ]
+  %280 = phi i64 [ 0, %276 ], [ %313, %278 ]
+  %281 = shl nsw i64 %279, 3
+  %282 = getelementptr inbounds i8, ptr @pp_balancing, i64 %281
+  %283 = load i32, ptr %282, align 4
+  %284 = zext i32 %283 to i64
+  %285 = getelementptr inbounds double, ptr %10, i64 %284
+  %286 = load double, ptr %285, align 8
+  %287 = getelementptr inbounds double, ptr %14, i64 %279
+  store double %286, ptr %287, align 8
+  %288 = or i64 %279, 1
+  %289 = shl nsw i64 %288, 3
+  %290 = getelementptr inbounds i8, ptr @pp_balancing, i64 %289
+  %291 = load i32, ptr %290, align 4
+  %292 = zext i32 %291 to i64
+  %293 = getelementptr inbounds double, ptr %10, i64 %292
+  %294 = load double, ptr %293, align 8
+  %295 = getelementptr inbounds double, ptr %14, i64 %288
+  store double %294, ptr %295, align 8
+  %296 = or i64 %279, 2
+  %297 = shl nsw i64 %296, 3
+  %298 = getelementptr inbounds i8, ptr @pp_balancing, i64 %297
+  %299 = load i32, ptr %298, align 4
+  %300 = zext i32 %299 to i64
+  %301 = getelementptr inbounds double, ptr %10, i64 %300
+  %302 = load double, ptr %301, align 8
+  %303 = getelementptr inbounds double, ptr %14, i64 %296
+  store double %302, ptr %303, align 8
+  %304 = or i64 %279, 3
+  %305 = shl nsw i64 %304, 3
+  %306 = getelementptr inbounds i8, ptr @pp_balancing, i64 %305
+  %307 = load i32, ptr %306, align 4
+  %308 = zext i32 %307 to i64
+  %309 = getelementptr inbounds double, ptr %10, i64 %308
+  %310 = load double, ptr %309, align 8
+  %311 = getelementptr inbounds double, ptr %14, i64 %304
+  store double %310, ptr %311, align 8
+  %312 = add nuw nsw i64 %279, 4
+  %313 = add i64 %280, 4
+  %314 = icmp eq i64 %313, %277
+  br i1 %314, label %315, label %278
+
+315:
+  %316 = icmp eq i64 %274, 0
+  br i1 %316, label %333, label %317
+
+317:
+  %318 = phi i64 [ 0, %273 ], [ %312, %315 ]
+  %319 = icmp ne i64 %274, 0
+  tail call void @llvm.assume(i1 %319)
+  br label %320
+
+320:
+  %321 = phi i64 [ %330, %320 ], [ %318, %317 ]
+  %322 = phi i64 [ %331, %320 ], [ 0, %317 ]
+  %323 = shl nsw i64 %321, 3
+  %324 = getelementptr inbounds i8, ptr @pp_balancing, i64 %323
+  %325 = load i32, ptr %324, align 4
+  %326 = zext i32 %325 to i64
+  %327 = getelementptr inbounds double, ptr %10, i64 %326
+  %328 = load double, ptr %327, align 8
+  %329 = getelementptr inbounds double, ptr %14, i64 %321
+  store double %328, ptr %329, align 8
+  %330 = add nuw nsw i64 %321, 1
+  %331 = add i64 %322, 1
+  %332 = icmp eq i64 %331, %274
+  br i1 %332, label %333, label %320
+
+333:
+  %334 = phi i1 [ %19, %245 ], [ %271, %320 ], [ %271, %315 ]
+  %335 = phi double [ %87, %245 ], [ 1.000000e+00, %320 ], [ 1.000000e+00, %315 ]
+  %336 = icmp sgt i64 %4, 0
+  %337 = and i1 %334, %336
+  br i1 %337, label %338, label %356
+
+338:
+  %339 = getelementptr inbounds i8, ptr %0, i64 104
+  br label %340
+
+340:
+  %341 = phi i64 [ 0, %338 ], [ %354, %340 ]
+  %342 = shl nuw nsw i64 %341, 3
+  %343 = getelementptr inbounds i8, ptr @pp_balancing, i64 %342
+  %344 = getelementptr inbounds i8, ptr %343, i64 4
+  %345 = load i32, ptr %344, align 4
+  %346 = zext i32 %345 to i64
+  %347 = getelementptr inbounds double, ptr %14, i64 %341
+  %348 = load double, ptr %347, align 8
+  %349 = fdiv double %348, %335
+  %350 = load ptr, ptr %339, align 8
+  %351 = getelementptr inbounds double, ptr %350, i64 %346
+  %352 = load double, ptr %351, align 8
+  %353 = fadd double %349, %352
+  store double %353, ptr %351, align 8
+  tail call fastcc void @put(ptr %0, i64 %346) #17
+  %354 = add nuw nsw i64 %341, 1
+  %355 = icmp slt i64 %354, %4
+  br i1 %355, label %340, label %356
+
+356:
+  %357 = phi i1 [ %271, %269 ], [ %334, %333 ], [ %334, %340 ]
+  tail call fastcc void @release(ptr %0, ptr %13) #17
+  %358 = zext i1 %357 to i32
+  br label %359
+
+359:
+  %360 = phi i32 [ %358, %356 ], [ 0, %2 ]
+  ret i32 %360
 }
 
 define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %5 = shl nsw i64 %2, 1
   %6 = add i64 %5, 6
   %7 = mul i64 %6, %2
@@ -3004,7 +3241,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %10 = add i64 %8, %9
   %11 = tail call fastcc ptr @allocate(ptr %0, i64 %10) #17
   %12 = icmp eq ptr %11, null
-  br i1 %12, label %733, label %13
+  br i1 %12, label %745, label %13
 
 13:
   %14 = mul i64 %2, %2
@@ -3017,15 +3254,15 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %21 = getelementptr inbounds double, ptr %20, i64 %2
   %22 = getelementptr inbounds double, ptr %21, i64 %4
   %23 = getelementptr inbounds i64, ptr %22, i64 %4
-  %24 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %24 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %25 = tail call fastcc ptr @reals(ptr %0, i64 %24) #17
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 144), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
   %27 = tail call fastcc ptr @reals(ptr %0, i64 %26) #17
-  %28 = icmp sgt i64 %4, 0
-  br i1 %28, label %29, label %31
+  %28 = icmp slt i64 %4, 1
+  br i1 %28, label %31, label %29
 
 29:
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   br label %39
 
 31:
@@ -3123,7 +3360,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 93:
   %94 = phi i64 [ %50, %49 ], [ %67, %101 ]
   %95 = phi double [ 0.000000e+00, %49 ], [ %111, %101 ]
-  br i1 %28, label %96, label %128
+  br i1 %28, label %128, label %96
 
 96:
   %97 = and i64 %4, 3
@@ -3247,7 +3484,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %177, label %178, label %168
 
 178:
-  br i1 %155, label %179, label %690
+  br i1 %155, label %179, label %701
 
 179:
   %180 = fmul double %95, 0x3D719799812DEA11
@@ -3331,20 +3568,20 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %251, label %163, label %227
 
 252:
-  %253 = phi i64 [ 0, %179 ], [ %686, %685 ]
-  %254 = phi i32 [ 1, %179 ], [ %627, %685 ]
-  %255 = phi double [ 1.000000e+04, %179 ], [ %634, %685 ]
+  %253 = phi i64 [ 0, %179 ], [ %688, %687 ]
+  %254 = phi i32 [ 1, %179 ], [ %629, %687 ]
+  %255 = phi double [ 1.000000e+04, %179 ], [ %636, %687 ]
   %256 = icmp eq i32 %254, 0
-  br i1 %256, label %411, label %257
+  br i1 %256, label %413, label %257
 
 257:
   %258 = tail call fastcc i64 @residual(ptr %0, i32 1, double 0.000000e+00, double 1.000000e+00) #17
   %259 = icmp eq i64 %258, 1
-  br i1 %259, label %260, label %690
+  br i1 %259, label %260, label %701
 
 260:
   tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %32, label %261, label %731
+  br i1 %32, label %261, label %692
 
 261:
   %262 = phi i64 [ %282, %268 ], [ 1, %260 ]
@@ -3355,10 +3592,10 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
 
 266:
   %267 = icmp eq i64 %282, 0
-  br i1 %267, label %302, label %731
+  br i1 %267, label %304, label %692
 
 268:
-  %269 = fmul double %299, 1.800000e-15
+  %269 = fmul double %301, 1.800000e-15
   %270 = fcmp ogt double %269, %180
   %271 = select i1 %270, double %269, double %180
   %272 = getelementptr inbounds double, ptr %20, i64 %263
@@ -3379,8 +3616,8 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   br i1 %284, label %266, label %261
 
 285:
-  %286 = phi i64 [ 0, %261 ], [ %300, %285 ]
-  %287 = phi double [ 0.000000e+00, %261 ], [ %299, %285 ]
+  %286 = phi i64 [ 0, %261 ], [ %302, %285 ]
+  %287 = phi double [ 0.000000e+00, %261 ], [ %301, %285 ]
   %288 = getelementptr double, ptr %265, i64 %286
   %289 = load double, ptr %288, align 8
   %290 = tail call fastcc double @size_of(double %289) #17
@@ -3390,630 +3627,646 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %294 = getelementptr inbounds double, ptr %25, i64 %293
   %295 = load double, ptr %294, align 8
   %296 = tail call fastcc double @size_of(double %295) #17
-  %297 = fadd double %296, 1.000000e+00
-  %298 = fmul double %290, %297
-  %299 = fadd double %287, %298
-  %300 = add nuw nsw i64 %286, 1
-  %301 = icmp eq i64 %300, %2
-  br i1 %301, label %268, label %285
+  %297 = getelementptr inbounds double, ptr @pp_extents, i64 %293
+  %298 = load double, ptr %297, align 8
+  %299 = fadd double %296, %298
+  %300 = fmul double %290, %299
+  %301 = fadd double %287, %300
+  %302 = add nuw nsw i64 %286, 1
+  %303 = icmp eq i64 %302, %2
+  br i1 %303, label %268, label %285
 
-302:
-  %303 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
-  %304 = icmp eq i64 %303, 1
-  br i1 %304, label %305, label %690
-
-305:
-  br i1 %188, label %307, label %319
-
-306:
-  br i1 %190, label %318, label %307
+304:
+  %305 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
+  %306 = icmp eq i64 %305, 1
+  br i1 %306, label %307, label %701
 
 307:
-  %308 = phi i64 [ 0, %305 ], [ %337, %306 ]
-  tail call void @llvm.assume(i1 %191)
-  br label %309
+  br i1 %188, label %309, label %321
+
+308:
+  br i1 %190, label %320, label %309
 
 309:
-  %310 = phi i64 [ %315, %309 ], [ %308, %307 ]
-  %311 = phi i64 [ %316, %309 ], [ 0, %307 ]
-  %312 = getelementptr inbounds double, ptr %11, i64 %310
-  %313 = load double, ptr %312, align 8
-  %314 = getelementptr inbounds double, ptr %15, i64 %310
-  store double %313, ptr %314, align 8
-  %315 = add nuw nsw i64 %310, 1
-  %316 = add i64 %311, 1
-  %317 = icmp eq i64 %311, 0
-  br i1 %317, label %318, label %309
+  %310 = phi i64 [ 0, %307 ], [ %339, %308 ]
+  tail call void @llvm.assume(i1 %191)
+  br label %311
 
-318:
+311:
+  %312 = phi i64 [ %317, %311 ], [ %310, %309 ]
+  %313 = phi i64 [ %318, %311 ], [ 0, %309 ]
+  %314 = getelementptr inbounds double, ptr %11, i64 %312
+  %315 = load double, ptr %314, align 8
+  %316 = getelementptr inbounds double, ptr %15, i64 %312
+  store double %315, ptr %316, align 8
+  %317 = add nuw nsw i64 %312, 1
+  %318 = add i64 %313, 1
+  %319 = icmp eq i64 %313, 0
+  br i1 %319, label %320, label %311
+
+320:
   tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %193, label %356, label %340
+  br i1 %193, label %358, label %342
 
-319:
-  %320 = phi i64 [ %337, %319 ], [ 0, %305 ]
-  %321 = phi i64 [ %338, %319 ], [ 0, %305 ]
-  %322 = getelementptr inbounds double, ptr %11, i64 %320
-  %323 = load double, ptr %322, align 8
-  %324 = getelementptr inbounds double, ptr %15, i64 %320
-  store double %323, ptr %324, align 8
-  %325 = or i64 %320, 1
-  %326 = getelementptr inbounds double, ptr %11, i64 %325
-  %327 = load double, ptr %326, align 8
-  %328 = getelementptr inbounds double, ptr %15, i64 %325
-  store double %327, ptr %328, align 8
-  %329 = or i64 %320, 2
-  %330 = getelementptr inbounds double, ptr %11, i64 %329
-  %331 = load double, ptr %330, align 8
-  %332 = getelementptr inbounds double, ptr %15, i64 %329
-  store double %331, ptr %332, align 8
-  %333 = or i64 %320, 3
-  %334 = getelementptr inbounds double, ptr %11, i64 %333
-  %335 = load double, ptr %334, align 8
-  %336 = getelementptr inbounds double, ptr %15, i64 %333
-  store double %335, ptr %336, align 8
-  %337 = add nuw nsw i64 %320, 4
-  %338 = add i64 %321, 4
-  %339 = icmp eq i64 %338, %189
-  br i1 %339, label %306, label %319
+321:
+  %322 = phi i64 [ %339, %321 ], [ 0, %307 ]
+  %323 = phi i64 [ %340, %321 ], [ 0, %307 ]
+  %324 = getelementptr inbounds double, ptr %11, i64 %322
+  %325 = load double, ptr %324, align 8
+  %326 = getelementptr inbounds double, ptr %15, i64 %322
+  store double %325, ptr %326, align 8
+  %327 = or i64 %322, 1
+  %328 = getelementptr inbounds double, ptr %11, i64 %327
+  %329 = load double, ptr %328, align 8
+  %330 = getelementptr inbounds double, ptr %15, i64 %327
+  store double %329, ptr %330, align 8
+  %331 = or i64 %322, 2
+  %332 = getelementptr inbounds double, ptr %11, i64 %331
+  %333 = load double, ptr %332, align 8
+  %334 = getelementptr inbounds double, ptr %15, i64 %331
+  store double %333, ptr %334, align 8
+  %335 = or i64 %322, 3
+  %336 = getelementptr inbounds double, ptr %11, i64 %335
+  %337 = load double, ptr %336, align 8
+  %338 = getelementptr inbounds double, ptr %15, i64 %335
+  store double %337, ptr %338, align 8
+  %339 = add nuw nsw i64 %322, 4
+  %340 = add i64 %323, 4
+  %341 = icmp eq i64 %340, %189
+  br i1 %341, label %308, label %321
 
-340:
-  %341 = phi i64 [ %352, %340 ], [ 0, %318 ]
-  %342 = phi i64 [ %353, %340 ], [ 0, %318 ]
-  %343 = getelementptr inbounds double, ptr %11, i64 %341
-  %344 = load double, ptr %343, align 8
-  %345 = getelementptr inbounds double, ptr %15, i64 %341
+342:
+  %343 = phi i64 [ %354, %342 ], [ 0, %320 ]
+  %344 = phi i64 [ %355, %342 ], [ 0, %320 ]
+  %345 = getelementptr inbounds double, ptr %11, i64 %343
   %346 = load double, ptr %345, align 8
-  store double %346, ptr %343, align 8
-  store double %344, ptr %345, align 8
-  %347 = or i64 %341, 1
-  %348 = getelementptr inbounds double, ptr %11, i64 %347
-  %349 = load double, ptr %348, align 8
-  %350 = getelementptr inbounds double, ptr %15, i64 %347
+  %347 = getelementptr inbounds double, ptr %15, i64 %343
+  %348 = load double, ptr %347, align 8
+  store double %348, ptr %345, align 8
+  store double %346, ptr %347, align 8
+  %349 = or i64 %343, 1
+  %350 = getelementptr inbounds double, ptr %11, i64 %349
   %351 = load double, ptr %350, align 8
-  store double %351, ptr %348, align 8
-  store double %349, ptr %350, align 8
-  %352 = add nuw nsw i64 %341, 2
-  %353 = add i64 %342, 2
-  %354 = icmp eq i64 %353, %194
-  br i1 %354, label %355, label %340
+  %352 = getelementptr inbounds double, ptr %15, i64 %349
+  %353 = load double, ptr %352, align 8
+  store double %353, ptr %350, align 8
+  store double %351, ptr %352, align 8
+  %354 = add nuw nsw i64 %343, 2
+  %355 = add i64 %344, 2
+  %356 = icmp eq i64 %355, %194
+  br i1 %356, label %357, label %342
 
-355:
-  br i1 %195, label %362, label %356
+357:
+  br i1 %195, label %364, label %358
 
-356:
-  %357 = phi i64 [ 0, %318 ], [ %352, %355 ]
+358:
+  %359 = phi i64 [ 0, %320 ], [ %354, %357 ]
   tail call void @llvm.assume(i1 %196)
-  %358 = getelementptr inbounds double, ptr %11, i64 %357
-  %359 = load double, ptr %358, align 8
-  %360 = getelementptr inbounds double, ptr %15, i64 %357
+  %360 = getelementptr inbounds double, ptr %11, i64 %359
   %361 = load double, ptr %360, align 8
-  store double %361, ptr %358, align 8
-  store double %359, ptr %360, align 8
-  br label %362
+  %362 = getelementptr inbounds double, ptr %15, i64 %359
+  %363 = load double, ptr %362, align 8
+  store double %363, ptr %360, align 8
+  store double %361, ptr %362, align 8
+  br label %364
 
-362:
-  br i1 %198, label %397, label %363
+364:
+  br i1 %198, label %399, label %365
 
-363:
-  %364 = phi i64 [ %393, %363 ], [ 0, %362 ]
-  %365 = phi i64 [ %394, %363 ], [ 0, %362 ]
-  %366 = getelementptr inbounds i32, ptr %1, i64 %364
-  %367 = load i32, ptr %366, align 4
-  %368 = zext i32 %367 to i64
-  %369 = getelementptr inbounds double, ptr %25, i64 %368
-  %370 = load double, ptr %369, align 8
-  %371 = getelementptr inbounds double, ptr %19, i64 %364
-  store double %370, ptr %371, align 8
-  %372 = or i64 %364, 1
-  %373 = getelementptr inbounds i32, ptr %1, i64 %372
-  %374 = load i32, ptr %373, align 4
-  %375 = zext i32 %374 to i64
-  %376 = getelementptr inbounds double, ptr %25, i64 %375
-  %377 = load double, ptr %376, align 8
-  %378 = getelementptr inbounds double, ptr %19, i64 %372
-  store double %377, ptr %378, align 8
-  %379 = or i64 %364, 2
-  %380 = getelementptr inbounds i32, ptr %1, i64 %379
-  %381 = load i32, ptr %380, align 4
-  %382 = zext i32 %381 to i64
-  %383 = getelementptr inbounds double, ptr %25, i64 %382
-  %384 = load double, ptr %383, align 8
-  %385 = getelementptr inbounds double, ptr %19, i64 %379
-  store double %384, ptr %385, align 8
-  %386 = or i64 %364, 3
-  %387 = getelementptr inbounds i32, ptr %1, i64 %386
-  %388 = load i32, ptr %387, align 4
-  %389 = zext i32 %388 to i64
-  %390 = getelementptr inbounds double, ptr %25, i64 %389
-  %391 = load double, ptr %390, align 8
-  %392 = getelementptr inbounds double, ptr %19, i64 %386
-  store double %391, ptr %392, align 8
-  %393 = add nuw nsw i64 %364, 4
-  %394 = add i64 %365, 4
-  %395 = icmp eq i64 %394, %199
-  br i1 %395, label %396, label %363
+365:
+  %366 = phi i64 [ %395, %365 ], [ 0, %364 ]
+  %367 = phi i64 [ %396, %365 ], [ 0, %364 ]
+  %368 = getelementptr inbounds i32, ptr %1, i64 %366
+  %369 = load i32, ptr %368, align 4
+  %370 = zext i32 %369 to i64
+  %371 = getelementptr inbounds double, ptr %25, i64 %370
+  %372 = load double, ptr %371, align 8
+  %373 = getelementptr inbounds double, ptr %19, i64 %366
+  store double %372, ptr %373, align 8
+  %374 = or i64 %366, 1
+  %375 = getelementptr inbounds i32, ptr %1, i64 %374
+  %376 = load i32, ptr %375, align 4
+  %377 = zext i32 %376 to i64
+  %378 = getelementptr inbounds double, ptr %25, i64 %377
+  %379 = load double, ptr %378, align 8
+  %380 = getelementptr inbounds double, ptr %19, i64 %374
+  store double %379, ptr %380, align 8
+  %381 = or i64 %366, 2
+  %382 = getelementptr inbounds i32, ptr %1, i64 %381
+  %383 = load i32, ptr %382, align 4
+  %384 = zext i32 %383 to i64
+  %385 = getelementptr inbounds double, ptr %25, i64 %384
+  %386 = load double, ptr %385, align 8
+  %387 = getelementptr inbounds double, ptr %19, i64 %381
+  store double %386, ptr %387, align 8
+  %388 = or i64 %366, 3
+  %389 = getelementptr inbounds i32, ptr %1, i64 %388
+  %390 = load i32, ptr %389, align 4
+  %391 = zext i32 %390 to i64
+  %392 = getelementptr inbounds double, ptr %25, i64 %391
+  %393 = load double, ptr %392, align 8
+  %394 = getelementptr inbounds double, ptr %19, i64 %388
+  store double %393, ptr %394, align 8
+  %395 = add nuw nsw i64 %366, 4
+  %396 = add i64 %367, 4
+  %397 = icmp eq i64 %396, %199
+  br i1 %397, label %398, label %365
 
-396:
-  br i1 %200, label %411, label %397
-
-397:
-  %398 = phi i64 [ 0, %362 ], [ %393, %396 ]
-  tail call void @llvm.assume(i1 %201)
-  br label %399
+398:
+  br i1 %200, label %413, label %399
 
 399:
-  %400 = phi i64 [ %408, %399 ], [ %398, %397 ]
-  %401 = phi i64 [ %409, %399 ], [ 0, %397 ]
-  %402 = getelementptr inbounds i32, ptr %1, i64 %400
-  %403 = load i32, ptr %402, align 4
-  %404 = zext i32 %403 to i64
-  %405 = getelementptr inbounds double, ptr %25, i64 %404
-  %406 = load double, ptr %405, align 8
-  %407 = getelementptr inbounds double, ptr %19, i64 %400
-  store double %406, ptr %407, align 8
-  %408 = add nuw nsw i64 %400, 1
-  %409 = add i64 %401, 1
-  %410 = icmp eq i64 %409, %197
-  br i1 %410, label %411, label %399
+  %400 = phi i64 [ 0, %364 ], [ %395, %398 ]
+  tail call void @llvm.assume(i1 %201)
+  br label %401
 
-411:
-  %412 = tail call fastcc ptr @allocate(ptr %0, i64 %182) #17
-  %413 = icmp eq ptr %412, null
-  br i1 %413, label %690, label %414
+401:
+  %402 = phi i64 [ %410, %401 ], [ %400, %399 ]
+  %403 = phi i64 [ %411, %401 ], [ 0, %399 ]
+  %404 = getelementptr inbounds i32, ptr %1, i64 %402
+  %405 = load i32, ptr %404, align 4
+  %406 = zext i32 %405 to i64
+  %407 = getelementptr inbounds double, ptr %25, i64 %406
+  %408 = load double, ptr %407, align 8
+  %409 = getelementptr inbounds double, ptr %19, i64 %402
+  store double %408, ptr %409, align 8
+  %410 = add nuw nsw i64 %402, 1
+  %411 = add i64 %403, 1
+  %412 = icmp eq i64 %411, %197
+  br i1 %412, label %413, label %401
 
-414:
-  br i1 %181, label %450, label %415
-
-415:
-  br i1 %203, label %417, label %429
+413:
+  %414 = tail call fastcc ptr @allocate(ptr %0, i64 %182) #17
+  %415 = icmp eq ptr %414, null
+  br i1 %415, label %701, label %416
 
 416:
-  br i1 %205, label %426, label %417
+  br i1 %181, label %452, label %417
 
 417:
-  %418 = phi i64 [ 0, %415 ], [ %447, %416 ]
-  tail call void @llvm.assume(i1 %206)
-  %419 = getelementptr inbounds double, ptr %11, i64 %418
-  %420 = load double, ptr %419, align 8
-  %421 = getelementptr inbounds double, ptr %15, i64 %418
-  %422 = load double, ptr %421, align 8
-  %423 = fmul double %255, %422
-  %424 = fadd double %420, %423
-  %425 = getelementptr inbounds double, ptr %412, i64 %418
-  store double %424, ptr %425, align 8
-  br label %426
+  br i1 %203, label %419, label %431
 
-426:
-  %427 = tail call fastcc i32 @factorise(ptr %412, i64 %2, ptr %23) #17
-  br i1 %32, label %428, label %468
+418:
+  br i1 %205, label %428, label %419
+
+419:
+  %420 = phi i64 [ 0, %417 ], [ %449, %418 ]
+  tail call void @llvm.assume(i1 %206)
+  %421 = getelementptr inbounds double, ptr %11, i64 %420
+  %422 = load double, ptr %421, align 8
+  %423 = getelementptr inbounds double, ptr %15, i64 %420
+  %424 = load double, ptr %423, align 8
+  %425 = fmul double %255, %424
+  %426 = fadd double %422, %425
+  %427 = getelementptr inbounds double, ptr %414, i64 %420
+  store double %426, ptr %427, align 8
+  br label %428
 
 428:
-  br i1 %208, label %454, label %470
+  %429 = tail call fastcc i32 @factorise(ptr %414, i64 %2, ptr %23) #17
+  br i1 %32, label %430, label %470
 
-429:
-  %430 = phi i64 [ %447, %429 ], [ 0, %415 ]
-  %431 = phi i64 [ %448, %429 ], [ 0, %415 ]
-  %432 = getelementptr inbounds double, ptr %11, i64 %430
-  %433 = load double, ptr %432, align 8
-  %434 = getelementptr inbounds double, ptr %15, i64 %430
+430:
+  br i1 %208, label %456, label %472
+
+431:
+  %432 = phi i64 [ %449, %431 ], [ 0, %417 ]
+  %433 = phi i64 [ %450, %431 ], [ 0, %417 ]
+  %434 = getelementptr inbounds double, ptr %11, i64 %432
   %435 = load double, ptr %434, align 8
-  %436 = fmul double %255, %435
-  %437 = fadd double %433, %436
-  %438 = getelementptr inbounds double, ptr %412, i64 %430
-  store double %437, ptr %438, align 8
-  %439 = or i64 %430, 1
-  %440 = getelementptr inbounds double, ptr %11, i64 %439
-  %441 = load double, ptr %440, align 8
-  %442 = getelementptr inbounds double, ptr %15, i64 %439
+  %436 = getelementptr inbounds double, ptr %15, i64 %432
+  %437 = load double, ptr %436, align 8
+  %438 = fmul double %255, %437
+  %439 = fadd double %435, %438
+  %440 = getelementptr inbounds double, ptr %414, i64 %432
+  store double %439, ptr %440, align 8
+  %441 = or i64 %432, 1
+  %442 = getelementptr inbounds double, ptr %11, i64 %441
   %443 = load double, ptr %442, align 8
-  %444 = fmul double %255, %443
-  %445 = fadd double %441, %444
-  %446 = getelementptr inbounds double, ptr %412, i64 %439
-  store double %445, ptr %446, align 8
-  %447 = add nuw nsw i64 %430, 2
-  %448 = add i64 %431, 2
-  %449 = icmp eq i64 %448, %204
-  br i1 %449, label %416, label %429
+  %444 = getelementptr inbounds double, ptr %15, i64 %441
+  %445 = load double, ptr %444, align 8
+  %446 = fmul double %255, %445
+  %447 = fadd double %443, %446
+  %448 = getelementptr inbounds double, ptr %414, i64 %441
+  store double %447, ptr %448, align 8
+  %449 = add nuw nsw i64 %432, 2
+  %450 = add i64 %433, 2
+  %451 = icmp eq i64 %450, %204
+  br i1 %451, label %418, label %431
 
-450:
-  %451 = tail call fastcc i32 @factorise(ptr %412, i64 %2, ptr %23) #17
-  %452 = icmp eq i32 %451, 0
-  br i1 %452, label %626, label %496
+452:
+  %453 = tail call fastcc i32 @factorise(ptr %414, i64 %2, ptr %23) #17
+  %454 = icmp eq i32 %453, 0
+  br i1 %454, label %628, label %498
 
-453:
-  br i1 %210, label %466, label %454
-
-454:
-  %455 = phi i64 [ 0, %428 ], [ %492, %453 ]
-  tail call void @llvm.assume(i1 %211)
-  br label %456
+455:
+  br i1 %210, label %468, label %456
 
 456:
-  %457 = phi i64 [ %463, %456 ], [ %455, %454 ]
-  %458 = phi i64 [ %464, %456 ], [ 0, %454 ]
-  %459 = getelementptr inbounds double, ptr %17, i64 %457
-  %460 = load double, ptr %459, align 8
-  %461 = fneg double %460
-  %462 = getelementptr inbounds double, ptr %16, i64 %457
-  store double %461, ptr %462, align 8
-  %463 = add nuw nsw i64 %457, 1
-  %464 = add i64 %458, 1
-  %465 = icmp eq i64 %464, %207
-  br i1 %465, label %466, label %456
+  %457 = phi i64 [ 0, %430 ], [ %494, %455 ]
+  tail call void @llvm.assume(i1 %211)
+  br label %458
 
-466:
-  %467 = icmp eq i32 %427, 0
-  br i1 %467, label %626, label %495
+458:
+  %459 = phi i64 [ %465, %458 ], [ %457, %456 ]
+  %460 = phi i64 [ %466, %458 ], [ 0, %456 ]
+  %461 = getelementptr inbounds double, ptr %17, i64 %459
+  %462 = load double, ptr %461, align 8
+  %463 = fneg double %462
+  %464 = getelementptr inbounds double, ptr %16, i64 %459
+  store double %463, ptr %464, align 8
+  %465 = add nuw nsw i64 %459, 1
+  %466 = add i64 %460, 1
+  %467 = icmp eq i64 %466, %207
+  br i1 %467, label %468, label %458
 
 468:
-  %469 = icmp eq i32 %427, 0
-  br i1 %469, label %626, label %496
+  %469 = icmp eq i32 %429, 0
+  br i1 %469, label %628, label %497
 
 470:
-  %471 = phi i64 [ %492, %470 ], [ 0, %428 ]
-  %472 = phi i64 [ %493, %470 ], [ 0, %428 ]
-  %473 = getelementptr inbounds double, ptr %17, i64 %471
-  %474 = load double, ptr %473, align 8
-  %475 = fneg double %474
-  %476 = getelementptr inbounds double, ptr %16, i64 %471
-  store double %475, ptr %476, align 8
-  %477 = or i64 %471, 1
-  %478 = getelementptr inbounds double, ptr %17, i64 %477
-  %479 = load double, ptr %478, align 8
-  %480 = fneg double %479
-  %481 = getelementptr inbounds double, ptr %16, i64 %477
-  store double %480, ptr %481, align 8
-  %482 = or i64 %471, 2
-  %483 = getelementptr inbounds double, ptr %17, i64 %482
-  %484 = load double, ptr %483, align 8
-  %485 = fneg double %484
-  %486 = getelementptr inbounds double, ptr %16, i64 %482
-  store double %485, ptr %486, align 8
-  %487 = or i64 %471, 3
-  %488 = getelementptr inbounds double, ptr %17, i64 %487
-  %489 = load double, ptr %488, align 8
-  %490 = fneg double %489
-  %491 = getelementptr inbounds double, ptr %16, i64 %487
-  store double %490, ptr %491, align 8
-  %492 = add nuw nsw i64 %471, 4
-  %493 = add i64 %472, 4
-  %494 = icmp eq i64 %493, %209
-  br i1 %494, label %453, label %470
+  %471 = icmp eq i32 %429, 0
+  br i1 %471, label %628, label %498
 
-495:
-  tail call fastcc void @solve(ptr %412, i64 %2, ptr %23, ptr %16) #17
-  br i1 %213, label %499, label %512
+472:
+  %473 = phi i64 [ %494, %472 ], [ 0, %430 ]
+  %474 = phi i64 [ %495, %472 ], [ 0, %430 ]
+  %475 = getelementptr inbounds double, ptr %17, i64 %473
+  %476 = load double, ptr %475, align 8
+  %477 = fneg double %476
+  %478 = getelementptr inbounds double, ptr %16, i64 %473
+  store double %477, ptr %478, align 8
+  %479 = or i64 %473, 1
+  %480 = getelementptr inbounds double, ptr %17, i64 %479
+  %481 = load double, ptr %480, align 8
+  %482 = fneg double %481
+  %483 = getelementptr inbounds double, ptr %16, i64 %479
+  store double %482, ptr %483, align 8
+  %484 = or i64 %473, 2
+  %485 = getelementptr inbounds double, ptr %17, i64 %484
+  %486 = load double, ptr %485, align 8
+  %487 = fneg double %486
+  %488 = getelementptr inbounds double, ptr %16, i64 %484
+  store double %487, ptr %488, align 8
+  %489 = or i64 %473, 3
+  %490 = getelementptr inbounds double, ptr %17, i64 %489
+  %491 = load double, ptr %490, align 8
+  %492 = fneg double %491
+  %493 = getelementptr inbounds double, ptr %16, i64 %489
+  store double %492, ptr %493, align 8
+  %494 = add nuw nsw i64 %473, 4
+  %495 = add i64 %474, 4
+  %496 = icmp eq i64 %495, %209
+  br i1 %496, label %455, label %472
 
-496:
-  tail call fastcc void @solve(ptr %412, i64 %2, ptr %23, ptr %16) #17
-  %497 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br label %552
+497:
+  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %16) #17
+  br i1 %213, label %501, label %514
 
 498:
-  br i1 %215, label %510, label %499
+  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %16) #17
+  %499 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  br label %554
 
-499:
-  %500 = phi i64 [ 0, %495 ], [ %534, %498 ]
+500:
+  br i1 %215, label %512, label %501
+
+501:
+  %502 = phi i64 [ 0, %497 ], [ %536, %500 ]
   tail call void @llvm.assume(i1 %216)
-  %501 = getelementptr inbounds double, ptr %19, i64 %500
-  %502 = load double, ptr %501, align 8
-  %503 = getelementptr inbounds double, ptr %16, i64 %500
+  %503 = getelementptr inbounds double, ptr %19, i64 %502
   %504 = load double, ptr %503, align 8
-  %505 = fadd double %502, %504
-  %506 = getelementptr inbounds i32, ptr %1, i64 %500
-  %507 = load i32, ptr %506, align 4
-  %508 = zext i32 %507 to i64
-  %509 = getelementptr inbounds double, ptr %25, i64 %508
-  store double %505, ptr %509, align 8
-  br label %510
-
-510:
-  %511 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br i1 %218, label %538, label %555
+  %505 = getelementptr inbounds double, ptr %16, i64 %502
+  %506 = load double, ptr %505, align 8
+  %507 = fadd double %504, %506
+  %508 = getelementptr inbounds i32, ptr %1, i64 %502
+  %509 = load i32, ptr %508, align 4
+  %510 = zext i32 %509 to i64
+  %511 = getelementptr inbounds double, ptr %25, i64 %510
+  store double %507, ptr %511, align 8
+  br label %512
 
 512:
-  %513 = phi i64 [ %534, %512 ], [ 0, %495 ]
-  %514 = phi i64 [ %535, %512 ], [ 0, %495 ]
-  %515 = getelementptr inbounds double, ptr %19, i64 %513
-  %516 = load double, ptr %515, align 8
-  %517 = getelementptr inbounds double, ptr %16, i64 %513
+  %513 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  br i1 %218, label %540, label %557
+
+514:
+  %515 = phi i64 [ %536, %514 ], [ 0, %497 ]
+  %516 = phi i64 [ %537, %514 ], [ 0, %497 ]
+  %517 = getelementptr inbounds double, ptr %19, i64 %515
   %518 = load double, ptr %517, align 8
-  %519 = fadd double %516, %518
-  %520 = getelementptr inbounds i32, ptr %1, i64 %513
-  %521 = load i32, ptr %520, align 4
-  %522 = zext i32 %521 to i64
-  %523 = getelementptr inbounds double, ptr %25, i64 %522
-  store double %519, ptr %523, align 8
-  %524 = or i64 %513, 1
-  %525 = getelementptr inbounds double, ptr %19, i64 %524
-  %526 = load double, ptr %525, align 8
-  %527 = getelementptr inbounds double, ptr %16, i64 %524
+  %519 = getelementptr inbounds double, ptr %16, i64 %515
+  %520 = load double, ptr %519, align 8
+  %521 = fadd double %518, %520
+  %522 = getelementptr inbounds i32, ptr %1, i64 %515
+  %523 = load i32, ptr %522, align 4
+  %524 = zext i32 %523 to i64
+  %525 = getelementptr inbounds double, ptr %25, i64 %524
+  store double %521, ptr %525, align 8
+  %526 = or i64 %515, 1
+  %527 = getelementptr inbounds double, ptr %19, i64 %526
   %528 = load double, ptr %527, align 8
-  %529 = fadd double %526, %528
-  %530 = getelementptr inbounds i32, ptr %1, i64 %524
-  %531 = load i32, ptr %530, align 4
-  %532 = zext i32 %531 to i64
-  %533 = getelementptr inbounds double, ptr %25, i64 %532
-  store double %529, ptr %533, align 8
-  %534 = add nuw nsw i64 %513, 2
-  %535 = add i64 %514, 2
-  %536 = icmp eq i64 %535, %214
-  br i1 %536, label %498, label %512
+  %529 = getelementptr inbounds double, ptr %16, i64 %526
+  %530 = load double, ptr %529, align 8
+  %531 = fadd double %528, %530
+  %532 = getelementptr inbounds i32, ptr %1, i64 %526
+  %533 = load i32, ptr %532, align 4
+  %534 = zext i32 %533 to i64
+  %535 = getelementptr inbounds double, ptr %25, i64 %534
+  store double %531, ptr %535, align 8
+  %536 = add nuw nsw i64 %515, 2
+  %537 = add i64 %516, 2
+  %538 = icmp eq i64 %537, %214
+  br i1 %538, label %500, label %514
 
-537:
-  br i1 %220, label %552, label %538
-
-538:
-  %539 = phi i64 [ 0, %510 ], [ %585, %537 ]
-  tail call void @llvm.assume(i1 %221)
-  br label %540
+539:
+  br i1 %220, label %554, label %540
 
 540:
-  %541 = phi i64 [ %549, %540 ], [ %539, %538 ]
-  %542 = phi i64 [ %550, %540 ], [ 0, %538 ]
-  %543 = getelementptr inbounds i32, ptr %1, i64 %541
-  %544 = load i32, ptr %543, align 4
-  %545 = zext i32 %544 to i64
-  %546 = getelementptr inbounds double, ptr %27, i64 %545
-  %547 = load double, ptr %546, align 8
-  %548 = getelementptr inbounds double, ptr %20, i64 %541
-  store double %547, ptr %548, align 8
-  %549 = add nuw nsw i64 %541, 1
-  %550 = add i64 %542, 1
-  %551 = icmp eq i64 %550, %217
-  br i1 %551, label %552, label %540
+  %541 = phi i64 [ 0, %512 ], [ %587, %539 ]
+  tail call void @llvm.assume(i1 %221)
+  br label %542
 
-552:
-  %553 = phi i64 [ %497, %496 ], [ %511, %540 ], [ %511, %537 ]
-  %554 = icmp eq i64 %553, 1
-  br i1 %554, label %588, label %626
+542:
+  %543 = phi i64 [ %551, %542 ], [ %541, %540 ]
+  %544 = phi i64 [ %552, %542 ], [ 0, %540 ]
+  %545 = getelementptr inbounds i32, ptr %1, i64 %543
+  %546 = load i32, ptr %545, align 4
+  %547 = zext i32 %546 to i64
+  %548 = getelementptr inbounds double, ptr %27, i64 %547
+  %549 = load double, ptr %548, align 8
+  %550 = getelementptr inbounds double, ptr %20, i64 %543
+  store double %549, ptr %550, align 8
+  %551 = add nuw nsw i64 %543, 1
+  %552 = add i64 %544, 1
+  %553 = icmp eq i64 %552, %217
+  br i1 %553, label %554, label %542
 
-555:
-  %556 = phi i64 [ %585, %555 ], [ 0, %510 ]
-  %557 = phi i64 [ %586, %555 ], [ 0, %510 ]
-  %558 = getelementptr inbounds i32, ptr %1, i64 %556
-  %559 = load i32, ptr %558, align 4
-  %560 = zext i32 %559 to i64
-  %561 = getelementptr inbounds double, ptr %27, i64 %560
-  %562 = load double, ptr %561, align 8
-  %563 = getelementptr inbounds double, ptr %20, i64 %556
-  store double %562, ptr %563, align 8
-  %564 = or i64 %556, 1
-  %565 = getelementptr inbounds i32, ptr %1, i64 %564
-  %566 = load i32, ptr %565, align 4
-  %567 = zext i32 %566 to i64
-  %568 = getelementptr inbounds double, ptr %27, i64 %567
-  %569 = load double, ptr %568, align 8
-  %570 = getelementptr inbounds double, ptr %20, i64 %564
-  store double %569, ptr %570, align 8
-  %571 = or i64 %556, 2
-  %572 = getelementptr inbounds i32, ptr %1, i64 %571
-  %573 = load i32, ptr %572, align 4
-  %574 = zext i32 %573 to i64
-  %575 = getelementptr inbounds double, ptr %27, i64 %574
-  %576 = load double, ptr %575, align 8
-  %577 = getelementptr inbounds double, ptr %20, i64 %571
-  store double %576, ptr %577, align 8
-  %578 = or i64 %556, 3
-  %579 = getelementptr inbounds i32, ptr %1, i64 %578
-  %580 = load i32, ptr %579, align 4
-  %581 = zext i32 %580 to i64
-  %582 = getelementptr inbounds double, ptr %27, i64 %581
-  %583 = load double, ptr %582, align 8
-  %584 = getelementptr inbounds double, ptr %20, i64 %578
-  store double %583, ptr %584, align 8
-  %585 = add nuw nsw i64 %556, 4
-  %586 = add i64 %557, 4
-  %587 = icmp eq i64 %586, %219
-  br i1 %587, label %537, label %555
+554:
+  %555 = phi i64 [ %499, %498 ], [ %513, %542 ], [ %513, %539 ]
+  %556 = icmp eq i64 %555, 1
+  br i1 %556, label %590, label %628
 
-588:
-  %589 = tail call fastcc i32 @all_finite(ptr %20, i64 %2) #17
-  %590 = icmp eq i32 %589, 0
-  br i1 %590, label %626, label %591
+557:
+  %558 = phi i64 [ %587, %557 ], [ 0, %512 ]
+  %559 = phi i64 [ %588, %557 ], [ 0, %512 ]
+  %560 = getelementptr inbounds i32, ptr %1, i64 %558
+  %561 = load i32, ptr %560, align 4
+  %562 = zext i32 %561 to i64
+  %563 = getelementptr inbounds double, ptr %27, i64 %562
+  %564 = load double, ptr %563, align 8
+  %565 = getelementptr inbounds double, ptr %20, i64 %558
+  store double %564, ptr %565, align 8
+  %566 = or i64 %558, 1
+  %567 = getelementptr inbounds i32, ptr %1, i64 %566
+  %568 = load i32, ptr %567, align 4
+  %569 = zext i32 %568 to i64
+  %570 = getelementptr inbounds double, ptr %27, i64 %569
+  %571 = load double, ptr %570, align 8
+  %572 = getelementptr inbounds double, ptr %20, i64 %566
+  store double %571, ptr %572, align 8
+  %573 = or i64 %558, 2
+  %574 = getelementptr inbounds i32, ptr %1, i64 %573
+  %575 = load i32, ptr %574, align 4
+  %576 = zext i32 %575 to i64
+  %577 = getelementptr inbounds double, ptr %27, i64 %576
+  %578 = load double, ptr %577, align 8
+  %579 = getelementptr inbounds double, ptr %20, i64 %573
+  store double %578, ptr %579, align 8
+  %580 = or i64 %558, 3
+  %581 = getelementptr inbounds i32, ptr %1, i64 %580
+  %582 = load i32, ptr %581, align 4
+  %583 = zext i32 %582 to i64
+  %584 = getelementptr inbounds double, ptr %27, i64 %583
+  %585 = load double, ptr %584, align 8
+  %586 = getelementptr inbounds double, ptr %20, i64 %580
+  store double %585, ptr %586, align 8
+  %587 = add nuw nsw i64 %558, 4
+  %588 = add i64 %559, 4
+  %589 = icmp eq i64 %588, %219
+  br i1 %589, label %539, label %557
 
-591:
-  br i1 %32, label %601, label %594
+590:
+  %591 = tail call fastcc i32 @all_finite(ptr %20, i64 %2) #17
+  %592 = icmp eq i32 %591, 0
+  br i1 %592, label %628, label %593
 
-592:
-  %593 = fcmp ule double %610, 0.000000e+00
-  br label %594
+593:
+  br i1 %32, label %603, label %596
 
 594:
-  %595 = phi i1 [ true, %591 ], [ %593, %592 ]
-  %596 = phi double [ 0.000000e+00, %591 ], [ %613, %592 ]
-  tail call fastcc void @solve(ptr %412, i64 %2, ptr %23, ptr %20) #17
-  %597 = tail call fastcc double @length_of(ptr %20, ptr %18, i64 %2) #17
-  %598 = tail call fastcc double @length_of(ptr %16, ptr %18, i64 %2) #17
-  %599 = fdiv double %597, %598
-  %600 = fcmp olt double %599, 8.100000e-01
-  br i1 %600, label %622, label %616
+  %595 = fcmp ule double %612, 0.000000e+00
+  br label %596
 
-601:
-  %602 = phi i64 [ %614, %601 ], [ 0, %591 ]
-  %603 = phi double [ %613, %601 ], [ 0.000000e+00, %591 ]
-  %604 = phi double [ %610, %601 ], [ 0.000000e+00, %591 ]
-  %605 = getelementptr inbounds double, ptr %20, i64 %602
-  %606 = load double, ptr %605, align 8
-  %607 = getelementptr inbounds double, ptr %16, i64 %602
+596:
+  %597 = phi i1 [ true, %593 ], [ %595, %594 ]
+  %598 = phi double [ 0.000000e+00, %593 ], [ %615, %594 ]
+  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %20) #17
+  %599 = tail call fastcc double @length_of(ptr %20, ptr %18, i64 %2) #17
+  %600 = tail call fastcc double @length_of(ptr %16, ptr %18, i64 %2) #17
+  %601 = fdiv double %599, %600
+  %602 = fcmp olt double %601, 8.100000e-01
+  br i1 %602, label %624, label %618
+
+603:
+  %604 = phi i64 [ %616, %603 ], [ 0, %593 ]
+  %605 = phi double [ %615, %603 ], [ 0.000000e+00, %593 ]
+  %606 = phi double [ %612, %603 ], [ 0.000000e+00, %593 ]
+  %607 = getelementptr inbounds double, ptr %20, i64 %604
   %608 = load double, ptr %607, align 8
-  %609 = fmul double %606, %608
-  %610 = fadd double %604, %609
-  %611 = tail call fastcc double @size_of(double %606) #17
-  %612 = fcmp ogt double %611, %603
-  %613 = select i1 %612, double %611, double %603
-  %614 = add nuw nsw i64 %602, 1
-  %615 = icmp eq i64 %614, %2
-  br i1 %615, label %592, label %601
+  %609 = getelementptr inbounds double, ptr %16, i64 %604
+  %610 = load double, ptr %609, align 8
+  %611 = fmul double %608, %610
+  %612 = fadd double %606, %611
+  %613 = tail call fastcc double @size_of(double %608) #17
+  %614 = fcmp ogt double %613, %605
+  %615 = select i1 %614, double %613, double %605
+  %616 = add nuw nsw i64 %604, 1
+  %617 = icmp eq i64 %616, %2
+  br i1 %617, label %594, label %603
 
-616:
-  %617 = fcmp ole double %596, %95
-  %618 = select i1 %617, double 4.000000e+00, double 1.020000e+00
-  %619 = fcmp ole double %599, %618
-  %620 = select i1 %619, i1 %595, i1 false
-  %621 = zext i1 %620 to i32
-  br label %622
+618:
+  %619 = fcmp ole double %598, %95
+  %620 = select i1 %619, double 4.000000e+00, double 1.020000e+00
+  %621 = fcmp ole double %601, %620
+  %622 = select i1 %621, i1 %597, i1 false
+  %623 = zext i1 %622 to i32
+  br label %624
 
-622:
-  %623 = phi i32 [ 1, %594 ], [ %621, %616 ]
-  %624 = fcmp olt double %599, 2.500000e-01
-  %625 = select i1 %624, double 1.000000e-01, double 5.000000e-01
-  br label %626
+624:
+  %625 = phi i32 [ 1, %596 ], [ %623, %618 ]
+  %626 = fcmp olt double %601, 2.500000e-01
+  %627 = select i1 %626, double 1.000000e-01, double 5.000000e-01
+  br label %628
 
-626:
-  %627 = phi i32 [ 0, %450 ], [ %623, %622 ], [ 0, %588 ], [ 0, %552 ], [ 0, %468 ], [ 0, %466 ]
-  %628 = phi double [ 5.000000e-01, %450 ], [ %625, %622 ], [ 5.000000e-01, %588 ], [ 5.000000e-01, %552 ], [ 5.000000e-01, %468 ], [ 5.000000e-01, %466 ]
-  tail call fastcc void @release(ptr %0, ptr %412) #17
-  %629 = icmp ne i32 %627, 0
-  %630 = select i1 %629, double %628, double 8.000000e+00
-  %631 = fmul double %255, %630
-  %632 = fcmp olt double %631, 1.000000e-03
-  %633 = select i1 %629, i1 %632, i1 false
-  %634 = select i1 %633, double 1.000000e-03, double %631
-  %635 = or i1 %629, %183
-  br i1 %635, label %685, label %636
+628:
+  %629 = phi i32 [ 0, %452 ], [ %625, %624 ], [ 0, %590 ], [ 0, %554 ], [ 0, %470 ], [ 0, %468 ]
+  %630 = phi double [ 5.000000e-01, %452 ], [ %627, %624 ], [ 5.000000e-01, %590 ], [ 5.000000e-01, %554 ], [ 5.000000e-01, %470 ], [ 5.000000e-01, %468 ]
+  tail call fastcc void @release(ptr %0, ptr %414) #17
+  %631 = icmp ne i32 %629, 0
+  %632 = select i1 %631, double %630, double 8.000000e+00
+  %633 = fmul double %255, %632
+  %634 = fcmp olt double %633, 1.000000e-03
+  %635 = select i1 %631, i1 %634, i1 false
+  %636 = select i1 %635, double 1.000000e-03, double %633
+  %637 = or i1 %631, %183
+  br i1 %637, label %687, label %638
 
-636:
-  br i1 %223, label %671, label %637
+638:
+  br i1 %223, label %673, label %639
 
-637:
-  %638 = phi i64 [ %667, %637 ], [ 0, %636 ]
-  %639 = phi i64 [ %668, %637 ], [ 0, %636 ]
-  %640 = getelementptr inbounds double, ptr %19, i64 %638
-  %641 = load double, ptr %640, align 8
-  %642 = getelementptr inbounds i32, ptr %1, i64 %638
-  %643 = load i32, ptr %642, align 4
-  %644 = zext i32 %643 to i64
-  %645 = getelementptr inbounds double, ptr %25, i64 %644
-  store double %641, ptr %645, align 8
-  %646 = or i64 %638, 1
-  %647 = getelementptr inbounds double, ptr %19, i64 %646
-  %648 = load double, ptr %647, align 8
-  %649 = getelementptr inbounds i32, ptr %1, i64 %646
-  %650 = load i32, ptr %649, align 4
-  %651 = zext i32 %650 to i64
-  %652 = getelementptr inbounds double, ptr %25, i64 %651
-  store double %648, ptr %652, align 8
-  %653 = or i64 %638, 2
-  %654 = getelementptr inbounds double, ptr %19, i64 %653
-  %655 = load double, ptr %654, align 8
-  %656 = getelementptr inbounds i32, ptr %1, i64 %653
-  %657 = load i32, ptr %656, align 4
-  %658 = zext i32 %657 to i64
-  %659 = getelementptr inbounds double, ptr %25, i64 %658
-  store double %655, ptr %659, align 8
-  %660 = or i64 %638, 3
-  %661 = getelementptr inbounds double, ptr %19, i64 %660
-  %662 = load double, ptr %661, align 8
-  %663 = getelementptr inbounds i32, ptr %1, i64 %660
-  %664 = load i32, ptr %663, align 4
-  %665 = zext i32 %664 to i64
-  %666 = getelementptr inbounds double, ptr %25, i64 %665
-  store double %662, ptr %666, align 8
-  %667 = add nuw nsw i64 %638, 4
-  %668 = add i64 %639, 4
-  %669 = icmp eq i64 %668, %224
-  br i1 %669, label %670, label %637
+639:
+  %640 = phi i64 [ %669, %639 ], [ 0, %638 ]
+  %641 = phi i64 [ %670, %639 ], [ 0, %638 ]
+  %642 = getelementptr inbounds double, ptr %19, i64 %640
+  %643 = load double, ptr %642, align 8
+  %644 = getelementptr inbounds i32, ptr %1, i64 %640
+  %645 = load i32, ptr %644, align 4
+  %646 = zext i32 %645 to i64
+  %647 = getelementptr inbounds double, ptr %25, i64 %646
+  store double %643, ptr %647, align 8
+  %648 = or i64 %640, 1
+  %649 = getelementptr inbounds double, ptr %19, i64 %648
+  %650 = load double, ptr %649, align 8
+  %651 = getelementptr inbounds i32, ptr %1, i64 %648
+  %652 = load i32, ptr %651, align 4
+  %653 = zext i32 %652 to i64
+  %654 = getelementptr inbounds double, ptr %25, i64 %653
+  store double %650, ptr %654, align 8
+  %655 = or i64 %640, 2
+  %656 = getelementptr inbounds double, ptr %19, i64 %655
+  %657 = load double, ptr %656, align 8
+  %658 = getelementptr inbounds i32, ptr %1, i64 %655
+  %659 = load i32, ptr %658, align 4
+  %660 = zext i32 %659 to i64
+  %661 = getelementptr inbounds double, ptr %25, i64 %660
+  store double %657, ptr %661, align 8
+  %662 = or i64 %640, 3
+  %663 = getelementptr inbounds double, ptr %19, i64 %662
+  %664 = load double, ptr %663, align 8
+  %665 = getelementptr inbounds i32, ptr %1, i64 %662
+  %666 = load i32, ptr %665, align 4
+  %667 = zext i32 %666 to i64
+  %668 = getelementptr inbounds double, ptr %25, i64 %667
+  store double %664, ptr %668, align 8
+  %669 = add nuw nsw i64 %640, 4
+  %670 = add i64 %641, 4
+  %671 = icmp eq i64 %670, %224
+  br i1 %671, label %672, label %639
 
-670:
-  br i1 %225, label %685, label %671
-
-671:
-  %672 = phi i64 [ 0, %636 ], [ %667, %670 ]
-  tail call void @llvm.assume(i1 %226)
-  br label %673
+672:
+  br i1 %225, label %687, label %673
 
 673:
-  %674 = phi i64 [ %682, %673 ], [ %672, %671 ]
-  %675 = phi i64 [ %683, %673 ], [ 0, %671 ]
-  %676 = getelementptr inbounds double, ptr %19, i64 %674
-  %677 = load double, ptr %676, align 8
-  %678 = getelementptr inbounds i32, ptr %1, i64 %674
-  %679 = load i32, ptr %678, align 4
-  %680 = zext i32 %679 to i64
-  %681 = getelementptr inbounds double, ptr %25, i64 %680
-  store double %677, ptr %681, align 8
-  %682 = add nuw nsw i64 %674, 1
-  %683 = add i64 %675, 1
-  %684 = icmp eq i64 %683, %222
-  br i1 %684, label %685, label %673
+  %674 = phi i64 [ 0, %638 ], [ %669, %672 ]
+  tail call void @llvm.assume(i1 %226)
+  br label %675
 
-685:
-  %686 = add nuw nsw i64 %253, 1
-  %687 = icmp ult i64 %253, 199
-  %688 = fcmp olt double %634, 1.000000e+20
-  %689 = select i1 %687, i1 %688, i1 false
-  br i1 %689, label %252, label %690
+675:
+  %676 = phi i64 [ %684, %675 ], [ %674, %673 ]
+  %677 = phi i64 [ %685, %675 ], [ 0, %673 ]
+  %678 = getelementptr inbounds double, ptr %19, i64 %676
+  %679 = load double, ptr %678, align 8
+  %680 = getelementptr inbounds i32, ptr %1, i64 %676
+  %681 = load i32, ptr %680, align 4
+  %682 = zext i32 %681 to i64
+  %683 = getelementptr inbounds double, ptr %25, i64 %682
+  store double %679, ptr %683, align 8
+  %684 = add nuw nsw i64 %676, 1
+  %685 = add i64 %677, 1
+  %686 = icmp eq i64 %685, %222
+  br i1 %686, label %687, label %675
 
-690:
-  br i1 %28, label %691, label %731
+687:
+  %688 = add nuw nsw i64 %253, 1
+  %689 = icmp ult i64 %253, 199
+  %690 = fcmp olt double %636, 1.000000e+20
+  %691 = select i1 %689, i1 %690, i1 false
+  br i1 %691, label %252, label %701
 
-691:
-  %692 = and i64 %4, 3
-  %693 = icmp ult i64 %4, 4
-  br i1 %693, label %719, label %694
+692:
+  %693 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %694 = icmp eq i64 %693, 0
+  br i1 %694, label %743, label %695
 
-694:
-  %695 = and i64 %4, 9223372036854775804
-  br label %696
+695:
+  %696 = tail call fastcc i32 @in_gap(ptr %0) #17
+  %697 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  %698 = icmp eq i32 %696, 0
+  %699 = or i1 %698, %28
+  %700 = xor i32 %696, 1
+  br i1 %699, label %743, label %702
 
-696:
-  %697 = phi i64 [ 0, %694 ], [ %714, %696 ]
-  %698 = phi i64 [ 0, %694 ], [ %715, %696 ]
-  %699 = getelementptr inbounds double, ptr %21, i64 %697
-  %700 = load double, ptr %699, align 8
-  %701 = getelementptr inbounds double, ptr %25, i64 %697
-  store double %700, ptr %701, align 8
-  %702 = or i64 %697, 1
-  %703 = getelementptr inbounds double, ptr %21, i64 %702
-  %704 = load double, ptr %703, align 8
-  %705 = getelementptr inbounds double, ptr %25, i64 %702
-  store double %704, ptr %705, align 8
-  %706 = or i64 %697, 2
-  %707 = getelementptr inbounds double, ptr %21, i64 %706
-  %708 = load double, ptr %707, align 8
-  %709 = getelementptr inbounds double, ptr %25, i64 %706
-  store double %708, ptr %709, align 8
-  %710 = or i64 %697, 3
-  %711 = getelementptr inbounds double, ptr %21, i64 %710
+701:
+  br i1 %28, label %743, label %702
+
+702:
+  %703 = add i64 %4, -1
+  %704 = and i64 %4, 3
+  %705 = icmp ult i64 %703, 3
+  br i1 %705, label %731, label %706
+
+706:
+  %707 = and i64 %4, -4
+  br label %708
+
+708:
+  %709 = phi i64 [ 0, %706 ], [ %726, %708 ]
+  %710 = phi i64 [ 0, %706 ], [ %727, %708 ]
+  %711 = getelementptr inbounds double, ptr %21, i64 %709
   %712 = load double, ptr %711, align 8
-  %713 = getelementptr inbounds double, ptr %25, i64 %710
+  %713 = getelementptr inbounds double, ptr %25, i64 %709
   store double %712, ptr %713, align 8
-  %714 = add nuw nsw i64 %697, 4
-  %715 = add i64 %698, 4
-  %716 = icmp eq i64 %715, %695
-  br i1 %716, label %717, label %696
+  %714 = or i64 %709, 1
+  %715 = getelementptr inbounds double, ptr %21, i64 %714
+  %716 = load double, ptr %715, align 8
+  %717 = getelementptr inbounds double, ptr %25, i64 %714
+  store double %716, ptr %717, align 8
+  %718 = or i64 %709, 2
+  %719 = getelementptr inbounds double, ptr %21, i64 %718
+  %720 = load double, ptr %719, align 8
+  %721 = getelementptr inbounds double, ptr %25, i64 %718
+  store double %720, ptr %721, align 8
+  %722 = or i64 %709, 3
+  %723 = getelementptr inbounds double, ptr %21, i64 %722
+  %724 = load double, ptr %723, align 8
+  %725 = getelementptr inbounds double, ptr %25, i64 %722
+  store double %724, ptr %725, align 8
+  %726 = add nuw nsw i64 %709, 4
+  %727 = add i64 %710, 4
+  %728 = icmp eq i64 %727, %707
+  br i1 %728, label %729, label %708
 
-717:
-  %718 = icmp eq i64 %692, 0
-  br i1 %718, label %731, label %719
-
-719:
-  %720 = phi i64 [ 0, %691 ], [ %714, %717 ]
-  %721 = icmp ne i64 %692, 0
-  tail call void @llvm.assume(i1 %721)
-  br label %722
-
-722:
-  %723 = phi i64 [ %728, %722 ], [ %720, %719 ]
-  %724 = phi i64 [ %729, %722 ], [ 0, %719 ]
-  %725 = getelementptr inbounds double, ptr %21, i64 %723
-  %726 = load double, ptr %725, align 8
-  %727 = getelementptr inbounds double, ptr %25, i64 %723
-  store double %726, ptr %727, align 8
-  %728 = add nuw nsw i64 %723, 1
-  %729 = add i64 %724, 1
-  %730 = icmp eq i64 %729, %692
-  br i1 %730, label %731, label %722
+729:
+  %730 = icmp eq i64 %704, 0
+  br i1 %730, label %743, label %731
 
 731:
-  %732 = phi i32 [ 0, %690 ], [ 0, %717 ], [ 0, %722 ], [ 1, %266 ], [ 1, %260 ]
-  tail call fastcc void @release(ptr %0, ptr %11) #17
-  br label %733
+  %732 = phi i64 [ 0, %702 ], [ %726, %729 ]
+  %733 = icmp ne i64 %704, 0
+  tail call void @llvm.assume(i1 %733)
+  br label %734
 
-733:
-  %734 = phi i32 [ %732, %731 ], [ 0, %3 ]
-  ret i32 %734
+734:
+  %735 = phi i64 [ %740, %734 ], [ %732, %731 ]
+  %736 = phi i64 [ %741, %734 ], [ 0, %731 ]
+  %737 = getelementptr inbounds double, ptr %21, i64 %735
+  %738 = load double, ptr %737, align 8
+  %739 = getelementptr inbounds double, ptr %25, i64 %735
+  store double %738, ptr %739, align 8
+  %740 = add nuw nsw i64 %735, 1
+  %741 = add i64 %736, 1
+  %742 = icmp eq i64 %741, %704
+  br i1 %742, label %743, label %734
+
+743:
+  %744 = phi i32 [ %700, %695 ], [ 1, %692 ], [ 0, %701 ], [ 0, %734 ], [ 0, %729 ]
+  tail call fastcc void @release(ptr %0, ptr %11) #17
+  br label %745
+
+745:
+  %746 = phi i32 [ %744, %743 ], [ 0, %3 ]
+  ret i32 %746
 }
 
 define internal fastcc i64 @address(ptr %0) unnamed_addr #0 {
@@ -4058,14 +4311,14 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 21:
   %22 = load ptr, ptr %16, align 8
-  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #17
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
 
 26:
   %27 = phi i64 [ %13, %12 ], [ %19, %15 ], [ 4, %21 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.41, i64 %27, ptr @.str.42) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.42, i64 %27, ptr @.str.43) #17
   br label %29
 
 28:
@@ -4082,6 +4335,28 @@ define internal fastcc ptr @reals(ptr %0, i64 %1) unnamed_addr #4 {
   %4 = load ptr, ptr %3, align 8
   %5 = getelementptr inbounds i8, ptr %4, i64 %1
   ret ptr %5
+}
+
+define internal fastcc i64 @residual(ptr %0, i32 %1, double %2, double %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 128
+  %6 = load ptr, ptr %5, align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
+  %8 = getelementptr inbounds i8, ptr %6, i64 %7
+  %9 = tail call fastcc double @now(ptr %0) #17
+  store double %9, ptr %8, align 8
+  %10 = zext i32 %1 to i64
+  %11 = getelementptr inbounds i8, ptr %8, i64 32
+  store i64 %10, ptr %11, align 8
+  %12 = getelementptr inbounds i8, ptr %8, i64 24
+  store double %2, ptr %12, align 8
+  %13 = getelementptr inbounds i8, ptr %8, i64 16
+  store double 0.000000e+00, ptr %13, align 8
+  %14 = getelementptr inbounds i8, ptr %8, i64 8
+  store double %3, ptr %14, align 8
+  %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
+  %16 = tail call fastcc i64 @address(ptr %8) #17
+  %17 = tail call i64 %15(i64 %16, i64 1, i64 0) #19
+  ret i64 %17
 }
 
 define internal fastcc void @put(ptr %0, i64 %1) unnamed_addr #9 {
@@ -4217,28 +4492,6 @@ define internal fastcc double @change_by(ptr %0, i64 %1, ptr %2) unnamed_addr #1
   br i1 %29, label %21, label %19
 }
 
-define internal fastcc i64 @residual(ptr %0, i32 %1, double %2, double %3) unnamed_addr #1 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 128
-  %6 = load ptr, ptr %5, align 8
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %8 = getelementptr inbounds i8, ptr %6, i64 %7
-  %9 = tail call fastcc double @now(ptr %0) #17
-  store double %9, ptr %8, align 8
-  %10 = zext i32 %1 to i64
-  %11 = getelementptr inbounds i8, ptr %8, i64 32
-  store i64 %10, ptr %11, align 8
-  %12 = getelementptr inbounds i8, ptr %8, i64 24
-  store double %2, ptr %12, align 8
-  %13 = getelementptr inbounds i8, ptr %8, i64 16
-  store double 0.000000e+00, ptr %13, align 8
-  %14 = getelementptr inbounds i8, ptr %8, i64 8
-  store double %3, ptr %14, align 8
-  %15 = load ptr, ptr getelementptr inbounds (i8, ptr @pp_entries, i64 8), align 8
-  %16 = tail call fastcc i64 @address(ptr %8) #17
-  %17 = tail call i64 %15(i64 %16, i64 1, i64 0) #19
-  ret i64 %17
-}
-
 define internal fastcc double @size_of(double %0) unnamed_addr #0 {
   %2 = fcmp olt double %0, 0.000000e+00
   %3 = fneg double %0
@@ -4247,7 +4500,7 @@ define internal fastcc double @size_of(double %0) unnamed_addr #0 {
 }
 
 define internal fastcc void @gather(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #11 {
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 160), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
   %7 = icmp eq i64 %2, 0
   br i1 %7, label %27, label %8
@@ -4837,6 +5090,46 @@ define internal fastcc double @length_of(ptr %0, ptr %1, i64 %2) unnamed_addr #6
   br i1 %69, label %10, label %32
 }
 
+define internal fastcc i32 @in_gap(ptr %0) unnamed_addr #1 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 112
+  %3 = load ptr, ptr %2, align 8
+  %4 = tail call fastcc i64 @address(ptr %3) #17
+  %5 = tail call fastcc i64 @request(ptr %0, i64 2, i64 %4) #17
+  %6 = icmp eq i64 %5, 1
+  br i1 %6, label %7, label %26
+
+7:
+  %8 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %9 = icmp sgt i64 %8, 0
+  br i1 %9, label %10, label %26
+
+10:
+  %11 = load ptr, ptr %2, align 8
+  br label %15
+
+12:
+  %13 = add nuw nsw i64 %16, 1
+  %14 = icmp eq i64 %13, %8
+  br i1 %14, label %26, label %15
+
+15:
+  %16 = phi i64 [ 0, %10 ], [ %13, %12 ]
+  %17 = getelementptr inbounds i32, ptr @pp_gaps, i64 %16
+  %18 = load i32, ptr %17, align 4
+  %19 = zext i32 %18 to i64
+  %20 = getelementptr inbounds double, ptr %11, i64 %19
+  %21 = load double, ptr %20, align 8
+  %22 = tail call fastcc double @size_of(double %21) #17
+  %23 = getelementptr inbounds double, ptr @pp_depths, i64 %16
+  %24 = load double, ptr %23, align 8
+  %25 = fcmp ogt double %22, %24
+  br i1 %25, label %26, label %12
+
+26:
+  %27 = phi i32 [ 1, %1 ], [ 0, %7 ], [ 0, %12 ], [ 1, %15 ]
+  ret i32 %27
+}
+
 define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = getelementptr inbounds i8, ptr %0, i64 88
   %5 = load i64, ptr %4, align 8
@@ -4850,7 +5143,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 128
   %10 = load ptr, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %12 = getelementptr inbounds i8, ptr %10, i64 %11
   %13 = tail call fastcc double @now(ptr %0) #17
   store double %13, ptr %12, align 8
@@ -4859,7 +5152,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %12, i64 16
   store <2 x double> zeroinitializer, ptr %15, align 8
   %16 = icmp eq i64 %1, 4
-  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
+  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 360), align 8
   %18 = select i1 %16, double %17, double 0.000000e+00
   %19 = getelementptr inbounds i8, ptr %12, i64 8
   store double %18, ptr %19, align 8
@@ -4867,61 +5160,6 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %21 = tail call fastcc i64 @address(ptr %12) #17
   %22 = tail call i64 %20(i64 %21, i64 %1, i64 %2) #19
   ret i64 %22
-}
-
-define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
-  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
-  %4 = icmp eq i64 %3, 0
-  br i1 %4, label %6, label %5
-
-5:
-  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #17
-  br label %11
-
-6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
-  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 288), align 8
-  %10 = getelementptr inbounds double, ptr %8, i64 %9
-  store double 0x7FF8000000000000, ptr %10, align 8
-  br label %11
-
-11:
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #17
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
-  %15 = getelementptr inbounds i64, ptr %13, i64 %14
-  store i64 0, ptr %15, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 1, ptr %16, align 8
-  ret i64 %2
-}
-
-define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 80
-  store i64 1, ptr %5, align 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 136
-  store i8 0, ptr %6, align 8
-  tail call fastcc void @append(ptr %0, ptr %1) #17
-  %7 = icmp sgt i64 %2, -1
-  %8 = load i64, ptr @pp_n_sentences, align 8
-  %9 = icmp slt i64 %2, %8
-  %10 = select i1 %7, i1 %9, i1 false
-  br i1 %10, label %11, label %14
-
-11:
-  tail call fastcc void @append(ptr %0, ptr @.str.43) #17
-  %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
-  %13 = load ptr, ptr %12, align 8
-  tail call fastcc void @append(ptr %0, ptr %13) #17
-  br label %14
-
-14:
-  tail call fastcc void @append(ptr %0, ptr @.str.44) #17
-  tail call fastcc void @append(ptr %0, ptr %3) #17
-  tail call fastcc void @fail(ptr %0, ptr %6) #17
-  ret void
 }
 
 define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
@@ -4969,23 +5207,78 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #9 {
   br i1 %29, label %10, label %9
 }
 
-define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #17
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
-  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %4 = icmp eq i64 %3, 0
+  br i1 %4, label %6, label %5
+
+5:
+  tail call fastcc void @rescale(ptr %0, double 0.000000e+00) #17
+  br label %11
+
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %10 = getelementptr inbounds double, ptr %8, i64 %9
+  store double 0x7FF8000000000000, ptr %10, align 8
+  br label %11
+
+11:
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #17
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %15 = getelementptr inbounds i64, ptr %13, i64 %14
+  store i64 0, ptr %15, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 1, ptr %16, align 8
+  ret i64 %2
+}
+
+define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 1, ptr %5, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 136
+  store i8 0, ptr %6, align 8
+  tail call fastcc void @append(ptr %0, ptr %1) #17
+  %7 = icmp sgt i64 %2, -1
+  %8 = load i64, ptr @pp_n_sentences, align 8
+  %9 = icmp slt i64 %2, %8
+  %10 = select i1 %7, i1 %9, i1 false
+  br i1 %10, label %11, label %14
+
+11:
+  tail call fastcc void @append(ptr %0, ptr @.str.44) #17
+  %12 = getelementptr inbounds ptr, ptr @pp_sentences, i64 %2
+  %13 = load ptr, ptr %12, align 8
+  tail call fastcc void @append(ptr %0, ptr %13) #17
+  br label %14
+
+14:
+  tail call fastcc void @append(ptr %0, ptr @.str.45) #17
+  tail call fastcc void @append(ptr %0, ptr %3) #17
+  tail call fastcc void @fail(ptr %0, ptr %6) #17
+  ret void
+}
+
+define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #17
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
 
 15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %52
 
@@ -5038,9 +5331,9 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #9 {
   br label %52
 
 52:
-  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
   %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #17
-  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
   ret void
@@ -5238,10 +5531,10 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #12 {
 }
 
 define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %4 = icmp slt i64 %1, %3
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
-  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %7 = select i1 %4, i64 %5, i64 %6
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
   %9 = select i1 %4, i64 0, i64 %3
@@ -5260,10 +5553,10 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 8:
   %9 = getelementptr inbounds i8, ptr %5, i64 8
   %10 = load i64, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %12 = icmp slt i64 %10, %11
   %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
-  br label %24
+  br label %32
 
 14:
   %15 = getelementptr inbounds i8, ptr %0, i64 104
@@ -5275,21 +5568,70 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
   %21 = select i1 %19, double %20, double %18
   %22 = fadd double %21, 1.000000e+00
   %23 = fmul double %22, 0x3EB0C6F7A0B5ED8D
-  br label %24
+  %24 = getelementptr inbounds i8, ptr %5, i64 40
+  %25 = load double, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %5, i64 32
+  %27 = load double, ptr %26, align 8
+  %28 = fsub double %25, %27
+  %29 = fmul double %28, 2.500000e-01
+  %30 = fcmp olt double %29, %23
+  %31 = select i1 %30, double %29, double %23
+  br label %32
 
-24:
-  %25 = phi double [ %13, %8 ], [ %23, %14 ]
-  %26 = fcmp olt double %2, 0.000000e+00
-  %27 = fneg double %2
-  %28 = select i1 %26, double %27, double %2
-  %29 = fdiv double %25, %28
-  ret double %29
+32:
+  %33 = phi double [ %13, %8 ], [ %31, %14 ]
+  %34 = fcmp olt double %2, 0.000000e+00
+  %35 = fneg double %2
+  %36 = select i1 %34, double %35, double %2
+  %37 = fdiv double %33, %36
+  ret double %37
+}
+
+define internal fastcc double @room_of(ptr %0, i32 %1, double %2) unnamed_addr #13 {
+  %4 = zext i32 %1 to i64
+  %5 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %4
+  %6 = load i64, ptr %5, align 8
+  %7 = icmp eq i64 %6, 3
+  %8 = fcmp oeq double %2, 0.000000e+00
+  %9 = or i1 %8, %7
+  br i1 %9, label %31, label %10
+
+10:
+  %11 = fcmp ogt double %2, 0.000000e+00
+  br i1 %11, label %12, label %21
+
+12:
+  %13 = getelementptr inbounds i8, ptr %5, i64 40
+  %14 = load double, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 104
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %16, i64 %4
+  %18 = load double, ptr %17, align 8
+  %19 = fsub double %14, %18
+  %20 = fdiv double %19, %2
+  br label %31
+
+21:
+  %22 = getelementptr inbounds i8, ptr %0, i64 104
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr inbounds double, ptr %23, i64 %4
+  %25 = load double, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %5, i64 32
+  %27 = load double, ptr %26, align 8
+  %28 = fsub double %25, %27
+  %29 = fneg double %2
+  %30 = fdiv double %28, %29
+  br label %31
+
+31:
+  %32 = phi double [ 1.000000e+300, %3 ], [ %20, %12 ], [ %30, %21 ]
+  ret double %32
 }
 
 define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnamed_addr #1 {
   %6 = alloca double, align 8
   %7 = icmp eq i64 %2, 0
-  br i1 %7, label %38, label %8
+  br i1 %7, label %49, label %8
 
 8:
   %9 = getelementptr inbounds i8, ptr %0, i64 104
@@ -5297,7 +5639,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   br label %11
 
 11:
-  %12 = phi i64 [ 0, %8 ], [ %36, %35 ]
+  %12 = phi i64 [ 0, %8 ], [ %47, %46 ]
   %13 = getelementptr inbounds i32, ptr %1, i64 %12
   %14 = load i32, ptr %13, align 4
   %15 = zext i32 %14 to i64
@@ -5317,7 +5659,7 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   %27 = fadd double %19, %26
   store double %27, ptr %25, align 8
   store i64 2, ptr %10, align 8
-  br label %35
+  br label %46
 
 28:
   %29 = load ptr, ptr %9, align 8
@@ -5325,23 +5667,44 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   %31 = load double, ptr %30, align 8
   %32 = fadd double %19, %31
   store double %32, ptr %6, align 8
-  %33 = call fastcc i32 @set_numbers(ptr %0, ptr %13, i64 1, ptr %6) #17
-  %34 = icmp eq i32 %33, 0
-  br i1 %34, label %35, label %38
+  %33 = getelementptr inbounds i8, ptr %16, i64 40
+  %34 = load double, ptr %33, align 8
+  %35 = fcmp ogt double %32, %34
+  br i1 %35, label %36, label %37
 
-35:
-  %36 = add nuw i64 %12, 1
-  %37 = icmp eq i64 %36, %2
-  br i1 %37, label %38, label %11
+36:
+  store double %34, ptr %6, align 8
+  br label %37
 
-38:
-  %39 = phi i32 [ 0, %5 ], [ 0, %35 ], [ 3, %28 ]
-  ret i32 %39
+37:
+  %38 = phi double [ %34, %36 ], [ %32, %28 ]
+  %39 = getelementptr inbounds i8, ptr %16, i64 32
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp olt double %38, %40
+  br i1 %41, label %42, label %43
+
+42:
+  store double %40, ptr %6, align 8
+  br label %43
+
+43:
+  %44 = call fastcc i32 @set_numbers(ptr %0, ptr %13, i64 1, ptr %6) #17
+  %45 = icmp eq i32 %44, 0
+  br i1 %45, label %46, label %49
+
+46:
+  %47 = add nuw i64 %12, 1
+  %48 = icmp eq i64 %47, %2
+  br i1 %48, label %49, label %11
+
+49:
+  %50 = phi i32 [ 0, %5 ], [ 0, %46 ], [ 3, %43 ]
+  ret i32 %50
 }
 
 define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #9 {
   %3 = tail call fastcc double @now(ptr %0) #17
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %5 = icmp eq i64 %4, 0
   br i1 %5, label %10, label %6
 
@@ -5353,9 +5716,9 @@ define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #9 {
   br label %15
 
 10:
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
   %14 = getelementptr inbounds double, ptr %12, i64 %13
   store double 0.000000e+00, ptr %14, align 8
   br label %15
@@ -5478,7 +5841,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
   %12 = getelementptr inbounds i8, ptr %5, i64 32
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %14 = add nsw i64 %13, 1
   store i64 %14, ptr %12, align 8
   %15 = getelementptr inbounds i8, ptr %5, i64 40
@@ -5492,29 +5855,29 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   store i64 0, ptr %19, align 8
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
-  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %23 = call fastcc ptr @reals(ptr %0, i64 %22) #17
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %27 = call fastcc ptr @reals(ptr %0, i64 %26) #17
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %31 = call fastcc ptr @integers(ptr %0, i64 %30) #17
   store i64 %29, ptr %31, align 8
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
   %33 = call fastcc ptr @integers(ptr %0, i64 %32) #17
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
   %35 = getelementptr inbounds i8, ptr %0, i64 128
   %36 = load ptr, ptr %35, align 8
-  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
   %39 = call fastcc i64 @address(ptr %38) #17
-  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
   %42 = call fastcc i64 @address(ptr %41) #17
   %43 = call fastcc i64 @address(ptr %5) #17
@@ -5621,7 +5984,7 @@ define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.71) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.72) #17
   br label %6
 
 6:
@@ -5641,16 +6004,16 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
   br i1 %7, label %8, label %14
 
 8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
   %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #17
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.72, i64 %15, ptr @.str.73) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.73, i64 %15, ptr @.str.74) #17
   br label %20
 
 16:

@@ -28,7 +28,7 @@ typedef struct { i64 kind, first, count; double start, least, most; } Variable;
 typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
-  i64 n_entries, n_free, n_free_balancing, n_balancing, n_instants, n_spins;
+  i64 n_entries, n_free, n_free_balancing, n_balancing, n_instants, n_spins, n_gaps;
   i64 ctl, q, v, a, lam, fr, R, A, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
   i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
   double t0, h, rate;
@@ -46,9 +46,11 @@ extern const u32 pp_indicators[];       /* event functions that are event indica
 extern const char *const pp_sentences[];/* by status of the compiled code */
 extern const i64 pp_n_sentences;
 /* equilibrium: rows, columns and places of the matrix; free coordinates, also while the balancing bodies are held;
-   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time */
-extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[];
-extern const double pp_instants[];
+   spin and input of each balancing torque; times and weights of a mean; spins that advance with the time;
+   size of each coordinate whose rounding error it has at least; channels of the deflections of meshes with a broken
+   tooth, and their largest values in an equilibrium */
+extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[], pp_gaps[];
+extern const double pp_instants[], pp_extents[], pp_depths[];
 extern int pp_processor(void);          /* 1: the processor has the instructions of the code */
 
 /* Head of multibody.channels.CTL, solvers.sampling.RECORDER, codes of system.requests and core.status. */

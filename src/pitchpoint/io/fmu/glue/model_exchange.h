@@ -65,12 +65,20 @@ static Status get_nominals(Instance *f, double *x, size_t n) {
 }
 /* ------------------------------------------------------------------------------- directional derivatives */
 
-/* largest change of a variable for central differences: small against elastic deflections, large against round-off */
+/* largest change of a variable for central differences: small against elastic deflections and its range, large
+   against round-off */
 static double change_of(Instance *f, VR vr, double seed) {
   const Variable *v = pp_variables + vr;
   double value = v->kind == STATE ? 0.0 : f->values[vr], size = seed < 0 ? -seed : seed;
   if (v->kind == STATE) return (v->first < pp_numbers.nd ? 1e-8 : 1e-4) / size;
-  return 1e-6 * (1.0 + (value < 0 ? -value : value)) / size;
+  double change = 1e-6 * (1.0 + (value < 0 ? -value : value)), part = 0.25 * (v->most - v->least);
+  return (part < change ? part : change) / size;
+}
+/* largest share of a seed that keeps a variable in its range */
+static double room_of(Instance *f, VR vr, double seed) {
+  const Variable *v = pp_variables + vr;
+  if (v->kind == STATE || seed == 0.0) return 1e300;
+  return seed > 0 ? (v->most - f->values[vr]) / seed : (f->values[vr] - v->least) / -seed;
 }
 static Status add(Instance *f, const VR *by, size_t n, const double *seed, double share) {
   for (size_t k = 0; k < n; k++) {
@@ -80,13 +88,16 @@ static Status add(Instance *f, const VR *by, size_t n, const double *seed, doubl
       *state_at(f, v->first) += change;
       f->c.stale = JUMPED;
     } else {
-      double value = f->values[by[k]] + change;
+      double value = f->values[by[k]] + change; /* round-off at a limit: */
+      if (value > v->most) value = v->most;
+      if (value < v->least) value = v->least;
       if (set_numbers(f, by + k, 1, &value) != fOK) return fError;
     }
   }
   return fOK;
 }
-/* change of the unknowns with the knowns by central differences; the state and the values are restored */
+/* change of the unknowns with the knowns by central differences, one-sided at a limit; knowns at limits on both
+   sides separately; the state and the values are restored */
 static Status directional(Instance *f, const VR *of, size_t n_of, const VR *by, size_t n_by, const double *seed, double *change) {
   double share = 1e300;
   if (!f->c.exchange) return fail(f, "directional derivatives are for instances of model exchange");
@@ -99,15 +110,32 @@ static Status directional(Instance *f, const VR *of, size_t n_of, const VR *by, 
   }
   for (size_t k = 0; k < n_of; k++) change[k] = 0.0;
   if (share == 1e300 || !n_of) return fOK;
-  void *before = 0;
+  double up = share, down = share;
+  for (size_t k = 0; k < n_by; k++) {
+    double above = room_of(f, by[k], seed[k]), below = room_of(f, by[k], -seed[k]);
+    if (above < up) up = above;
+    if (below < down) down = below;
+  }
   double *low = allocate(&f->on, 8 * n_of);
+  if (n_by > 1 && up < share && down < share) {
+    Status one = low ? fOK : fail(f, "no memory for directional derivatives");
+    for (size_t k = 0; one == fOK && k < n_by; k++) {
+      one = directional(f, of, n_of, by + k, 1, seed + k, low);
+      for (size_t i = 0; one == fOK && i < n_of; i++) change[i] += low[i];
+    }
+    if (low) release(&f->on, low);
+    return one;
+  }
+  if (up < share) up = 0.0;
+  else if (down < share) down = 0.0;
+  void *before = 0;
   Status s = low ? keep_state(f, &before) : fail(f, "no memory for directional derivatives");
-  if (s == fOK) s = add(f, by, n_by, seed, -share);
+  if (s == fOK) s = add(f, by, n_by, seed, -down);
   if (s == fOK) s = get_numbers(f, of, n_of, low);
   if (s == fOK) s = restore(f, before);
-  if (s == fOK) s = add(f, by, n_by, seed, share);
+  if (s == fOK) s = add(f, by, n_by, seed, up);
   if (s == fOK) s = get_numbers(f, of, n_of, change);
-  for (size_t k = 0; s == fOK && k < n_of; k++) change[k] = (change[k] - low[k]) / (2.0 * share);
+  for (size_t k = 0; s == fOK && k < n_of; k++) change[k] = (change[k] - low[k]) / (up + down);
   if (before) restore(f, before);
   drop_state(f, &before);
   if (low) release(&f->on, low);
