@@ -39,7 +39,9 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         rows.append(f'<tr><th scope="row">{escape(channel_label(channel))}</th>{cells}</tr>')
     section.add(plain_table(head, rows, words=1))
     teeth = [(g, f, row) for g, flanks in found["teeth"].items() for f, row in flanks.items()]
+    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     if not teeth:
+        section.add(f"<p>{notes}</p>" if notes else "")
         return
     head = ["gear", "flank", "pulses per tooth", "largest force", "equivalent, all teeth", "tooth"]
     rows = [
