@@ -8,7 +8,8 @@ tables 5-1 and 9-1: 0.61495 Hz (mean of FAST and ADAMS), 867.637e6 N m/rad, 534.
 ratio of 5 %, from which its damping follows; 2.180 Hz free-free.
 
 The inertia of the rotor follows from the frequency with the generator locked, as in the sources, since
-published inertias are those of rigid blades. Tolerance: half the last digit printed.
+published inertias are those of rigid blades; the frequency with a free generator is then the test. Tolerance:
+half the last digit printed.
 """
 
 from __future__ import annotations
@@ -38,11 +39,11 @@ scenarios:
 
 @pytest.mark.parametrize("sense", [1, -1])
 @pytest.mark.parametrize(
-    ("stiffness", "generator", "ratio", "locked", "free", "digit"),
-    [(2317025352.0, 1500.5, 50, 0.612, 4.003, 1e-3), (867.637e6, 534.116, 97, 0.61495, 2.17976, 1e-5)],
+    ("stiffness", "generator", "ratio", "locked", "free"),
+    [(2317025352.0, 1500.5, 50, 0.612, 4.003), (867.637e6, 534.116, 97, 0.61495, 2.180)],
     ids=["DTU 10 MW", "NREL 5 MW"],
 )
-def test_locked_and_free_generator(stiffness, generator, ratio, locked, free, digit, sense):
+def test_locked_and_free_generator(stiffness, generator, ratio, locked, free, sense):
     """The sense of rotation of the generator does not matter."""
     rotor = stiffness / (math.tau * locked) ** 2
     text = TEXT.format(rotor=rotor, generator=generator, stiffness=stiffness, ratio=ratio, sense=sense)
@@ -50,6 +51,6 @@ def test_locked_and_free_generator(stiffness, generator, ratio, locked, free, di
     fixed, open_ended = (
         find_modes(compile_model(model, name), name).frequency for name in ("locked", "free")
     )
-    assert fixed[0] == pytest.approx(locked, rel=1e-6)
+    assert fixed[0] == pytest.approx(locked, rel=1e-6)  # the ratio transmits the hold of the generator
     assert open_ended[0] == pytest.approx(0.0, abs=1e-4)
-    assert open_ended[1] == pytest.approx(free, abs=0.5 * digit)
+    assert open_ended[1] == pytest.approx(free, abs=0.5e-3)

@@ -15,6 +15,9 @@ RESIDUES = ("half", "repeated")
 """Open cycles at the end: each range of the residue is half a cycle (ASTM E1049), or the residue is repeated,
 so that all of its ranges close (loads that recur)."""
 
+ROUNDING = 1e-14
+"""Width of a class over the largest value below which its limits are not distinct."""
+
 
 @kernel
 def _count(values, points, n, cycles):
@@ -156,7 +159,7 @@ def rainflow(
     counter.add(as_signal(values))
     ends, rest = counter.closed, counter.open
     weights = np.ones(len(ends))
-    if residue == "repeated" and rest.size > 2:
+    if residue == "repeated" and rest.size > 1:
         again = RainflowCounter()
         again.add(np.concatenate([rest, rest]))
         ends = np.concatenate([ends, again.closed])
@@ -253,6 +256,16 @@ def load_duration(values: ArrayLike, weight: ArrayLike | None = None, bins: int 
     w = np.ones(x.size) if weight is None else as_signal(weight, "weight", 1)
     same_length(x, w, "values and weight")
     number: NDArray[np.float64]
-    number, edges = np.histogram(x, whole(bins, "bins"), weights=w)
+    number, edges = np.histogram(x, whole(bins, "bins"), _limits(x, bins), weights=w)
     share = number / number.sum()
     return LoadDuration(0.5 * (edges[1:] + edges[:-1]), share, np.cumsum(share[::-1])[::-1])
+
+
+def _limits(x: Array, bins: int) -> tuple[float, float]:
+    """Smallest and largest value; wider for a load that is constant except for rounding."""
+    low, high = float(x.min()), float(x.max())
+    size = max(abs(low), abs(high))
+    if high - low > ROUNDING * bins * size:
+        return low, high
+    middle, half = 0.5 * (low + high), max(0.5, ROUNDING * bins * size)
+    return middle - half, middle + half

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.rainflow import equivalent_load
-from pitchpoint.analysis.sampled import Array, as_signal, same_length, whole
+from pitchpoint.analysis.sampled import Array, as_signal, same_length
 
 FLANKS = {1: "front", -1: "back"}
 
@@ -23,60 +23,64 @@ class Pulses:
     ----------
     force
         Shape (n,). Largest force of each pulse, with its sign.
-    place
-        Shape (n,). Rotation of the gear at the middle of each pulse [teeth].
+    tooth
+        Shape (n,). Number of the pair of the flank in contact, or of the tooth of a gear.
     """
 
     force: Array
-    place: Array
+    tooth: NDArray[np.int64]
 
 
-def find_pulses(pair_forces: Sequence[ArrayLike], rotation: ArrayLike, teeth: int) -> Pulses:
+def find_pulses(pair_forces: Sequence[ArrayLike], places: Sequence[ArrayLike]) -> Pulses:
     """Pulses of tooth pairs, each from entry to exit; pulses cut off by the ends of the record are omitted.
 
     Parameters
     ----------
     pair_forces
-        Shape (n_pair, n). Force of the pairs, zero without contact [N]; a pair keeps its row while it is in
-        contact, as in the channels `pair_force[MESH.k]`.
-    rotation
-        Shape (n,). Angle of the gear relative to the line of centres [rad].
-    teeth
-        Number of teeth.
+        Shape (n_pair, n). Force of the pairs, zero without contact [N]: pair N is in row N mod n_pair, as in
+        the channels `pair_force[MESH.k]`.
+    places
+        Shape (2, n). Number of the pair in the middle of its path, of front and back flanks: pair N is there
+        where the value is N.
 
     Notes
     -----
-    A pair that separates within its contact, as in rattle, has one pulse: in one row, passages are `n_pair`
-    teeth apart. The largest sample counts: with fewer than about ten samples per mesh period the peaks are
-    too low. Counting by tooth as in ISO 6336-6:2006, with the force of the pair instead of the torque.
+    A pair that separates within its contact, as in rattle, has one pulse per flank. The largest sample
+    counts: with fewer than about ten samples per mesh period the peaks are too low. Counting by tooth as in
+    ISO 6336-6:2006, with the force of the pair instead of the torque.
     """
-    turned = as_signal(rotation, "rotation") * whole(teeth, "teeth") / (2.0 * np.pi)
+    middle = {1: as_signal(places[0], "places"), -1: as_signal(places[1], "places")}
     rows = [np.asarray(row, float) for row in pair_forces]
-    found: list[tuple[float, float]] = []
-    for row in rows:
-        same_length(row, turned, "pair_forces and rotation")
-        sense = np.sign(row)
+    found: list[tuple[float, int]] = []
+    for slot, row in enumerate(rows):
+        same_length(row, middle[1], "pair_forces and places")
+        sense = np.sign(row).astype(np.int64)
         edges = np.flatnonzero(np.diff(sense)) + 1
         begins, ends = np.concatenate([[0], edges]), np.concatenate([edges, [row.size]])
-        last: tuple[float, float, int] | None = None  # force, start, sense of the passage
+        last: dict[int, int] = {}  # of each flank: the entry in `found`
         for k, end in zip(begins, ends, strict=True):
-            if sense[k] == 0.0 or k == 0 or end == row.size:
+            side = int(sense[k])
+            if side == 0 or k == 0 or end == row.size:
                 continue
             part = row[k:end]
-            peak, at = float(part[np.argmax(np.abs(part))]), 0.5 * float(turned[k] + turned[end - 1])
-            same = last is not None and last[2] == sense[k] and abs(at - last[1]) < 0.5 * len(rows)
-            if same and last is not None:
-                if abs(peak) > abs(found[-1][0]):
-                    found[-1] = (peak, found[-1][1])
+            peak = float(part[np.argmax(np.abs(part))])
+            at = 0.5 * float(middle[side][k] + middle[side][end - 1])
+            pair = slot + len(rows) * round((at - slot) / len(rows))
+            if side in last and found[last[side]][1] == pair:
+                if abs(peak) > abs(found[last[side]][0]):
+                    found[last[side]] = (peak, pair)
                 continue
-            last = (peak, at, int(sense[k]))
-            found.append((peak, at))
-    force, place = np.array(found).reshape(-1, 2).T
-    return Pulses(force, place)
+            last[side] = len(found)
+            found.append((peak, pair))
+    return _pulses(found)
 
 
-def find_passages(force: ArrayLike, rotation: ArrayLike, teeth: int) -> Pulses:
-    """One pulse per tooth from the force of the whole mesh: its largest value while the tooth is the nearest.
+def _pulses(found: Sequence[tuple[float, int]]) -> Pulses:
+    return Pulses(np.array([f for f, _ in found]), np.array([n for _, n in found], np.int64))
+
+
+def find_passages(force: ArrayLike, places: Sequence[ArrayLike]) -> Pulses:
+    """One pulse per pair from the force of the whole mesh: its largest value while it is the nearest.
 
     For meshes whose stiffness does not have single tooth pairs; the loads are too high, as the pairs share
     the force (ISO 6336-6:2006 counts the torque likewise).
@@ -85,19 +89,21 @@ def find_passages(force: ArrayLike, rotation: ArrayLike, teeth: int) -> Pulses:
     ----------
     force
         Shape (n,). Force of the mesh [N].
-    rotation, teeth
+    places
         As for `find_pulses`.
     """
     f = np.asarray(force, float)
-    turned = as_signal(rotation, "rotation") * whole(teeth, "teeth") / (2.0 * np.pi)
-    same_length(f, turned, "force and rotation")
-    nearest = np.rint(turned).astype(np.int64)
-    edges = np.flatnonzero(np.diff(nearest)) + 1
-    if edges.size < 2:
-        return Pulses(np.zeros(0), np.zeros(0))
-    parts = [f[a:b] for a, b in zip(edges[:-1], edges[1:], strict=True)]
-    peaks = np.array([part[np.argmax(np.abs(part))] for part in parts])
-    return Pulses(peaks, nearest[edges[:-1]].astype(float))
+    found: list[tuple[float, int]] = []
+    for side, place in zip(FLANKS, places, strict=True):
+        middle = as_signal(place, "places")
+        same_length(f, middle, "force and places")
+        nearest = np.rint(middle).astype(np.int64)
+        edges = np.flatnonzero(np.diff(nearest)) + 1
+        for a, b in zip(edges[:-1], edges[1:], strict=True):
+            peak = side * float(max(0.0, np.max(side * f[a:b])))
+            if peak != 0.0:
+                found.append((peak, int(nearest[a])))
+    return _pulses(found)
 
 
 @dataclass(frozen=True)
@@ -128,8 +134,7 @@ def tooth_loads(meshes: Sequence[Pulses], teeth: int, slope: float) -> Mapping[s
     Parameters
     ----------
     meshes
-        Pulses of each mesh; their places refer to the same zero of the gear, so that the angle between the
-        planets of a sun counts.
+        Pulses of each mesh, with numbers of the teeth of the gear.
     teeth
         Number of teeth.
     slope
@@ -140,7 +145,7 @@ def tooth_loads(meshes: Sequence[Pulses], teeth: int, slope: float) -> Mapping[s
     Two teeth, every second pulse twice as large:
 
     >>> from pitchpoint.analysis.tooth_pulses import Pulses
-    >>> pulses = Pulses(np.array([1.0, 2.0] * 10), np.arange(20) + 0.3)
+    >>> pulses = Pulses(np.array([1.0, 2.0] * 10), np.arange(20))
     >>> found = tooth_loads([pulses], 2, 6.0)["front"]
     >>> found.pulses, found.equivalent.round(12)
     (array([10, 10]), array([1., 2.]))
@@ -148,11 +153,9 @@ def tooth_loads(meshes: Sequence[Pulses], teeth: int, slope: float) -> Mapping[s
     found = {}
     for sign, flank in FLANKS.items():
         force = np.concatenate([m.force[np.sign(m.force) == sign] for m in meshes])
-        place = np.concatenate([m.place[np.sign(m.force) == sign] for m in meshes])
+        tooth = np.concatenate([m.tooth[np.sign(m.force) == sign] for m in meshes]) % teeth
         if not force.size:
             continue
-        offset = np.angle(np.exp(2j * np.pi * place).sum()) / (2.0 * np.pi)
-        tooth = np.mod(np.rint(place - offset).astype(np.int64), teeth)
         sizes = np.abs(force)
         pulses = np.bincount(tooth, minlength=teeth)
         largest = np.zeros(teeth)

@@ -85,7 +85,7 @@ def copy_example(name: str, directory: str | None, force: bool) -> None:
         guess = did_you_mean(name, known).strip() or f"there are {', '.join(known) or 'none'}"
         raise click.BadParameter(f"no example {name!r}; {guess}", param_hint="NAME")
     target = Path(directory if directory is not None else name)
-    targets = {name: target} | {other: target.parent / other for other in _included(name)}
+    targets = {name: target} | {other: target.resolve().parent / other for other in _included(name)}
     for folder in targets.values():
         if folder.exists() and any(folder.iterdir()) and not force:
             raise click.BadParameter(
@@ -104,10 +104,32 @@ def copy_example(name: str, directory: str | None, force: bool) -> None:
 
 
 def _included(name: str) -> list[str]:
-    """Other examples whose files the models of an example include."""
-    texts = [path.read_text(encoding="utf-8") for path in (examples_folder() / name).glob("*.yaml")]
-    lines = [line for text in texts for line in text.splitlines() if line.startswith("include:")]
-    return sorted({other for line in lines for other in re.findall(r"\.\./([\w-]+)/", line)})
+    """Other examples whose files the models of an example include, directly or by files of others."""
+    found, queue = {name}, [name]
+    while queue:
+        folder = examples_folder() / queue.pop()
+        for path in sorted(folder.rglob("*.yaml")):
+            for file in _include_list(path):
+                own = (path.parent / file).resolve()
+                if own.is_relative_to(examples_folder().resolve()):
+                    other = own.relative_to(examples_folder().resolve()).parts[0]
+                    if other not in found:
+                        found.add(other)
+                        queue.append(other)
+    return sorted(found - {name})
+
+
+def _include_list(path: Path) -> list[str]:
+    """Files in the key `include` of a model file."""
+    from pitchpoint.io.includes import INCLUDE
+    from pitchpoint.model.reading.yaml_tree import Tree, TreeError
+
+    try:
+        data = Tree(path.read_text(encoding="utf-8")).data
+    except TreeError:
+        return []
+    wanted = data.get(INCLUDE) if isinstance(data, dict) else None
+    return [wanted] if isinstance(wanted, str) else [str(file) for file in wanted or ()]
 
 
 def _copy(folder: Path, target: Path) -> None:

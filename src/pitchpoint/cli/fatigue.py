@@ -49,7 +49,7 @@ DIMENSIONS = {"N m": "torque", "N": "force", "m": "length", "rad": "angle", "W":
     "--hours",
     multiple=True,
     metavar="FILE=H",
-    help="Time of a result in the life, such as rated.h5=60000; may be repeated.",
+    help="Operating hours of the load case, such as rated.h5=60000; may be repeated.",
 )
 @writes("--csv", help="Write the tables to a CSV file.")
 @allow_code
@@ -77,6 +77,9 @@ def fatigue(
             if "time" not in data.dims:
                 raise click.BadParameter(f"{file} is not a time response", param_hint="FILES")
         cases = LoadCases(stored_model(files[0], allow_code), results, hours)
+        for file, data in zip(files, results, strict=True):
+            if (status := data.attrs.get("status", "finished")) != "finished":
+                cases.note(f"{file}: the run has not finished: {status}; its samples up to now count")
         slopes = options["slopes"] or SLOPES
         tooth_slope = options["tooth_slope"] or TOOTH_SLOPE
         found = fatigue_loads(cases, options["patterns"], slopes, options["cycles"], tooth_slope)
@@ -130,7 +133,7 @@ def _print(found: Mapping[str, Any]) -> None:
     if rows:
         head = ["gear", "flank", "teeth", "fewest pulses", "most", "largest force"]
         head += ["smallest equivalent", "largest", "tooth"]
-        title = f"Teeth: forces of single tooth pairs, equivalent for m = {found['tooth_slope']:g}"
+        title = f"Teeth: {found['tooth_force']}, equivalent for m = {found['tooth_slope']:g}"
         table(title, head, rows, ["equivalent: as many constant pulses as the teeth have in the mean"])
 
 
@@ -153,7 +156,7 @@ def csv_text(found: Mapping[str, Any]) -> str:
     for gear, flanks in found["teeth"].items():
         for flank, row in flanks.items():
             for k, (pulses, largest, own) in enumerate(
-                zip(row["pulses"], row["largest"], row["equivalent"], strict=True), start=1
+                zip(row["pulses"], row["largest"], row["equivalent"], strict=True)
             ):
                 where = f"{gear}.{flank},{k}"
                 lines += [f"pulses,{where},{pulses!r},1", f"largest,{where},{largest!r},N"]

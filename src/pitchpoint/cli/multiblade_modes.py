@@ -89,7 +89,7 @@ def show_modes(title: str, summary: dict[str, Any], count: int, *, quiet: bool) 
         for row in summary["modes"][:count]
     ]
     heads = ["mode", "natural frequency", "damping ratio", "collective", "forward whirl", "backward whirl"]
-    table(f"{title} {shown(summary['speed'], 'speed', 4)}, multi-blade coordinates", heads, cells)
+    table(f"{title} {shown(summary['speed'], 'angular_speed', 4)}, multi-blade coordinates", heads, cells)
     if quiet:
         return
     if count < summary["total"]:

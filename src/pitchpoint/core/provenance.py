@@ -40,7 +40,8 @@ def content_hash(data: Any) -> str:
         "file" or "library" the content of the file is hashed, not its name. Fields that are excluded from
         comparison, such as lines in a file, and fields whose key is marked `later` are ignored while they are
         None, an empty container or their default. The attribute `former_values` of a dataclass has the values
-        of its empty fields in earlier versions.
+        of its empty fields in earlier versions; its attribute `further_files` has files that its files name,
+        whose content is hashed, too.
 
     Returns
     -------
@@ -111,6 +112,8 @@ def plain_data(data: Any) -> Any:
             for f in compared
             for value in (getattr(data, f.name),)
         }
+        if further := getattr(data, "further_files", ()):
+            fields["further files"] = [_of_file(path) for path in further]
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
         return {str(k): plain_data(v) for k, v in data.items()}
@@ -147,11 +150,16 @@ def _content(field: dataclasses.Field[Any], value: Any) -> Any:
     """Value of a field; for the name of a file, the hash of its content."""
     if value is None or getattr(field.metadata.get("key"), "kind", "") not in ("file", "library"):
         return value
+    return _of_file(value)
+
+
+def _of_file(path: Any) -> Any:
+    """Hash of the content of a file; its name if it cannot be read."""
     try:
-        status = Path(value).stat()
-        return _file_hash(str(value), status.st_mtime_ns, status.st_size)
-    except OSError:
-        return value
+        status = Path(path).stat()
+        return _file_hash(str(path), status.st_mtime_ns, status.st_size)
+    except (OSError, ValueError):
+        return path
 
 
 @lru_cache(maxsize=64)

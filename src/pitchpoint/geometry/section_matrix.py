@@ -8,12 +8,16 @@ wind turbine blade solver in the FAST modular framework, Wind Energy 20 (2017) 1
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 _NEAR_ROUND = 1e-9
+ROUND = 1e-3
+"""Difference of the bending stiffnesses, relative to the larger one, below which a section has no axes of its
+own along a beam."""
 
 
 def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float]:
@@ -94,6 +98,37 @@ def section_properties(stiffness: ArrayLike, mass: ArrayLike) -> dict[str, float
     }
 
 
+def continued(sections: Sequence[dict[str, float]]) -> list[dict[str, float]]:
+    """Sections along a beam with axes that turn continuously from one to the next.
+
+    Principal axes are known except for quarter turns, for which the columns of both axes are exchanged: each
+    section has those nearest to the axes before it. Round sections (`ROUND`) have the axes of the section
+    before them, at the beginning those of the first section that is not round.
+
+    Parameters
+    ----------
+    sections
+        Properties of `section_properties` along the beam.
+
+    Examples
+    --------
+    >>> one = section_properties(np.diag([1.0, 2, 3, 4, 5, 6]), np.eye(6))
+    >>> two = continued([one | {"twist": 0.77}, one | {"twist": -0.77}])[1]
+    >>> round(two["twist"], 4), two["bending_1"], two["bending_2"], two["shear_1"]
+    (0.8008, 4.0, 5.0, 2.0)
+    """
+    quarter = 0.5 * math.pi
+    before = next((s["twist"] for s in sections if not _is_round(s)), 0.0)
+    found = []
+    for section in sections:
+        turn = before - section["twist"]
+        if not _is_round(section):
+            turn = quarter * round(turn / quarter)
+        before = section["twist"] + turn
+        found.append(_turned(section, turn) if turn != 0.0 else section)
+    return found
+
+
 def symmetric(upper: ArrayLike) -> FloatArray:
     """Symmetric matrix from its 21 values, row by row from the diagonal.
 
@@ -124,6 +159,25 @@ def _principal(one: float, two: float, product: float) -> float:
     if one == two:
         return math.copysign(0.25 * math.pi, product)
     return 0.5 * math.atan(2.0 * product / (one - two))
+
+
+def _is_round(section: dict[str, float]) -> bool:
+    """Whether both bending stiffnesses are nearly equal."""
+    one, two = section["bending_1"], section["bending_2"]
+    return abs(one - two) <= ROUND * max(one, two)
+
+
+def _turned(section: dict[str, float], angle: float) -> dict[str, float]:
+    """Section with its axes turned by a quarter, or a round section by any angle."""
+    c, s = math.cos(angle), math.sin(angle)
+    found = section | {"twist": section["twist"] + angle}
+    for name in ("bending", "shear"):
+        one, two = section[f"{name}_1"], section[f"{name}_2"]
+        found[f"{name}_1"], found[f"{name}_2"] = c * c * one + s * s * two, s * s * one + c * c * two
+    for name in ("center", "elastic", "shear_center"):
+        one, two = section[f"{name}_1"], section[f"{name}_2"]
+        found[f"{name}_1"], found[f"{name}_2"] = c * one + s * two, c * two - s * one
+    return found
 
 
 def _scaled(K: FloatArray) -> FloatArray:

@@ -96,7 +96,7 @@ class _Merger:
             own = Path(os.path.relpath(file, self.folder.resolve())).as_posix()
         except (OSError, ValueError):
             file, own = Path(), name
-        if Path(name).is_absolute() or own.startswith("..") and file.suffix.lower() not in SUFFIXES:
+        if Path(name).is_absolute() or own.split("/")[0] == ".." and file.suffix.lower() not in SUFFIXES:
             remedy = (
                 "include files by their paths from the folder of the model file; outside of it, .yaml files"
             )

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.io.container import ResultError
-from pitchpoint.io.opening import damaged, dimensions_of, member, members, open_file
+from pitchpoint.io.opening import Dimensions, damaged, member, members, open_file
 from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
@@ -115,7 +115,8 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     where = member(file, group) if group else file
     handle = ReopenedFile.of(name, file)
     arrays = {key: item for key, item in members(where).items() if isinstance(item, h5py.Dataset)}
-    over = {key: _dimensions(item) for key, item in arrays.items()}
+    dimensions = Dimensions(file)
+    over = {key: dimensions.of(item) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
     variables = {}
     # read the status before the values: a growing file must not give a status without values
@@ -208,11 +209,6 @@ def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, .
             if limit is None:
                 found[dim] = min(found[dim], length)
     return found
-
-
-def _dimensions(item: h5py.Dataset) -> tuple[str, ...]:
-    """Names of the dimensions of an array; a dimension scale has its own name."""
-    return tuple(str(place.name.rpartition("/")[2]) for place in dimensions_of(item))
 
 
 def _attributes(stored: Mapping[str, Any]) -> dict[str, Any]:

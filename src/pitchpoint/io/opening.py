@@ -96,27 +96,57 @@ def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
     return {name: member(group, name) for name in group}
 
 
-def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
-    """Dimension scales of a variable; a scale is its own dimension.
+class Dimensions:
+    """Dimension scales of a file.
 
-    The references are followed individually: the HDF5 function H5DSiterate_scales crashes the process if a
-    reference is invalid.
+    A scale that a reference gives has no name; HDF5 would look for it in all groups, for each axis of each
+    variable again. Here one table of addresses is used.
 
-    Raises
-    ------
-    ValueError
-        If an axis has no scale.
+    Parameters
+    ----------
+    file
+        The open file.
     """
+
+    def __init__(self, file: h5py.File) -> None:
+        import h5py
+
+        self._names: dict[int, str] = {}
+        groups: list[h5py.Group] = [file]
+        while groups:
+            for name, item in members(groups.pop()).items():
+                if isinstance(item, h5py.Group):
+                    groups.append(item)
+                elif isinstance(item, h5py.Dataset) and item.is_scale and item.ndim == 1:
+                    self._names[_address(item)] = name
+
+    def of(self, item: h5py.Dataset) -> tuple[str, ...]:
+        """Names of the dimensions of a variable, without groups; a scale is its own dimension.
+
+        The references are followed individually: the HDF5 function H5DSiterate_scales crashes the process if
+        a reference is invalid.
+
+        Raises
+        ------
+        ValueError
+            If an axis has no scale.
+        """
+        if item.is_scale:
+            places = [item]
+        else:
+            lists = item.attrs["DIMENSION_LIST"] if item.ndim else ()
+            places = [item.file[references[0]] for references in lists]
+        names = tuple(self._names.get(_address(place), "") for place in places)
+        if len(names) != item.ndim or not all(names):
+            raise ValueError(f"the dimensions of {item.name} are missing")
+        return names
+
+
+def _address(item: h5py.HLObject) -> int:
+    """Place of an object in its file."""
     import h5py
 
-    if item.is_scale:
-        return (item,)
-    lists = item.attrs["DIMENSION_LIST"] if item.ndim else ()
-    places = tuple(item.file[references[0]] for references in lists)
-    good = all(isinstance(place, h5py.Dataset) and place.name and place.ndim == 1 for place in places)
-    if len(places) != item.ndim or not good:
-        raise ValueError(f"the dimensions of {item.name} are missing")
-    return places
+    return int(h5py.h5o.get_info(item.id).addr)
 
 
 def open_file(path: str | os.PathLike[str]) -> h5py.File:
@@ -240,7 +270,7 @@ def _look_through(file: h5py.File) -> None:
     """Access all objects, attributes and block addresses; damage raises an error."""
     import h5py
 
-    size = file.id.get_filesize()
+    size, dimensions = file.id.get_filesize(), Dimensions(file)
     groups: list[h5py.Group] = [file]
     while groups:
         group = groups.pop()
@@ -253,6 +283,7 @@ def _look_through(file: h5py.File) -> None:
                 groups.append(item)
             elif isinstance(item, h5py.Dataset):
                 _look_at(item, size)
+                dimensions.of(item)
 
 
 def _look_at(item: h5py.Dataset, size: int) -> None:
@@ -266,7 +297,6 @@ def _look_at(item: h5py.Dataset, size: int) -> None:
             most *= -(-length // step)
         if count > most + 1:  # a killed writer may have stored a block before the length of the array
             raise ValueError(f"{item.name} has {count} blocks where {most} have room")
-    dimensions_of(item)
 
 
 def _text(value: Any) -> str:

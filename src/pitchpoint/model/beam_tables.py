@@ -12,7 +12,7 @@ import numpy as np
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.model.components.beam import FILES
-from pitchpoint.model.files import at_key, change_time
+from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.beamdyn import read_beamdyn
 from pitchpoint.model.openfast.elastodyn import read_elastodyn
 from pitchpoint.model.windio.beam import read_windio_beam
@@ -39,7 +39,7 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
         return BeamTable(**given.lists)  # type: ignore[arg-type]
     path = str(getattr(given, key))
     try:
-        table = _contents(key, path, given.component or "", change_time(path))
+        table = _contents(key, path, given.component or "", states((path, *given.further_files)))
     except ModelError as error:
         raise at_key(error, key) from None
     own: dict[str, Any] = {
@@ -51,8 +51,8 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
 
 
 @functools.lru_cache(maxsize=16)
-def _contents(key: str, path: str, component: str, stamp: int) -> BeamTable:
-    """Table of a file; the time of its last change makes the cache read it again."""
+def _contents(key: str, path: str, component: str, state: object) -> BeamTable:
+    """Table of a file; the state of its files makes the cache read them again."""
     if key == "elastodyn":
         return read_elastodyn(path)
     return read_beamdyn(path) if key == "beamdyn" else read_windio_beam(path, component)

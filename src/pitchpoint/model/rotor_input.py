@@ -9,24 +9,24 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.blade import Rotor
-from pitchpoint.geometry.rotor.flow import RotorFlow
+from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.model.blade_stations import blade_of
-from pitchpoint.model.files import at_key, change_time
+from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
-from pitchpoint.model.windio.rotor import WindIORotor, read_windio_rotor
+from pitchpoint.model.windio.rotor import WindIORotor, read_windio_blades
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
 
-TOWER_SECTORS = 72
-
 
 @dataclass(frozen=True)
 class RotorInput:
-    """Geometry of a rotor at zero tilt, as the bodies have the tilt, and the air around it."""
+    """Geometry of a rotor at zero tilt, as the bodies have the tilt, the air around it, and notes on what its
+    file contains that is not used."""
 
     rotor: Rotor
     flow: RotorFlow
+    notes: tuple[str, ...] = ()
 
 
 def rotor_input(part: WindRotor) -> RotorInput:
@@ -54,7 +54,7 @@ def rotor_input(part: WindRotor) -> RotorInput:
     else:
         assert part.aerodyn is not None and part.hub_radius is not None
         try:
-            given = _aerodyn(part.aerodyn, change_time(part.aerodyn))
+            given = _aerodyn(part.aerodyn, states((part.aerodyn, *part.further_files)))
         except ModelError as error:
             raise at_key(error, "aerodyn") from None
         found = RotorInput(_rotor(part, Rotor(blade=given.blade, hub_radius=part.hub_radius)), given.flow)
@@ -76,7 +76,7 @@ def _rotor(part: WindRotor, rotor: Rotor) -> Rotor:
 def _windio(part: WindRotor) -> RotorInput:
     assert part.windio is not None
     try:
-        given = _ontology(part.windio, change_time(part.windio))
+        given = _ontology(part.windio, states((part.windio,)))
     except ModelError as error:
         raise at_key(error, "windio") from None
     if given.rotor.blades != part.blades:
@@ -88,14 +88,14 @@ def _windio(part: WindRotor) -> RotorInput:
             text = "has no tower in the windIO file"
             raise ModelError([Message("tower_flow", text, remedy="give tower_flow: false")])
         flow = RotorFlow(tower=given.tower, sectors=TOWER_SECTORS)
-    return RotorInput(_rotor(part, given.rotor), flow)
+    return RotorInput(_rotor(part, given.rotor), flow, given.notes)
 
 
 @functools.lru_cache(maxsize=8)
-def _aerodyn(path: str, stamp: int) -> AeroDynInput:
+def _aerodyn(path: str, state: object) -> AeroDynInput:
     return read_aerodyn(path)
 
 
 @functools.lru_cache(maxsize=8)
-def _ontology(path: str, stamp: int) -> WindIORotor:
-    return read_windio_rotor(path)
+def _ontology(path: str, state: object) -> WindIORotor:
+    return read_windio_blades(path)

@@ -283,7 +283,10 @@ def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str
     planets = load_sharing(model, data, settle)
     about: dict[str, Any] = {"note": note, "groups": groups, "planets": planets}
     if model.wind_rotors:
-        about["fatigue"] = fatigue_loads(LoadCases(model, [data], [None]))
+        try:
+            about["fatigue"] = fatigue_loads(LoadCases(model, [data], [None]))
+        except PitchpointError as problem:  # of an unfinished run
+            about["note"] = f"{note} No fatigue loads: {problem}.".strip()
     return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import fnmatch
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.rainflow import equivalent_load, load_duration, rainflow
 from pitchpoint.analysis.tooth_pulses import Pulses, find_passages, find_pulses, tooth_loads
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.model.carried_trains import line_carrier
-from pitchpoint.model.frames import body_frame
-from pitchpoint.model.mechanism import base_of, spinner_of
+from pitchpoint.report.same_machine import require_same_machine
+from pitchpoint.report.stored_model import model_of
+from pitchpoint.report.tooth_numbers import pair_places, tooth_numbers
 from pitchpoint.viz.quantities import settle_time_of
 
 if TYPE_CHECKING:
@@ -53,14 +53,76 @@ class LoadCases:
     results: Sequence[xr.Dataset]
     hours: Sequence[float | None]
     notes: list[str] = field(default_factory=list)
+    forces: set[str] = field(default_factory=set, repr=False)
+    _found: dict[tuple[int, str], Pulses | None] = field(default_factory=dict, repr=False)
 
     def time(self, data: xr.Dataset) -> tuple[slice, Array]:
         """Evaluated samples, from the settle time of the run, and their times."""
         time = np.asarray(data["time"], float)
         first = int(np.searchsorted(time, time[0] + settle_time_of(data.attrs)))
         if time.size - first < 2:
-            raise PitchpointError("the result has less than two samples after its settle time")
+            raise PitchpointError("the result has fewer than two samples after its settle time")
         return slice(first, None), time[first:]
+
+    def pulses(self, number: int, mesh: str) -> Pulses | None:
+        """Pulses of a mesh in a result, by number of the pair; None, with a note, if channels are missing."""
+        if (number, mesh) not in self._found:
+            self._found[number, mesh] = self._pulses(self.results[number], mesh)
+        return self._found[number, mesh]
+
+    def _pulses(self, data: xr.Dataset, mesh: str) -> Pulses | None:
+        rows = [str(n) for n in data.data_vars if str(n).startswith(f"pair_force[{mesh}.")]
+        if not rows and f"mesh_force[{mesh}]" not in data:
+            return None
+        number = max(len(rows), math.ceil(self.model.pairs[mesh].eps_gamma) + 1) if rows else 0
+        if lost := [name for k in range(number) if (name := f"pair_force[{mesh}.{k}]") not in data]:
+            self.note(f"{mesh}: no loads of teeth; the result lacks the channels {', '.join(lost)}")
+            return None
+        window, time = self.time(data)
+        try:
+            places = [place[window] for place in pair_places(self.model, data, mesh)]
+        except PitchpointError as problem:
+            self.note(f"{mesh}: no loads of teeth; {problem}")
+            return None
+        passed = abs(places[0][-1] - places[0][0])
+        if time.size < TRUNCATED * passed:
+            self.note(
+                f"{mesh}: {time.size / passed:.1f} samples per mesh period; below {TRUNCATED:.0f} the peaks "
+                "of tooth forces are too low: increase sample_rate"
+            )
+        if rows:
+            self.forces.add("single tooth pairs")
+            rows = [f"pair_force[{mesh}.{k}]" for k in range(number)]
+            return find_pulses([np.asarray(data[n], float)[window] for n in rows], places)
+        self.forces.add("whole meshes")
+        self.note(f"{mesh}: without forces of single tooth pairs; the whole mesh force counts")
+        return find_passages(np.asarray(data[f"mesh_force[{mesh}]"], float)[window], places)
+
+    def require_one_machine(self) -> None:
+        """Require the same bodies, meshes and teeth in all results; other differences are a note."""
+        hashes = {str(data.attrs.get("model_hash", "")) for data in self.results} - {""}
+        if len(hashes) < 2:
+            return
+        remedy = "evaluate results of different machines separately"
+        require_same_machine(self.model, self.results, remedy)
+        teeth = {name: gear.number_of_teeth for name, gear in self.model.gears.items()}
+        for number, data in enumerate(self.results, start=1):
+            try:
+                own = {name: gear.number_of_teeth for name, gear in model_of(data).gears.items()}
+            except PitchpointError:  # it refers to files that are not here, or to functions
+                continue
+            changed = sorted(name for name in {*teeth, *own} if teeth.get(name) != own.get(name))
+            if changed:
+                names = ", ".join(changed)
+                raise PitchpointError(
+                    f"result {number}: other numbers of teeth than result 1: {names}; {remedy}"
+                )
+        self.note("the results are of different versions of the model; teeth are those of the first one")
+
+    def note(self, text: str) -> None:
+        """Add a note once."""
+        if text not in self.notes:
+            self.notes.append(text)
 
     def weights(self) -> list[float]:
         """Repetitions of each result in the life."""
@@ -103,8 +165,10 @@ def fatigue_loads(
     dict
         `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by
         slope), `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank:
-        `pulses`, `largest` and `equivalent` force [N] per tooth, the `worst` tooth, `levels`, `exceeded`.
+        `pulses`, `largest` and `equivalent` force [N] of the teeth from 0, the `worst` tooth, `levels`,
+        `exceeded`; `tooth_force`, that of `teeth` in words.
     """
+    cases.require_one_machine()
     names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)
     number = cases.life() if cycles is None else cycles
     channels = {name: _channel(cases, name, slopes, number) for name in names}
@@ -115,6 +179,7 @@ def fatigue_loads(
         "tooth_slope": tooth_slope,
         "channels": channels if patterns else _without_small(channels),
         "teeth": {} if patterns else _teeth(cases, tooth_slope),
+        "tooth_force": f"forces of {' and '.join(sorted(cases.forces))}",
         "notes": cases.notes,
     }
 
@@ -185,7 +250,7 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
     few: list[str] = []
     for gear, meshes in _meshes_of_gears(cases.model).items():
         teeth = cases.model.gears[gear].number_of_teeth
-        pulses = [_pulses(cases, data, gear, teeth, meshes) for data in cases.results]
+        pulses = [_pulses(cases, number, meshes) for number in range(len(cases.results))]
         if not all(pulses):
             continue
         weights = cases.weights()
@@ -196,8 +261,9 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
                 continue
             count = np.sum([w * p.pulses for w, p in parts], axis=0)
             mean = float(np.mean(count))
-            total = sum(w * p.forces.size / teeth * p.equivalent**slope for w, p in parts)
-            equivalent = (total / mean) ** (1.0 / slope)
+            top = max(float(p.largest.max()) for _, p in parts)
+            total = sum(w * p.forces.size / teeth * (p.equivalent / top) ** slope for w, p in parts)
+            equivalent = top * (total / mean) ** (1.0 / slope)
             forces = np.concatenate([p.forces for _, p in parts])
             if count.min() < FEW:
                 few.append(gear)
@@ -206,79 +272,35 @@ def _teeth(cases: LoadCases, slope: float) -> dict[str, dict[str, Any]]:
                 "pulses": [float(c) for c in count],
                 "largest": np.max([p.largest for _, p in parts], axis=0).tolist(),
                 "equivalent": equivalent.tolist(),
-                "worst": int(np.argmax(equivalent)) + 1,
+                "worst": int(np.argmax(equivalent)),
                 "levels": levels.level.tolist(),
                 "exceeded": levels.exceeded.tolist(),
             }
     if few:
         words = ", ".join(dict.fromkeys(few))
         cases.notes.append(
-            f"less than {FEW} pulses per tooth of {words}: the equivalent forces of single teeth depend on "
+            f"fewer than {FEW} pulses per tooth of {words}: the equivalent forces of single teeth depend on "
             "the length of the results"
         )
     return found
 
 
-def _meshes_of_gears(model: Model) -> dict[str, list[tuple[str, str, str]]]:
-    """By gear: each of its meshes with its body and that of the other gear."""
-    found: dict[str, list[tuple[str, str, str]]] = {}
+def _meshes_of_gears(model: Model) -> dict[str, list[tuple[str, int]]]:
+    """By gear: each of its meshes, and whether it is gear 1 (0) or gear 2 (1) there."""
+    found: dict[str, list[tuple[str, int]]] = {}
     for name, mesh in model.meshes.items():
-        one, two = (model.body_of(g) for g in mesh.gears)
-        if one is None or two is None:
-            continue
-        found.setdefault(mesh.gears[0], []).append((name, one, two))
-        found.setdefault(mesh.gears[1], []).append((name, two, one))
+        if None not in [model.body_of(g) for g in mesh.gears]:
+            for k, gear in enumerate(mesh.gears):
+                found.setdefault(gear, []).append((name, k))
     return found
 
 
-def _pulses(
-    cases: LoadCases, data: xr.Dataset, gear: str, teeth: int, meshes: Sequence[tuple[str, str, str]]
-) -> list[Pulses]:
-    """Pulses of a gear in each of its meshes; empty if a mesh has no channels of its force."""
+def _pulses(cases: LoadCases, number: int, meshes: Sequence[tuple[str, int]]) -> list[Pulses]:
+    """Pulses of a gear in each of its meshes; empty if a mesh lacks channels."""
     found = []
-    window, time = cases.time(data)
-    for mesh, body, other in meshes:
-        rows = [str(n) for n in data.data_vars if str(n).startswith(f"pair_force[{mesh}.")]
-        if not rows and f"mesh_force[{mesh}]" not in data:
+    for mesh, gear in meshes:
+        own = cases.pulses(number, mesh)
+        if own is None:
             return []
-        turned = rotation(cases.model, data, body, other)[window]
-        passed = abs(turned[-1] - turned[0]) * teeth / math.tau
-        if 0.0 < time.size < TRUNCATED * passed:
-            cases.notes.append(
-                f"{mesh}: {time.size / passed:.1f} samples per mesh period; below {TRUNCATED:.0f} the peaks "
-                "of tooth forces are too low: increase sample_rate"
-            )
-        if rows:
-            found.append(find_pulses([np.asarray(data[n], float)[window] for n in rows], turned, teeth))
-        else:
-            force = np.asarray(data[f"mesh_force[{mesh}]"], float)[window]
-            found.append(find_passages(force, turned, teeth))
-            cases.notes.append(f"{mesh}: without forces of single tooth pairs; the whole mesh force counts")
-    cases.notes[:] = list(dict.fromkeys(cases.notes))
+        found.append(replace(own, tooth=tooth_numbers(cases.model, mesh, own, gear)))
     return found
-
-
-def rotation(model: Model, data: xr.Dataset, body: str, other: str) -> Array:
-    """Angle of a gear body relative to the line of centres with another one [rad], shape of the time.
-
-    Parameters
-    ----------
-    model, data
-        The model and a result with the channels `angle`.
-    body, other
-        Bodies of the gear and of its mate.
-    """
-    carrier = line_carrier(model, body, other)  # type: ignore[arg-type]
-    (origin, axes), (place, _) = body_frame(model, body), body_frame(model, other)
-    assert origin is not None and place is not None
-    x, y, _ = axes.T @ (place - origin)
-    angle = _angle(model, data, body) - math.atan2(y, x)
-    if base_of(model, model.mechanism, body) != carrier:
-        angle = angle - _angle(model, data, carrier)
-    return angle
-
-
-def _angle(model: Model, data: xr.Dataset, body: str) -> Array:
-    """Spin of a body; zero for one at rest."""
-    name = f"angle[{spinner_of(model, model.mechanism, body) or body}]"
-    return np.asarray(data[name], float) if name in data else np.zeros(data.sizes["time"])

@@ -18,13 +18,16 @@ if TYPE_CHECKING:
 
 SECTIONS = {"bodies": ("bodies", "shafts"), "meshes": ("meshes", "bevel_meshes")}
 """Sections of a model file with the names that results share with their model, by what they contain."""
+REMEDY = "give the model of this result, or no model file: the model is in the result"
 MOST = 6
 """Names listed of one kind."""
 
 Names = Mapping[str, Iterable[str]]
 
 
-def require_same_machine(model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset]) -> None:
+def require_same_machine(
+    model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], remedy: str = REMEDY
+) -> None:
     """Require that the model of every result has the bodies and meshes of a model; values may differ.
 
     Parameters
@@ -33,6 +36,8 @@ def require_same_machine(model: Model, results: Sequence[str | os.PathLike[str] 
         Model.
     results
         Files and datasets; those without a model are not checked.
+    remedy
+        Of the error.
 
     Raises
     ------
@@ -51,7 +56,6 @@ def require_same_machine(model: Model, results: Sequence[str | os.PathLike[str] 
         if text and str(attrs.get("model_hash", "")) != own:
             words = _differing(*_names(model, text, file))
             if words:
-                remedy = "give the model of this result, or no model file: the model is in the result"
                 problems.append(Message(place, f"was computed with another machine: {words}", remedy=remedy))
     if problems:
         raise ModelError(problems)

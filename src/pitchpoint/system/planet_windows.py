@@ -49,8 +49,9 @@ def window_notes(
         if body is None or not what:
             continue
         turns = abs(float(statistics[f"speed[{body}]"]["mean"])) * window / math.tau
-        whole = abs(turns - round(turns)) <= WHOLE and turns > 0.5
-        if not math.isfinite(turns) or turns <= STILL or whole:
+        if not math.isfinite(turns) or turns <= STILL:  # a run may end before its window begins
+            continue
+        if abs(turns - round(turns)) <= WHOLE and turns > 0.5:
             continue
         found.append(
             note(

@@ -77,6 +77,19 @@ def test_constant_load():
     assert found.level[found.share == 1.0] == pytest.approx([40e3], rel=1e-4)
 
 
+def test_a_load_constant_except_for_rounding():
+    """Classes between values a few units in the last place apart would not be distinct."""
+    for value in (40e3, 1.0, 1e-9, 1e12):
+        x = np.array([value, np.nextafter(value, 2.0 * value), np.nextafter(value, 0.0)])
+        found = load_duration(x, bins=50)
+        assert found.share.sum() == pytest.approx(1.0) and found.level[found.share > 0].max() / value < 2e9
+
+
+def test_two_open_points_are_one_cycle_of_a_recurring_load():
+    found = rainflow([0.0, 2.0], residue="repeated")
+    assert found.count.tolist() == [1.0] and found.range.tolist() == [2.0]
+
+
 def test_revolutions_as_weights():
     """Half of the time at a tenth of the speed is 1/11 of the revolutions."""
     torque = np.repeat([10.0, 50.0], 100)

@@ -84,3 +84,26 @@ def test_examples_with_files_of_others(tmp_path, capsys):
     assert run_command(["examples", "copy", "wind-turbine", str(tmp_path / "other")]) == 2
     assert "wind-drive-5mw is not empty" in capsys.readouterr().err
     assert not (tmp_path / "other").exists()
+
+
+def test_copy_to_the_present_folder(tmp_path, monkeypatch):
+    """Its folder is that above: ../wind-drive-5mw."""
+    folder = tmp_path / "here"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    assert run_command(["examples", "copy", "wind-turbine", "."]) == 0
+    assert (folder / "gearbox.yaml").is_file() and not (folder / "wind-drive-5mw").exists()
+    assert (tmp_path / "wind-drive-5mw" / "gears.yaml").is_file()
+
+
+def test_included_files_that_include_others(shelf: Path, tmp_path: Path) -> None:
+    """As a list over several lines, and in a file of another example."""
+    for name, text in {
+        "backlash": "title: x\ninclude:\n  - ../second/parts.yaml\n",
+        "second": "include: ../third/parts.yaml\n",
+        "third": "title: z\n",
+    }.items():
+        (shelf / name).mkdir(exist_ok=True)
+        (shelf / name / ("model.yaml" if name == "backlash" else "parts.yaml")).write_text(text)
+    assert run_command(["examples", "copy", "backlash", str(tmp_path / "mine")]) == 0
+    assert (tmp_path / "second" / "parts.yaml").is_file() and (tmp_path / "third" / "parts.yaml").is_file()

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import csv
 import math
+import shutil
 
+import h5py
 import numpy as np
 import pytest
 
@@ -58,7 +60,7 @@ def test_pulses_of_a_pair_at_constant_torque(result, capsys):
     assert abs(torque["mean"]) == pytest.approx(50.0, rel=1e-3)
     assert found["duration"] == pytest.approx(0.3, rel=1e-3)
     [note] = found["notes"]
-    assert note.startswith("less than 10 pulses per tooth of pinion, wheel")
+    assert note.startswith("fewer than 10 pulses per tooth of pinion, wheel")
 
 
 def test_meshes_without_single_pairs(capsys, tmp_path):
@@ -69,6 +71,8 @@ def test_meshes_without_single_pairs(capsys, tmp_path):
     row = found["teeth"]["pinion"]["front"]
     assert row["largest"] == pytest.approx([50.0 / (0.03 * math.cos(math.radians(20)))] * 20, rel=1e-3)
     assert "the whole mesh force counts" in found["notes"][0]
+    assert run_command(["fatigue", target, "-q"]) == 0
+    assert "Teeth: forces of whole meshes" in capsys.readouterr().out
 
 
 def test_load_cases_are_added(result, capsys, tmp_path):
@@ -96,6 +100,16 @@ def test_few_samples_per_mesh_are_named(result, capsys, tmp_path):
     thin = str(tmp_path / "thin.h5")
     assert run_command(["run", str(model), "-q", "-o", thin]) == 0
     assert "5.0 samples per mesh period" in json_of(["fatigue", thin], capsys)["notes"][0]
+
+
+def test_a_run_that_has_not_finished(result, capsys, tmp_path):
+    """The samples in the file count, with a note."""
+    target = tmp_path / "part.h5"
+    shutil.copy(result, target)
+    with h5py.File(target, "r+") as file:
+        file.attrs["status"] = "running"
+    found = json_of(["fatigue", str(target)], capsys)
+    assert "has not finished: running" in found["notes"][0] and found["teeth"]["pinion"]["front"]
 
 
 @pytest.mark.parametrize(

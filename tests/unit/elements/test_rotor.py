@@ -8,6 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.status import OK
+from pitchpoint.elements.rotor.induction import heavy_induction
 from pitchpoint.elements.rotor.record import POINT
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
@@ -91,6 +92,20 @@ def test_heavily_loaded_stations_have_the_thrust_of_buhl() -> None:
     thrust = 3.0 * rows["f_n"] * np.sign(rows["vx"]) / (1.225 * np.pi * r * rows["vx"] ** 2)
     assert len(rows) > 100
     np.testing.assert_allclose(thrust, buhl(a, F), rtol=1e-6)
+
+
+@pytest.mark.parametrize("f", [0.1, 0.5, 0.9, 1.0])
+def test_derivatives_of_buhls_curve(f: float) -> None:
+    """The quadratic equation C_T(a) = 4 F κ (1 - a)^2 differentiated, also where it is linear."""
+    singular = (25.0 / 9.0 - 2.0 * f) / (2.0 * f)
+    for kappa in (0.7, 3.0, 50.0, *(singular + d for d in (-1e-3, -1e-6, -1e-9, 0.0, 1e-9, 1e-6, 1e-3))):
+        a, by_kappa, by_f = heavy_induction(kappa, f)
+        thrust = 8.0 / 9.0 + (4.0 * f - 40.0 / 9.0) * a + (50.0 / 9.0 - 4.0 * f) * a * a
+        assert thrust == pytest.approx(4.0 * f * kappa * (1.0 - a) ** 2, rel=1e-12)
+        by_a = 4.0 * f - 40.0 / 9.0 + 2.0 * (50.0 / 9.0 - 4.0 * f) * a + 8.0 * f * kappa * (1.0 - a)
+        assert by_kappa == pytest.approx(4.0 * f * (1.0 - a) ** 2 / by_a, rel=1e-12)
+        wanted = 4.0 * (kappa * (1.0 - a) ** 2 - a * (1.0 - a)) / by_a
+        assert by_f == pytest.approx(wanted, rel=1e-11, abs=1e-13)
 
 
 def test_power_of_the_wind_is_that_of_rotor_swirl_and_drag() -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import json
 import pickle
+import tracemalloc
 
 import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
+from pitchpoint.model.reading import yaml_tree
 from pitchpoint.model.remarks.collect import remarks_of_file
 from tests.support.cli_files import json_of
 
@@ -133,6 +135,25 @@ def test_files_beside_the_folder_of_the_model(files, tmp_path):
     assert load_model(file).origin.files == ("gears.yaml", "../common/teeth.yaml", "drives/loads.yaml")
     teeth.write_text(GEARS.replace("40,", "40 mm,"), encoding="utf-8")
     assert any("(../common/teeth.yaml, line 4)" in problem for problem in problems_of(file))
+
+
+def test_a_name_that_begins_with_dots_is_in_the_folder(files, tmp_path):
+    file = files(
+        model=MAIN.replace("gears.yaml", "..parts.txt"), **{"drives/loads": LOADS.partition("\n")[2]}
+    )
+    (tmp_path / "..parts.txt").write_text(GEARS, encoding="utf-8")
+    assert load_model(file).origin.files == ("..parts.txt", "drives/loads.yaml")
+
+
+def test_a_file_that_is_too_large_is_not_read_whole(files, tmp_path, monkeypatch):
+    monkeypatch.setattr(yaml_tree, "MAX_BYTES", 2_000_000)
+    with (tmp_path / "zeros.yaml").open("wb") as stream:
+        stream.truncate(50_000_000)
+    tracemalloc.start()
+    with pytest.raises(ModelError, match="larger than 2 MB"):
+        load_model(tmp_path / "zeros.yaml")
+    assert tracemalloc.get_traced_memory()[1] < 10_000_000
+    tracemalloc.stop()
 
 
 def test_a_link_to_another_kind_of_file_is_refused(files, tmp_path):

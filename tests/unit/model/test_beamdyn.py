@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.geometry.section_matrix import section_properties, symmetric
-from pitchpoint.model.openfast.beamdyn import read_beamdyn
+from pitchpoint.model.openfast.beamdyn import beam_table, read_beamdyn
 from tests.support.beamdyn import TABLE, axis_of, matrices, write_beamdyn
 
 
@@ -65,6 +65,50 @@ def test_torsion_is_that_about_the_shear_centre():
     found = section_properties(K, np.eye(6))
     assert found["torsion"] == pytest.approx(5e7)
     assert (found["shear_center_1"], found["shear_center_2"]) == pytest.approx((0.2, 0.1))
+
+
+def turned_matrix(turn, one=1e9, two=4e9):
+    """Stiffness of a section with turned axes, its elastic and shear centre 0.1 and 0.2 m along axis 1."""
+    c, s = np.cos(turn), np.sin(turn)
+    (x, y), (x_s, y_s) = (0.1 * c, 0.1 * s), (0.2 * c, 0.2 * s)
+    xx, yy, xy = one * c * c + two * s * s, one * s * s + two * c * c, (one - two) * c * s
+    axial = 1e10
+    K = np.diag([1e8, 1e8, axial, yy + axial * y * y, xx + axial * x * x, 2e8 + 1e8 * 0.2**2])
+    for (i, j), value in {
+        (2, 3): axial * y,
+        (2, 4): -axial * x,
+        (3, 4): -xy - axial * x * y,
+        (0, 5): -1e8 * y_s,
+        (1, 5): 1e8 * x_s,
+    }.items():
+        K[i, j] = K[j, i] = value
+    return K
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_axes_turn_continuously_along_a_blade(sign):
+    """Turn of the axes by 170°, through 45° and 135°; a round root and a nearly round section in between."""
+    turns = sign * np.radians([0.0, 20.0, 44.0, 46.0, 80.0, 100.0, 134.0, 136.0, 170.0])
+    found = [section_properties(turned_matrix(turn), np.eye(6)) for turn in turns]
+    found.insert(0, section_properties(turned_matrix(0.0, 4e9), np.eye(6)))
+    nearly = section_properties(turned_matrix(sign * np.radians(110.0), 4.001e9, 4e9), np.eye(6))
+    found.insert(5, nearly)
+    place = np.linspace(0.0, 1.0, len(found))
+    axis = np.column_stack([np.zeros((len(found), 2)), 10.0 * place])
+    table = beam_table(place, found, axis, np.zeros(len(found)), place)
+    own = np.ones(len(found), dtype=bool)
+    own[[0, 5]] = False
+    assert table.twist[own] == pytest.approx(turns, abs=1e-9)
+    assert table.twist[~own] == pytest.approx(sign * np.radians([0.0, 46.0]), abs=1e-9)
+    assert table.bending_1[own] == pytest.approx(np.full(9, 1e9))
+    assert table.bending_2[own] == pytest.approx(np.full(9, 4e9))
+    assert table.bending_1[~own] == pytest.approx([4e9, 4e9], rel=1e-3)
+    for name, wanted in (("elastic", 0.1), ("shear_center", 0.2)):
+        assert getattr(table, f"{name}_1")[own] == pytest.approx(np.full(9, wanted))
+        assert getattr(table, f"{name}_2")[own] == pytest.approx(np.zeros(9), abs=1e-9)
+        back = getattr(table, f"{name}_1")[5] + 1j * getattr(table, f"{name}_2")[5]
+        there = wanted * np.exp(1j * sign * np.radians(110.0 - 46.0))
+        assert back == pytest.approx(there)
 
 
 def test_matrices_that_are_no_section():

@@ -48,6 +48,15 @@ def test_rotor_and_tower(file, text):
     assert found.tower is not None and found.tower.radius_at(40.0) == pytest.approx(2.25)
 
 
+@pytest.mark.parametrize("version", ["1.0", '"1.0.1"', "1"])
+def test_the_first_version_may_have_its_number(file, version):
+    """Its angles are in radians."""
+    rotor = read_windio_rotor(file(f"windIO_version: {version}\n{VERSION_1}")).rotor
+    assert (rotor.precone, rotor.tilt) == pytest.approx((0.05, 0.08))
+    with pytest.raises(ModelError, match=r"windIO_version \(third.yaml, line 1\): '3.0' is not .* 1 or 2"):
+        read_windio_rotor(file(f"windIO_version: 3.0\n{VERSION_1}", "third.yaml"))
+
+
 def test_both_layouts_are_one_turbine(file):
     """Angles of the second have six digits."""
     one, two = (read_windio_rotor(file(t, f"{k}.yaml")).rotor for k, t in enumerate((VERSION_1, VERSION_2)))
@@ -102,6 +111,44 @@ def test_tower_as_a_beam(file):
     assert np.interp(0.5, table.position, table.bending_1) == pytest.approx(2e11 * middle, rel=1e-9)
 
 
+def test_moments_are_about_the_aerodynamic_centre(file):
+    """windIO: the centre used to define the polars. Its station moves with it, and the moments stay."""
+    old = VERSION_1[VERSION_1.index("  - name: thin") :]
+    moved = VERSION_1.replace(old, old.replace("aerodynamic_center: 0.25", "aerodynamic_center: 0.3", 1))
+    one, two = (read_windio_rotor(file(t, f"{k}.yaml")).rotor.blade for k, t in enumerate((VERSION_1, moved)))
+    assert two.sweep[-1] - one.sweep[-1] == pytest.approx(0.05 * 0.5)
+    for blade in (one, two):
+        assert blade.polars[blade.polar_index[-1]].at(0.0)[2] == -0.08
+
+
+def test_airfoils_and_polars_that_are_not_used_are_noted(file):
+    """An airfoil of the same thickness, and polars of a configuration that the blade does not name."""
+    assert read_windio_rotor(file(VERSION_2)).notes == ()
+    more = VERSION_2[VERSION_2.index("      - configuration") : VERSION_2.index("  - name: thick")]
+    rough = more.replace("default", "rough").replace("[0.5, 0.5]", "[0.7, 0.7]")
+    text = VERSION_2.replace(more, more + rough, 1).replace("rthick: 0.4", "rthick: 0.2")
+    found = read_windio_rotor(file(text, "more.yaml"))
+    assert found.notes == (
+        "airfoil round: polars of the configuration default, not of rough",
+        "airfoil thin: not used, as thick has the same relative thickness",
+    )
+    assert found.rotor.blade.polars[found.rotor.blade.polar_index[0]].at(0.0)[1] == 0.5
+    text = text.replace(
+        "name: round, spanwise_position: 0.0, configuration: [default]",
+        "name: round, spanwise_position: 0.0, configuration: [rough]",
+    )
+    with pytest.raises(
+        ModelError, match="'?default'? is another configuration of round than at a place before"
+    ):
+        read_windio_rotor(file(text, "two.yaml"))
+    text = text.replace(
+        "name: round, spanwise_position: 0.2, configuration: [default]",
+        "name: round, spanwise_position: 0.2, configuration: [rough]",
+    )
+    blade = read_windio_rotor(file(text, "rough.yaml")).rotor.blade
+    assert blade.polars[blade.polar_index[0]].at(0.0)[1] == 0.7
+
+
 def test_polars_of_several_reynolds_numbers(file):
     """The polar of each station is that of its Reynolds number at 2 rad/s, linear over the logarithm."""
     old = VERSION_1[VERSION_1.index("  - name: thin") : VERSION_1.index("materials:")]
@@ -147,9 +194,11 @@ WRONG = {
         "-180 to 180",
     ),
     "relative_thickness: 0.2": ("relative_thickness: 0.2x", "airfoils[2].relative_thickness"),
+    "hub_height: 80.0": ("hub_height: 8" + 350 * "0", "assembly.hub_height (small.yaml, line 2)"),
+    "values: [2.0, 2.8": ("values: [2" + 350 * "0" + ", 2.8", "chord.values[0] (small.yaml, line 7): '2000"),
     "number_of_blades: 3": ("number_of_blades: 2.5", "is not a whole number"),
     "components:": ("parts:", "components"),
-    "hub_height: 80.0": ("hub_height: [80.0", "YAML syntax"),
+    "hub_height: 80.0, ": ("hub_height: [80.0, ", "YAML syntax"),
     "re: 1.0e6": ("re: 1.0e6, re: 2", "YAML syntax"),
 }
 

@@ -13,6 +13,7 @@ from pitchpoint.model.openfast.elastodyn import read_elastodyn
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.rules.beam_pieces import beam_pieces
 from tests.support.rotors import FOLDER
 
 TEXT = """\
@@ -135,3 +136,13 @@ def test_tables_that_are_no_beam(given):
     plain = {"position": [0, 1], "mass": [1, 1], "bending_1": [1, 1], "bending_2": [1, 1]}
     with pytest.raises(ModelError):
         BeamTable(**{**plain, **given})
+
+
+def test_centres_that_differ_by_rounding_are_one():
+    """One element, not one for the axial stiffness beside it; 0.1 mm is no rounding."""
+    for distance, words in ((1e-15, ["", ".mass"]), (1e-4, ["", ".axial", ".mass"])):
+        more = f", shear_center_1: [0.1, 0.1], elastic_1: [{0.1 + distance!r}, {0.1 + distance!r}]"
+        pieces = beam_pieces(mast(PLAIN + more).model, "mast", 2.0)
+        assert [word for word, *_ in pieces[0].parts] == words
+    centre = ", center_1: [1e-15, 1e-15]"
+    assert len(beam_pieces(mast(PLAIN + centre).model, "mast", 2.0)[0].parts) == 1

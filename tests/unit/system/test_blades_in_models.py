@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from dataclasses import replace
 
@@ -11,9 +12,13 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
+from pitchpoint.core.provenance import content_hash
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import RotorFlow
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
+from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.model.remarks.collect import remarks_of_file
+from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.windio.rotor import read_windio_rotor
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
@@ -277,3 +282,67 @@ def test_exit_codes(tmp_path, capsys):
     path.write_text(text, encoding="utf-8")
     assert run_command(["run", str(path)]) == 2
     assert "box.bts: header: 40 bytes are there: the file is cut off" in capsys.readouterr().err
+
+
+def test_the_place_of_the_hub_is_that_of_the_model(tmp_path):
+    """A windIO file without hub height and with a senseless tilt has the same blades."""
+    found = []
+    for text in (
+        VERSION_1,
+        VERSION_1.replace("hub_height: 80.0, ", "").replace("uptilt: 0.08", "uptilt: up"),
+    ):
+        file = tmp_path / f"{len(found)}.yaml"
+        file.write_text(text, encoding="utf-8")
+        rotor = rotor_input(loads_model(HUB + f"    windio: {file}\n").wind_rotors["rotor"]).rotor
+        found.append((rotor.blade.sweep.tolist(), rotor.hub_radius, rotor.precone, rotor.hub_height))
+    assert found[0] == found[1]
+    file.write_text(VERSION_1.replace("relative_thickness: 0.4", "relative_thickness: 0.2"), encoding="utf-8")
+    model = loads_model(HUB + f"    windio: {file}\n")
+    remark = (
+        "wind_rotors.rotor.windio (line 8): airfoil thin: not used, as thick has the same relative thickness"
+    )
+    assert remark in [str(each) for each in remarks_of_file(model)]
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(ModelError, match="2 problems"):
+        read_windio_rotor(file)
+
+
+def test_a_changed_blade_file_of_beamdyn_is_another_model(tmp_path):
+    """The primary file names it: its content is in the hash, and it is read again."""
+    primary = write_beamdyn(tmp_path, *matrices())
+    model = mast(f"beamdyn: {primary}", 61.5)
+    (properties,) = (beam.properties for beam in model.beams.values())
+    hash_before, mass = content_hash(model), beam_table_of(properties).mass
+    assert content_hash(model) == hash_before
+    stiffness, inertia = matrices()
+    write_beamdyn(tmp_path, stiffness, 2.0 * inertia)
+    os.utime(tmp_path / "Blade.dat", ns=(1, 1))  # files of one instant have one time
+    assert beam_table_of(properties).mass == pytest.approx(2.0 * mass)
+    assert content_hash(model) != hash_before
+    write_beamdyn(tmp_path, stiffness, inertia)
+    os.utime(tmp_path / "Blade.dat", ns=(2, 2))
+    assert content_hash(model) == hash_before
+    (tmp_path / "Blade.dat").unlink()
+    assert content_hash(model) != hash_before
+
+
+@pytest.mark.parametrize(
+    ("pattern", "old", "new"),
+    [
+        ("**/*AeroDyn_blade.dat", "3.542", "3.642"),
+        ("**/Cylinder1.dat", "0.5000", "0.7000"),
+    ],
+)
+def test_a_changed_file_that_aerodyn_names_is_another_model(tmp_path, pattern, old, new):
+    shutil.copytree(FOLDER, tmp_path, dirs_exist_ok=True)
+    text = HUB + f"    aerodyn: {tmp_path / AERODYN.relative_to(FOLDER)}\n    hub_radius: 1.5 m\n"
+    model = loads_model(text)
+    blade, hash_before = rotor_input(model.wind_rotors["rotor"]).rotor.blade, content_hash(model)
+    (file,) = tmp_path.glob(pattern)
+    data = file.read_text(encoding="utf-8")
+    assert old in data
+    file.write_text(data.replace(old, new), encoding="utf-8")
+    changed = rotor_input(model.wind_rotors["rotor"]).rotor.blade
+    assert content_hash(model) != hash_before
+    drag = [b.polars[0].drag.tolist() for b in (blade, changed)]
+    assert blade.chord.tolist() != changed.chord.tolist() or drag[0] != drag[1]

@@ -9,6 +9,7 @@ process ends for any reason.
 from __future__ import annotations
 
 import math
+import os
 import signal
 import struct
 import subprocess
@@ -267,7 +268,11 @@ class Discon:
             in_time = self._watch.end()
         if answer is not None and in_time:
             return answer
-        status = process.wait()
+        try:
+            status = process.wait(self.timeout)
+        except subprocess.TimeoutExpired:  # the library has closed the pipe and still runs
+            process.kill()
+            status = process.wait()
         printed = self._last_line()
         self._end()
         if not in_time:
@@ -276,8 +281,9 @@ class Discon:
 
     def _last_line(self) -> str:
         """The last line that the library has printed."""
-        self._printed.seek(0)
-        lines = self._printed.read()[-2000:].decode("utf-8", "replace").split("\n")
+        size = self._printed.seek(0, os.SEEK_END)
+        self._printed.seek(max(0, size - 2000))
+        lines = self._printed.read().decode("utf-8", "replace").split("\n")
         last = next((line.strip() for line in reversed(lines) if line.strip()), "")
         return f"; it printed: {last[:200]}" if last else ""
 

@@ -21,7 +21,7 @@ from pathlib import Path, PurePosixPath
 
 from pitchpoint.core.errors import Message, PitchpointError
 
-DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError, lzma.LZMAError)
+DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, lzma.LZMAError)
 """Errors of damaged archives."""
 DESCRIPTION = "modelDescription.xml"
 LARGEST = 2_000_000_000

@@ -58,20 +58,15 @@ def heavy_induction(kappa, f):
     """Axial induction of a heavily loaded rotor, a > 0.4, by Buhl's curve (Buhl 2005), and its derivatives
     with respect to κ and F.
 
-    C_T = 8/9 + (4F - 40/9) a + (50/9 - 4F) a^2 equals 4 F κ (1 - a)^2. It tends to 1 for large κ.
+    C_T = 8/9 + (4F - 40/9) a + (50/9 - 4F) a^2 equals 4 F κ (1 - a)^2. It tends to 1 for large κ. The
+    quadratic equation has the root a = 1 - 1/(r + q) with r^2 = 2Fκ - F(4/3 - F) and q = 5/3 - F, which
+    does not cancel anywhere.
     """
-    g1 = 2.0 * f * kappa - (10.0 / 9.0 - f)
-    g2 = 2.0 * f * kappa - f * (4.0 / 3.0 - f)
-    g3 = 2.0 * f * kappa - (25.0 / 9.0 - 2.0 * f)
-    root = math.sqrt(g2)
-    k2 = 2.0 * f
-    f2 = 2.0 * kappa - 4.0 / 3.0 + 2.0 * f
-    if abs(g3) < 1e-6:
-        return 1.0 - 0.5 / root, 0.25 * k2 / (g2 * root), 0.25 * f2 / (g2 * root)
-    a = (g1 - root) / g3
-    by_kappa = (2.0 * f - 0.5 * k2 / root - a * 2.0 * f) / g3
-    by_f = (2.0 * kappa + 1.0 - 0.5 * f2 / root - a * (2.0 * kappa + 2.0)) / g3
-    return a, by_kappa, by_f
+    root = math.sqrt(2.0 * f * kappa - f * (4.0 / 3.0 - f))
+    free = 1.0 / (root + 5.0 / 3.0 - f)
+    by_kappa = f / root * free * free
+    by_f = ((kappa - 2.0 / 3.0 + f) / root - 1.0) * free * free
+    return 1.0 - free, by_kappa, by_f
 
 
 @kernel

@@ -16,7 +16,7 @@ from pitchpoint.elements.signals.net import SignalNet
 def add_dry_friction(
     net: SignalNet, name: str, x: str, wind_up: float, holding: float, damping_time: float
 ) -> None:
-    """Add the friction of a slip speed per unit of capacity, opposite to the slip, between -1 and 1.
+    """Add the friction of a slip speed per unit of capacity, opposite to the slip.
 
     Parameters
     ----------

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.tower import Tower
 
+TOWER_SECTORS = 72
+"""Number of azimuths over which the readers of files average the loads of a rotor with tower."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class RotorFlow:
@@ -34,7 +37,8 @@ class RotorFlow:
         Tower whose potential flow changes the wind at the blades; None without.
     sectors
         Number of azimuths over which the loads are averaged; 1 is sufficient for axial flow,
-        at least 36 are required with a tower.
+        at least 36 are required with a tower. In models the azimuth is that of the blades, and it has no
+        effect.
 
     Raises
     ------

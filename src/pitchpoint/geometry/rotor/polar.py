@@ -33,7 +33,8 @@ class Polar:
     lift, drag
         Coefficients c_l and c_d at these angles, shape (n,).
     moment
-        Coefficient c_m about the quarter chord, nose up positive, shape (n,); empty for zero.
+        Coefficient c_m about the aerodynamic centre, which is the point of the section at the station of a
+        blade, nose up positive, shape (n,); empty for zero.
 
     Raises
     ------

@@ -25,7 +25,7 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
-from pitchpoint.io.opening import dimensions_of, heaps_end, is_elsewhere, members
+from pitchpoint.io.opening import Dimensions, heaps_end, is_elsewhere, members
 from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
@@ -271,8 +271,9 @@ def read_own(path: Path, wanted: Wanted) -> Record:
                     else f"is a result of kind {kind}, without time signals"
                 )
                 raise refused(path, "", "", what, None, "name a result of run")
-            items = members(file)
-            found = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset) and _over_time(v)}
+            items, dimensions = members(file), Dimensions(file)
+            arrays = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset)}
+            found = {n: v for n, v in arrays.items() if _over_time(v, dimensions)}
             count = min(v.shape[0] for v in (items["time"], *found.values()))
             columns = tuple(_own_column(path, v, n, count) for n, v in found.items() if wanted.takes(n))
             time = Column("time", _numbers(path, "time", items["time"], None)[:count], "s")
@@ -286,10 +287,8 @@ def read_own(path: Path, wanted: Wanted) -> Record:
     return Record("pitchpoint result", columns, time, attributes=about, notes=tuple(notes))
 
 
-def _over_time(dataset: h5py.Dataset) -> bool:
-    if dataset.is_scale or len(dataset.shape) != 1:
-        return False
-    return bool(dimensions_of(dataset)[0].name == "/time")
+def _over_time(dataset: h5py.Dataset, dimensions: Dimensions) -> bool:
+    return len(dataset.shape) == 1 and not dataset.is_scale and dimensions.of(dataset) == ("time",)
 
 
 def _own_column(path: Path, dataset: h5py.Dataset, name: str, count: int) -> Column:

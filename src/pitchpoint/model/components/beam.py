@@ -182,6 +182,15 @@ class BeamProperties(Component):
     )
 
     @property
+    def further_files(self) -> tuple[str, ...]:
+        """Files that the file of BeamDyn names."""
+        if self.beamdyn is None:
+            return ()
+        from pitchpoint.model.openfast.beamdyn import beamdyn_files
+
+        return beamdyn_files(self.beamdyn)
+
+    @property
     def lists(self) -> dict[str, tuple[float, ...]]:
         """The lists that are given, by key."""
         names = ("position", "mass", "bending_1", "bending_2", *OPTIONAL)

@@ -108,7 +108,7 @@ class RateLimit(Component):
 
 @dataclass(frozen=True, kw_only=True)
 class DryFriction(Component):
-    """Dry friction of a brake per unit of capacity, opposite to the slip: sticks, then slips; -1 to 1."""
+    """Dry friction of a brake per unit of capacity, opposite to the slip: sticks, then slips with 1 or -1."""
 
     form: ClassVar[str] = "friction"
     input: str = text("name of the slip speed")

@@ -120,3 +120,12 @@ class WindRotor(Component):
         later=True,
     )
     tower_flow: bool = boolean("potential flow around the tower of the windIO file", False, later=True)
+
+    @property
+    def further_files(self) -> tuple[str, ...]:
+        """Files that the file of AeroDyn names."""
+        if self.aerodyn is None:
+            return ()
+        from pitchpoint.model.openfast.aerodyn import aerodyn_files
+
+        return aerodyn_files(self.aerodyn)

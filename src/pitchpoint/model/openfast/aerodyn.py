@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.rotor.blade import Blade
-from pitchpoint.geometry.rotor.flow import RotorFlow
+from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.tower import Tower
 from pitchpoint.model.openfast.airfoil import read_airfoil
@@ -84,6 +84,17 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
         at = FileLine(line.number, text.path.name)
         raise ModelError(in_file(error, name, at), str(text.path)) from None
     return AeroDynInput(blade, flow, tuple(notes))
+
+
+def aerodyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Files that `read_aerodyn` reads besides the primary file; none if that cannot be read."""
+    try:
+        text = read_input(path)
+    except ModelError:
+        return ()
+    blade = text.find("ADBlFile(1)")
+    names = [*_airfoil_files(text), *([] if blade is None else [blade.tokens[0]])]
+    return tuple(str(beside(text.path, name)) for name in names)
 
 
 def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) -> Blade:
@@ -219,7 +230,7 @@ def _flow(text: InputText) -> tuple[RotorFlow, list[str]]:
             hub_loss=text.flag("HubLoss", default=True),
             skewed_wake=skewed,
             tower=_tower(text) if potential in (1.0, 2.0) else None,
-            sectors=72 if potential in (1.0, 2.0) else 12,
+            sectors=TOWER_SECTORS if potential in (1.0, 2.0) else 12,
         )
     except ModelError as error:
         text.problems += [p.changed(file=text.path.name) for p in error.problems]

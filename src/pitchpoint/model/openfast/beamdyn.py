@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import FileLine, ModelError
 from pitchpoint.geometry.beam_table import BeamTable
-from pitchpoint.geometry.section_matrix import section_properties
+from pitchpoint.geometry.section_matrix import continued, section_properties
 from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
 
 FloatArray = NDArray[np.float64]
@@ -58,6 +58,15 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
     return beam_table(place, sections, points[:, :3], -np.radians(points[:, 3]), arc)
 
 
+def beamdyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Files that `read_beamdyn` reads besides the primary file; none if that cannot be read."""
+    try:
+        named = read_input(path).find("BldFile")
+    except ModelError:
+        return ()
+    return () if named is None else (str(beside(Path(path), named.tokens[0])),)
+
+
 def beam_table(
     place: FloatArray,
     sections: list[dict[str, float]],
@@ -72,7 +81,7 @@ def beam_table(
     place
         Stations of the sections as shares of the length, from 0 to 1, shape (n,).
     sections
-        Properties at these stations, of `section_properties`.
+        Properties at these stations, of `section_properties`; their axes are made continuous.
     axis
         Points of the curved axis, shape (m, 3) [m]; z increases.
     twist
@@ -88,6 +97,7 @@ def beam_table(
     >>> table.length, table.offset_1.tolist(), table.position.tolist()
     (10.0, [0.0, 0.1, 0.4], [0.0, 0.5, 1.0])
     """
+    sections = continued(sections)
     share = (at - at[0]) / (at[-1] - at[0])
     every = np.union1d(place.round(_DIGITS), share.round(_DIGITS))
     z = np.interp(every, share, axis[:, 2])

@@ -31,10 +31,13 @@ def text_of(path: str | Path) -> str:
     """Text of a YAML file; raises a `ModelError` if it cannot be read."""
     file = Path(path)
     try:
-        data = file.read_bytes()
+        with file.open("rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise ModelError([Message("", f"cannot be read: {reason}", value=str(path))]) from None
+    if len(data) > MAX_BYTES:
+        raise ModelError([_too_large()], str(path))
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -46,6 +49,10 @@ def text_of(path: str | Path) -> str:
         problem = Message("YAML syntax", "is not UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
     return text
+
+
+def _too_large() -> Message:
+    return Message("", f"the file is larger than {MAX_BYTES // 10**6} MB")
 
 
 class TreeError(Exception):
@@ -279,7 +286,7 @@ def _compose(text: str, progress: Progress = silent) -> Any:
     from ruamel.yaml.reader import ReaderError
 
     if len(text) > MAX_BYTES:
-        raise TreeError(Message("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
+        raise TreeError(_too_large())
     yaml = YAML(typ="safe", pure=True)
     try:
         return yaml.compose(_Watched(text, progress))

@@ -40,6 +40,7 @@ from pitchpoint.model.remarks.unusual_values import (
     overdamped_supports,
     preloads_above_the_rating,
 )
+from pitchpoint.model.remarks.wind_rotors import unused_polars
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -287,6 +288,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *weak_springs(model),
         *couplings_without_torque(model),
         *stage_keys(model),
+        *unused_polars(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

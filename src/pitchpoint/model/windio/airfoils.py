@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +24,7 @@ _NAMES = {1: ("c_l", "c_d", "c_m"), 2: ("cl", "cd", "cm")}
 @dataclass(frozen=True)
 class Airfoil:
     """Airfoil of a file: relative thickness, aerodynamic centre from the leading edge over the chord, and
-    its polars by increasing Reynolds number."""
+    its polars by increasing Reynolds number, whose moments are about this centre."""
 
     thickness: float
     center: float
@@ -47,8 +47,10 @@ class Airfoil:
         return Polar(name=one.name, alpha=alpha, lift=rows[:, 0], drag=rows[:, 1], moment=rows[:, 2])
 
 
-def read_airfoils(file: Ontology, names: Sequence[str]) -> dict[str, Airfoil]:
-    """Airfoils of a blade by name; problems remain in `file`.
+def read_airfoils(
+    file: Ontology, names: Sequence[str], configurations: Mapping[str, str]
+) -> dict[str, Airfoil]:
+    """Airfoils of a blade by name; problems and notes on what is not used remain in `file`.
 
     Parameters
     ----------
@@ -56,6 +58,8 @@ def read_airfoils(file: Ontology, names: Sequence[str]) -> dict[str, Airfoil]:
         The file.
     names
         Airfoils of the blade.
+    configurations
+        Configuration of the polars by airfoil; the first one of an airfoil that has no such polars.
     """
     found = {}
     known = {
@@ -69,20 +73,24 @@ def read_airfoils(file: Ontology, names: Sequence[str]) -> dict[str, Airfoil]:
             file.problem(("airfoils",), f"has no airfoil '{name}', which the blade names", None, limit)
             continue
         before = len(file.problems)
-        airfoil = _airfoil(file, ("airfoils", known[name]), name)
+        airfoil = _airfoil(file, ("airfoils", known[name]), name, configurations.get(name))
         if len(file.problems) == before and airfoil is not None:
             found[name] = airfoil
     return found
 
 
-def _airfoil(file: Ontology, at: tuple[Any, ...], name: str) -> Airfoil | None:
+def _airfoil(file: Ontology, at: tuple[Any, ...], name: str, wanted: str | None) -> Airfoil | None:
     thick = file.number(*at, "rthick" if file.has(*at, "rthick") else "relative_thickness", positive=True)
     center = file.number(*at, "aerodynamic_center", default=0.25)
     sets: list[tuple[Any, ...]] = []
     entries = file.entries(*at, "polars")
-    first = entries[0].get("configuration") if entries and isinstance(entries[0], dict) else None
+    given = list(dict.fromkeys(str(e.get("configuration")) for e in entries if isinstance(e, dict)))
+    used = wanted if wanted in given else next(iter(given), None)
+    if len(given) > 1:
+        others = ", ".join(each for each in given if each != used)
+        file.notes.append(f"airfoil {name}: polars of the configuration {used}, not of {others}")
     for k, entry in enumerate(entries):
-        if not isinstance(entry, dict) or entry.get("configuration") != first:
+        if not isinstance(entry, dict) or str(entry.get("configuration")) != used:
             continue
         if "re_sets" in entry:
             sets += [
@@ -100,6 +108,8 @@ def _airfoil(file: Ontology, at: tuple[Any, ...], name: str) -> Airfoil | None:
     if any(polar is None for _, polar in rows):
         return None
     by_number = {number: polar for number, polar in rows if polar is not None}
+    if len(by_number) < len(rows):
+        file.notes.append(f"airfoil {name}: the last one of several polars with the same Reynolds number")
     numbers = np.array(sorted(by_number))
     return Airfoil(thick, center, numbers, tuple(by_number[n] for n in numbers))
 

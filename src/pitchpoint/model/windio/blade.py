@@ -53,12 +53,12 @@ def read_blade(file: Ontology, hub_radius: float) -> Blade:
     """
     shape = _shape(file)
     names, places = _airfoil_places(file)
-    airfoils = read_airfoils(file, names)
+    airfoils = read_airfoils(file, names, _configurations(file, names))
     file.stop()
     own = np.array([airfoils[name].thickness for name in names])
     thickness = smooth(_thickness(file, places, own), shape.grid)
     file.stop()
-    used = _by_thickness(airfoils)
+    used = _by_thickness(airfoils, file)
     several = any(len(airfoil.polars) > 1 for airfoil in used)
     reynolds = _reynolds(file, shape, hub_radius) if several else np.full(shape.grid.size, 1e6)
     file.stop()
@@ -119,15 +119,28 @@ def _airfoil_places(file: Ontology) -> tuple[list[str], FloatArray]:
         count = len(file.entries(*at))
         names = [str(file.get(*at, k, "name")) for k in range(count)]
         places = np.array([file.number(*at, k, "spanwise_position") for k in range(count)])
-        for k in range(count):
-            if file.has(*at, k, "configuration") and len(file.entries(*at, k, "configuration")) > 1:
-                file.problem((*at, k, "configuration"), "has several configurations, which are not read")
     if not file.problems:
         if not names or len(names) != places.size:
             file.problem(at, "is the number of places", str(places.size), f"{len(names)} as of names, >= 1")
         for k in np.flatnonzero(np.diff(places) <= 0.0)[:1]:
             file.problem(at, "does not increase", f"{places[k + 1]:g}", f"> {places[k]:g}")
     return names, places
+
+
+def _configurations(file: Ontology, names: list[str]) -> dict[str, str]:
+    """Configuration of the polars by airfoil, which version 2 has at the places along the span."""
+    if file.version == 1:
+        return {}
+    at = (*BLADE, "outer_shape", "airfoils")
+    found: dict[str, str] = {}
+    for k, name in enumerate(names):
+        given = file.entries(*at, k, "configuration") if file.has(*at, k, "configuration") else []
+        if len(given) > 1:
+            file.problem((*at, k, "configuration"), "has several configurations, which are not read")
+        elif given and found.setdefault(name, str(given[0])) != str(given[0]):
+            text = f"is another configuration of {name} than at a place before"
+            file.problem((*at, k, "configuration"), text, str(given[0]), found[name])
+    return found
 
 
 def _thickness(file: Ontology, places: FloatArray, own: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -138,12 +151,16 @@ def _thickness(file: Ontology, places: FloatArray, own: FloatArray) -> tuple[Flo
     return (places, own) if places.size > 1 else (np.array([0.0, 1.0]), np.repeat(own, 2))
 
 
-def _by_thickness(airfoils: dict[str, Airfoil]) -> list[Airfoil]:
-    """Airfoils by increasing thickness; of several with the same thickness the first one."""
+def _by_thickness(airfoils: dict[str, Airfoil], file: Ontology) -> list[Airfoil]:
+    """Airfoils by increasing thickness; of several with the same thickness the first one, with a note."""
     found: list[Airfoil] = []
-    for airfoil in sorted(airfoils.values(), key=lambda a: a.thickness):
+    last = ""
+    for name, airfoil in sorted(airfoils.items(), key=lambda item: item[1].thickness):
         if not found or airfoil.thickness > found[-1].thickness + _SAME:
             found.append(airfoil)
+            last = name
+        else:
+            file.notes.append(f"airfoil {name}: not used, as {last} has the same relative thickness")
     return found
 
 

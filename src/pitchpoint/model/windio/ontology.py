@@ -28,7 +28,7 @@ BAD = np.array([0.0, 1.0])
 
 @dataclass
 class Ontology:
-    """Contents of a windIO file, and the problems found in it so far.
+    """Contents of a windIO file, and the problems and notes of its reading so far.
 
     Parameters
     ----------
@@ -44,11 +44,14 @@ class Ontology:
     data: Any
     lines: Mapping[Place, int]
     problems: list[Message] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
 
     @property
     def version(self) -> int:
         """Number of the layout: 1 (radians, `outer_shape_bem`) or 2 (degrees, `outer_shape`)."""
-        return 2 if "windIO_version" in self.data or self.has("components", "blade", "outer_shape") else 1
+        if "windIO_version" in self.data:
+            return 1 if str(self.data["windIO_version"]).split(".")[0] == "1" else 2
+        return 2 if self.has("components", "blade", "outer_shape") else 1
 
     def angle(self, value: Any) -> Any:
         """Angle of the file in rad."""
@@ -103,12 +106,13 @@ class Ontology:
         found = self.get(*place)
         if found is None:
             return math.nan
-        if isinstance(found, bool) or not isinstance(found, int | float) or not math.isfinite(found):
+        value = _finite(found)
+        if value is None:
             self.problem(place, "is not a finite number", _shown(found))
             return math.nan
-        if positive and not found > 0.0:
-            self.problem(place, "is out of range", f"{found:g}", "> 0")
-        return float(found)
+        if positive and not value > 0.0:
+            self.problem(place, "is out of range", f"{value:g}", "> 0")
+        return value
 
     def entries(self, *place: Any) -> list[Any]:
         """List at a path; empty with a problem if there is none."""
@@ -124,7 +128,7 @@ class Ontology:
             self.problem(place, "is the number of values", str(len(found)), f"<= {MOST_POINTS}")
             return np.zeros(0)
         for k, value in enumerate(found):
-            if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            if _finite(value) is None:
                 self.problem((*place, k), "is not a finite number", _shown(value))
                 return np.zeros(0)
         return np.array(found, dtype=float)
@@ -183,18 +187,23 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     """
     file = Path(path)
     try:
-        stamp = file.stat().st_mtime_ns
+        status = file.stat()
     except OSError as error:
         reason = error.strerror or "failed"
         raise ModelError(
             [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
         ) from None
-    data, lines = _contents(str(file), stamp)
-    return Ontology(file, data, lines)
+    data, lines = _contents(str(file), status.st_mtime_ns, status.st_size)
+    found = Ontology(file, data, lines)
+    given = str(data.get("windIO_version", "2"))
+    if given.split(".")[0] not in ("1", "2"):
+        found.problem(("windIO_version",), "is not a version that can be read", _shown(given), "1 or 2")
+        found.stop()
+    return found
 
 
 @functools.lru_cache(maxsize=4)
-def _contents(path: str, stamp: int) -> tuple[Any, Mapping[Place, int]]:
+def _contents(path: str, stamp: int, size: int) -> tuple[Any, Mapping[Place, int]]:
     name = Path(path).name
     try:
         tree = Tree(text_of(path))
@@ -208,6 +217,17 @@ def _contents(path: str, stamp: int) -> tuple[Any, Mapping[Place, int]]:
         )
         raise ModelError([problem], path)
     return tree.data, tree.lines
+
+
+def _finite(value: Any) -> float | None:
+    """Finite number of a value of the file; None if it is none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        number = float(value)
+    except OverflowError:  # a whole number of more than 308 digits
+        return None
+    return number if math.isfinite(number) else None
 
 
 def _shown(value: Any) -> str:

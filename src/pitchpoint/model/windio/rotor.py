@@ -24,10 +24,13 @@ class WindIORotor:
         Blades with their polars, hub radius, precone, tilt, hub height, overhang.
     tower
         Elevations and diameters; None if the file has no tower.
+    notes
+        Airfoils and polars of the file that are not used.
     """
 
     rotor: Rotor
     tower: Tower | None
+    notes: tuple[str, ...] = ()
 
 
 def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
@@ -36,7 +39,8 @@ def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
     Chord, twist, reference axis and relative thickness are monotone cubic polynomials (PCHIP) between their
     points; the coefficients of a section are those of its relative thickness between the airfoils. Polars of
     several Reynolds numbers are taken at the rated rotor speed of the file. The stations are where the file
-    has chords, each at the aerodynamic centre.
+    has chords, each at the aerodynamic centre of the file, to which windIO refers the polars; moments are
+    about it.
 
     Parameters
     ----------
@@ -48,17 +52,25 @@ def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
     ModelError
         With every problem, its file and line.
     """
+    return _read(path, placed=True)
+
+
+def read_windio_blades(path: str | os.PathLike[str]) -> WindIORotor:
+    """Blades, hub radius, precone and tower of a windIO file, without hub height, tilt and overhang.
+
+    These are not read and have the defaults of `Rotor`: in a model the bodies have them. Otherwise as
+    `read_windio_rotor`.
+    """
+    return _read(path, placed=False)
+
+
+def _read(path: str | os.PathLike[str], placed: bool) -> WindIORotor:
     file = read_ontology(path)
     downwind = str(file.get("assembly", "rotor_orientation") or "Upwind").lower() == "downwind"
     hub_radius = 0.5 * file.number("components", "hub", "diameter", positive=True)
     cone = float(file.angle(file.number("components", "hub", "cone_angle", default=0.0)))
     blades = file.number("assembly", "number_of_blades", default=3.0)
-    at = ("components", "drivetrain", "outer_shape")
-    if file.version == 1:
-        at = ("components", "nacelle", "drivetrain")
-    tilt = float(file.angle(file.number(*at, "uptilt", default=0.0)))
-    overhang = file.number(*at, "overhang", default=0.0)
-    hub_height = file.number("assembly", "hub_height", positive=True)
+    place = _place(file, downwind) if placed else {}
     if not file.problems and blades != round(blades):
         file.problem(("assembly", "number_of_blades"), "is not a whole number", f"{blades:g}")
     file.stop()
@@ -71,13 +83,26 @@ def read_windio_rotor(path: str | os.PathLike[str]) -> WindIORotor:
             blades=round(blades),
             hub_radius=hub_radius,
             precone=-cone if downwind else cone,
-            tilt=tilt,
-            hub_height=hub_height,
-            overhang=(-overhang if downwind else overhang) / math.cos(tilt),
+            **place,
         )
     except ModelError as error:
         raise ModelError([p.changed(file=file.path.name) for p in error.problems], str(path)) from None
-    return WindIORotor(rotor, tower)
+    return WindIORotor(rotor, tower, tuple(file.notes))
+
+
+def _place(file: Ontology, downwind: bool) -> dict[str, float]:
+    """Tilt, hub height and overhang."""
+    at = ("components", "drivetrain", "outer_shape")
+    if file.version == 1:
+        at = ("components", "nacelle", "drivetrain")
+    tilt = float(file.angle(file.number(*at, "uptilt", default=0.0)))
+    overhang = file.number(*at, "overhang", default=0.0)
+    hub_height = file.number("assembly", "hub_height", positive=True)
+    return {
+        "tilt": tilt,
+        "hub_height": hub_height,
+        "overhang": (-overhang if downwind else overhang) / math.cos(tilt),
+    }
 
 
 def _tower(file: Ontology) -> Tower | None:

@@ -81,14 +81,14 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     holds = loop_rows(system)
     here, contacts = _closed(system, state, kept, drawn=True), Contacts.of(system)
-    mu, size = FIRST, extents(system)
+    mu, far = FIRST, extents(system)
     for count in range(MAX_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
         # the force error of rounded positions limits the residual
-        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + size))
+        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + far))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
         if np.all(np.abs(left) <= goal):

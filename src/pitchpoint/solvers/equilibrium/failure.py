@@ -146,6 +146,7 @@ def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tupl
     """
     own, at = system.copy(), state.copy()
     close_backlash(own, at)
+    free = np.setdiff1d(free, system.states)  # no bearing holds the state of a controller
     weight = own.weight[free]
     loads = evaluate.residual(own, at)[free] / weight
     for kind, records in own.records.items():

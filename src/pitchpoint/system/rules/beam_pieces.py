@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 THIN = 1e-12
 """Area of an element whose axial stiffness is apart, relative to that of the section."""
+SAME = 1e-6
+"""Distance of two centres that are one, over the larger radius of gyration of the section."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,8 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
     line, elastic, center = (
         (mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("shear_center", "elastic", "center")
     )
-    apart = line != elastic
+    size = SAME * math.sqrt(max(mean["bending_1"], mean["bending_2"]) / stiff)
+    apart = math.dist(line, elastic) > size
     area = THIN if apart else 1.0
     section = Section(
         A=area,
@@ -125,7 +128,7 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
     beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"])
     axes = _along(way / length) @ about_z(mean["twist"])
     gyration = mean["gyration"]
-    if line == elastic == center == (0.0, 0.0) and gyration == 0.0:
+    if max(math.hypot(*place) for place in (line, elastic, center)) <= size and gyration == 0.0:
         return Piece(beam, axes, ends)
     second = (section.I_1, section.I_2) if gyration == 0.0 else (0.5 * gyration**2,) * 2
     whole = Section(A=1.0, I_1=second[0], I_2=second[1], J=0.0, kappa_1=0.0, kappa_2=0.0)

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.stiffness.description import Description, PairShape
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.kernel import invoke
+from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK, sentence
 from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.mesh import record as layout
+from pitchpoint.elements.mesh.line_of_action import place_gears
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
@@ -199,31 +200,13 @@ def mesh_bank(places: Places) -> Bank:
     pool = Pool()
     rows, names, laws = [], [], []
     for name, mesh in model.meshes.items():
-        ends = [model.body_of(g) for g in mesh.gears]
-        if None in ends:
+        if None in [model.body_of(g) for g in mesh.gears]:
             continue
-        one, two = (str(e) for e in ends)
         gears = [model.gears[g] for g in mesh.gears]
-        seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
-        axes = mesh_frame(model, one)
+        place, numbers = _placement(model, name)
         skew = (0.0, 0.0) if mesh.misalignment is None else mesh.misalignment.skew
-        place = Placement(
-            axes=axes,
-            origin1=seats[0][2],
-            origin2=seats[1][2],
-            offset1=seats[0][1],
-            offset2=seats[1][1],
-            phi1=model.phasing.tooth_angle[mesh.gears[0]],
-            phi2=model.phasing.tooth_angle[mesh.gears[1]] + mesh.twist,
-            turn1=_turn(axes.T @ seats[0][3]),
-            turn2=_turn(axes.T @ seats[1][3]),
-            fixed=all(_only_spins(model, b) for b in (one, two))
-            and not any(is_displaced(g) or g.flexible_rim is not None for g in gears)
-            and skew == (0.0, 0.0),
-            widths=(gears[0].face_width, gears[1].face_width),
-        )
         row = _tooth_row(model, name, place, pool.add)
-        row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
+        row["i"], row["j"], row["skew"] = *numbers, skew
         set_displacements(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
         set_rim(row, model, name, pool.add)
         law = mesh.stiffness
@@ -232,6 +215,47 @@ def mesh_bank(places: Places) -> Bank:
         rows.append(row)
         names.append(name)
     return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _placement(model: Model, name: str) -> tuple[Placement, list[int]]:
+    """Position of the gears of a mesh on their bodies, and the numbers of these."""
+    mesh = model.meshes[name]
+    one, two = (str(model.body_of(g)) for g in mesh.gears)
+    gears = [model.gears[g] for g in mesh.gears]
+    seats = [_seat(model, b, g) for b, g in zip((one, two), mesh.gears, strict=True)]
+    axes = mesh_frame(model, one)
+    skew = (0.0, 0.0) if mesh.misalignment is None else mesh.misalignment.skew
+    place = Placement(
+        axes=axes,
+        origin1=seats[0][2],
+        origin2=seats[1][2],
+        offset1=seats[0][1],
+        offset2=seats[1][1],
+        phi1=model.phasing.tooth_angle[mesh.gears[0]],
+        phi2=model.phasing.tooth_angle[mesh.gears[1]] + mesh.twist,
+        turn1=_turn(axes.T @ seats[0][3]),
+        turn2=_turn(axes.T @ seats[1][3]),
+        fixed=all(_only_spins(model, b) for b in (one, two))
+        and not any(is_displaced(g) or g.flexible_rim is not None for g in gears)
+        and skew == (0.0, 0.0),
+        widths=(gears[0].face_width, gears[1].face_width),
+    )
+    return place, [seat[0] for seat in seats]
+
+
+def assembled_teeth(model: Model, name: str) -> np.void:
+    """Record of a mesh with its teeth and path of contact as assembled, without bodies and stiffness.
+
+    Fields of the path, `now["start"]`, `now["eps"]`, and numbers of teeth for `tooth_pairs.pair_teeth`.
+    """
+    pair, row = model.pairs[name], np.zeros(1, layout.RECORD)[0]
+    place, _ = _placement(model, name)
+    _geometry(row, pair, place)
+    row["inv_w0"] = inv(pair.alpha_wt)
+    shift = place.axes[:, 2] @ (place.origin2 - place.origin1)
+    row["now"]["dz"] = float(shift) + place.offset2 - place.offset1
+    plain(place_gears)(row, math.cos(pair.alpha_wt))
+    return row
 
 
 def _tooth_row(model: Model, name: str, place: Placement, keep: Keep) -> np.void:

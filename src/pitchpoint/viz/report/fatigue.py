@@ -39,7 +39,9 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         rows.append(f'<tr><th scope="row">{escape(channel_label(channel))}</th>{cells}</tr>')
     section.add(plain_table(head, rows, words=1))
     teeth = [(g, f, row) for g, flanks in found["teeth"].items() for f, row in flanks.items()]
+    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     if not teeth:
+        section.add(f"<p>{notes}</p>" if notes else "")
         return
     head = ["gear", "flank", "pulses per tooth", "largest force", "equivalent, all teeth", "tooth"]
     rows = [
@@ -52,9 +54,10 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         for gear, flank, row in teeth
     ]
     section.add(plain_table(head, rows))
+    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     section.add(
-        f"<p>Forces of single tooth pairs; equivalent for m = {found['tooth_slope']:g}, as many constant "
-        f"pulses as the teeth have in the mean. {escape(' '.join(f'{note}.' for note in found['notes']))}</p>"
+        f"<p>{found['tooth_force'].capitalize()}; equivalent for m = {found['tooth_slope']:g}, as many "
+        f"constant pulses as the teeth have in the mean. {notes}</p>"
     )
     figure = theme.figure("force of a tooth [kN]", "share of the pulses above [%]")
     largest = sorted(teeth, key=lambda entry: -max(entry[2]["largest"]))[:DRAWN]
