@@ -54,6 +54,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     inverse_of,
     rest_matrix,
     unsettled_states,
+    without_rate_limits,
     wrapped,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, held_spins, is_independent
@@ -159,6 +160,7 @@ def find_equilibrium(
         If no equilibrium is found: a loaded direction is unconstrained, or a force law has no equilibrium.
     """
     kept = held_spins(system) if held is None else tuple(held)
+    system = without_rate_limits(system)
     state = (centred(system, system.initial_state(), kept) if start is None else start).copy()
     state.a[:] = 0.0
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
