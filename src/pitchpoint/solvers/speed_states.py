@@ -4,8 +4,9 @@
 Each equilibrium is continued from the one at the nearest speed. Loads are those of the scenario at the new
 speed, with two exceptions that keep the machine in its operation:
 
-* the wind on a rotor changes in proportion to the speed: the flow along the blades keeps its angles, as in the
-  operation of a turbine at its optimum tip-speed ratio. A constant wind would stall the blades at low speed;
+* the wind on a rotor changes in proportion to the speed: the flow along the blades keeps its angles, as in
+  the operation of a turbine at its optimum tip-speed ratio. A constant wind would stall the blades at low
+  speed. A box of turbulence does not change;
 * controllers do not act: their states, and the joints that actuators position, such as the pitch of a blade,
   keep their values at the operating point. An integrator would change without limit at any other speed.
 """
@@ -13,6 +14,7 @@ speed, with two exceptions that keep the machine in its operation:
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -31,7 +33,7 @@ from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.unloaded_flanks import close_backlash
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
-from pitchpoint.system.wind import with_wind
+from pitchpoint.system.wind import has_wind, with_wind
 
 
 class SpeedStates:
@@ -51,11 +53,8 @@ class SpeedStates:
         self.operating = float(linear.state.v @ rates) / max(float(rates @ rates), 1e-300)
         stopped = linear.state.copy()
         stopped.v[:] = 0.0
-        joints = [int(k) for k in turning_joints(system)]
-        driven = without_positioned(system, linear.state, joints, ())
-        positioned = [k for k in joints if k not in driven]
-        states = [int(k) for k in signal_states(system)]
-        self.held = tuple(dict.fromkeys([*linear.held, *positioned, *states]))
+        self.held = tuple(dict.fromkeys([*linear.held, *(_controlled(linear) if has_wind(system) else ())]))
+        self.failed: dict[float, SolverError] = {}
         self.known: list[tuple[float, State]] = [(self.operating, linear.state)]
         elastic = linear.at_rest.K.copy()
         for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
@@ -67,6 +66,12 @@ class SpeedStates:
         self.toothless: Mapping[str, slice] | None = (
             {k: slice(None) for k in system.records if registry.find(k).role != MESH} if meshed else None
         )
+
+    def prepare(self, speeds: Array) -> None:
+        """Find the equilibria at some speeds [rad/s], beginning at the operating speed."""
+        for speed in sorted(map(float, speeds), key=lambda speed: abs(speed - self.operating)):
+            with suppress(SolverError):
+                self.state(speed)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
@@ -80,18 +85,23 @@ class SpeedStates:
         SolverError
             If there is none.
         """
+        if speed in self.failed:
+            raise self.failed[speed]
         system = self._system(speed)
         for nearest in sorted(self.known, key=lambda known: abs(known[0] - speed))[:2]:
             start = nearest[1].copy()
+            if nearest[0] == speed and nearest is not self.known[0]:
+                return system, start
             start.v[self._moving] = (speed * self.rates)[self._moving]
             try:
                 found = find_equilibrium(system, start, self.held, near=True).state
             except SolverError as error:
-                problem = error
+                self.failed[speed] = error
                 continue
+            self.failed.pop(speed, None)
             self.known.append((speed, found))
             return system, found
-        raise problem
+        raise self.failed[speed]
 
     def turned(self, state: State, speed: float, angle: float) -> tuple[System, State]:
         """Equilibrium at a speed [rad/s] with the reference body turned by an angle [rad] from a state."""
@@ -114,7 +124,7 @@ class SpeedStates:
     def about(self, system: System, state: State, teeth: State | None = None) -> Linearised:
         """The linear system about a state; mesh stiffness is that at rest.
 
-        Unloaded flanks are closed at every speed, as they are at rest. `teeth`: state whose mesh phases count.
+        Unloaded flanks are closed at every speed, as they are at rest. `teeth`: state with the mesh phases.
         """
         linear = self.linear
         close_backlash(system, state, linear.flanks)
@@ -143,3 +153,11 @@ class SpeedStates:
             own -= evaluate.matrix(system, there, *factors)
             own += evaluate.matrix(system, state, *factors)
         return own
+
+
+def _controlled(linear: Linearised) -> list[int]:
+    """States of signals, and joints that actuators position."""
+    system = linear.system
+    joints = [int(k) for k in turning_joints(system)]
+    loose = without_positioned(system, linear.state, joints, ())
+    return [*(k for k in joints if k not in loose), *map(int, signal_states(system))]

@@ -7,9 +7,9 @@ coordinates of the whole rotor instead of those of each blade (Coleman and Feing
     q_k = a_0 + sum_n (a_n cos n psi_k + b_n sin n psi_k) + (-1)^k d    (d for an even number of blades),
 
 q = T(psi) z, the matrices are constant if all blades are equal and the air and the support are those of an
-isotropic rotor. Here the coordinates are those of the blades at the azimuth of the operating point, x = T_0 z,
-so that everything else, such as energies and names of modes, is that of this position: q = R(psi) x with R =
-T T_0^-1, and M R x'' + ... gives
+isotropic rotor. Here the coordinates are those of the blades at the azimuth of the operating point, x = T_0
+z, so that everything else, such as energies and names of modes, is that of this position: q = R(psi) x with
+R = T T_0^-1, and M R x'' + ... gives
 
     M_x = R^T M R,   D_x = R^T (D R + 2 M R'),   K_x = R^T (K R + D R' + M R''),   R' = Omega dR/dpsi.
 
@@ -92,15 +92,18 @@ class TurningRotors:
 
     def _transformed(self, at: Linearised, reference: Linearised, speed: float, angle: float) -> Array:
         """M, D, K and K at rest in multi-blade coordinates, shape (4, nd, nd)."""
-        R = self._turned(reference, speed, angle)
+        from scipy.sparse import csr_array
+
+        R = [csr_array(one) for one in self._turned(reference, speed, angle)]
         M, D, K = at.at_rest.M.copy(), at.D.copy(), at.K.copy()
         own = list(at.states)  # the rates of these coordinates are the unknowns: one derivative less
         M[:, own], D[:, own], K[:, own] = 0.0, at.at_rest.M[:, own], at.D[:, own]
-        m = R[0].T @ M @ R[0]
-        d = R[0].T @ (D @ R[0] + 2.0 * M @ R[1])
-        k = R[0].T @ (K @ R[0] + D @ R[1] + M @ R[2])
+        back, (MR, MR1, MR2) = R[0].T, (M @ one for one in R)
+        m = back @ MR
+        d = back @ (D @ R[0] + 2.0 * MR1)
+        k = back @ (K @ R[0] + D @ R[1] + MR2)
         m[:, own], d[:, own], k[:, own] = d[:, own], k[:, own], 0.0
-        return np.array([m, d, k, R[0].T @ at.at_rest.K @ R[0]])
+        return np.array([m, d, k, back @ (at.at_rest.K @ R[0])])
 
     def _turned(self, reference: Linearised, speed: float, angle: float) -> Array:
         """R, R' and R'' with the reference body turned by an angle, shape (3, nd, nd)."""
@@ -157,7 +160,7 @@ class TurningRotors:
             )
         return np.hstack([np.eye(nd)[:, used], rest, np.eye(nd)[:, states]])
 
-    def whirl(self, shapes: NDArray[np.complex128], size: Array, azimuth: float = 0.0, one: int = 0) -> Array:
+    def whirl(self, shapes: NDArray[np.complex128], size: Array, one: int = 0) -> Array:
         """Amplitudes of the blades of a rotor, collective, forward and backward, over the largest.
 
         Parameters
@@ -166,8 +169,6 @@ class TurningRotors:
             Shapes of modes, shape (n, nd).
         size
             Scale of every coordinate, shape (nd,).
-        azimuth
-            Azimuth of reference [rad].
         one
             Number of the rotor.
 
@@ -176,16 +177,14 @@ class TurningRotors:
         ndarray, shape (n, 3)
         """
         rotor, alike = self.rotors[one], self.alike[one]
-        back = np.linalg.inv(self._shares(rotor, azimuth)[0])
+        back = np.linalg.inv(self._shares(rotor, 0.0)[0])
         n = len(rotor.coordinates[0])
         own = [
             np.linalg.solve(Q[:n, :n], (shapes[:, at]).T).T
             for Q, at in zip(alike, rotor.coordinates, strict=True)
         ]
         weight = size[rotor.coordinates[0]]
-        whole = [
-            sum(back[m, k] * own[k] for k in range(len(own))) * weight for m in range(len(own))
-        ]
+        whole = [sum(back[m, k] * own[k] for k in range(len(own))) * weight for m in range(len(own))]
         collective, c, s, *others = whole
         turn = 1j if self.rates[self.spins[one]] >= 0.0 else -1j
         parts = (collective, 0.5 * (c + turn * s), 0.5 * (c - turn * s), *others)

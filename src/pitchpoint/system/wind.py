@@ -176,6 +176,11 @@ def add_mean(box: WindBox, steady: SteadyWind) -> WindBox:
     return replace(box, velocity=(box.velocity + mean).astype(np.float32), with_mean=True)
 
 
+def has_wind(system: System) -> bool:
+    """Whether a system has rotors in the wind."""
+    return any("wind" in (bank.dtype.names or ()) for bank in system.records.values())
+
+
 def with_wind(system: System, factor: float) -> System:
     """Copy of a system with all steady winds and gusts multiplied by a factor, in the same directions.
 

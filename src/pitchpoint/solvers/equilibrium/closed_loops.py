@@ -19,7 +19,15 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.constraints.assembly import REDUNDANT, close_loops, loop_rows
 from pitchpoint.solvers.equilibrium.approach import Contacts
-from pitchpoint.solvers.equilibrium.unknowns import FACTORISED, GROWTH, ROUNDING, SOFTENING, extents, factorised, slopes
+from pitchpoint.solvers.equilibrium.unknowns import (
+    FACTORISED,
+    GROWTH,
+    ROUNDING,
+    SOFTENING,
+    extents,
+    factorised,
+    slopes,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source

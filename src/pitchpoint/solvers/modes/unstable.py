@@ -27,8 +27,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, note
-from pitchpoint.solvers.campbell import Campbell, at_speeds
+from pitchpoint.core.errors import Message, SolverError, note
+from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.modes.machine_groups import Groups
@@ -120,15 +120,17 @@ def _limit(found: Campbell, mode: int, inside: int, outside: int) -> float:
             growth[speed] = last[0].real
         return growth[speed]
 
-    return float(brentq(growth_at, near, away, xtol=EXACT * max(abs(near), abs(away))))
+    try:
+        return float(brentq(growth_at, near, away, xtol=EXACT * max(abs(near), abs(away))))
+    except SolverError:  # no equilibrium at a speed between them
+        return near
 
 
 def _source(found: Campbell, mode: int, at: int) -> str:
     """Component that feeds the largest power into a mode at one of the speeds."""
-    rates = found.speed[at] * found.rates
-    linear = at_speeds(found.modes.linear, rates)
+    linear = found.modes.at(float(found.speed[at]))
     state = linear.state.copy()
-    state.v = rates
+    state.v = found.speed[at] * found.rates
     motions = found.motions
     value, z = complex(found.eigenvalue[at, mode]), found.shape[at, mode]
     return feeding(linear.system, state, motions.groups, motions.parts.elements, value, z)
