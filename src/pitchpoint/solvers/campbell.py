@@ -15,7 +15,7 @@ References
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -28,7 +28,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.linear_system import Linearised, linearise, rates_of
+from pitchpoint.solvers.linear_system import ONE_POSITION, Linearised, linearise, rates_of
 from pitchpoint.solvers.modes.energies import (
     Energies,
     Motions,
@@ -40,7 +40,7 @@ from pitchpoint.solvers.modes.energies import (
     whirl_words,
 )
 from pitchpoint.solvers.modes.names import base_names, full_names
-from pitchpoint.solvers.over_speed import over_speed
+from pitchpoint.solvers.over_speed import OverSpeed, over_speed
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.whirl_basis import Complex, WhirlModes, normalised
 from pitchpoint.system.system import System
@@ -163,11 +163,9 @@ def follow_modes(
     )
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
     rotating = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
-    usual = (
-        [Counter(row[k] for row in reversed(rotating)).most_common(1)[0][0] for k in range(n)]
-        if rotating
-        else None
-    )
+    usual = _usual(rotating) if rotating else None
+    if usual is not None:
+        usual = _usual([over.whirls(z, usual) for s, z in zip(omega, shapes, strict=True) if s != 0.0])
     return Campbell(
         body=body,
         speed=omega,
@@ -185,10 +183,20 @@ def follow_modes(
         motions=motions,
         modes=modes,
         total=total,
-        notes=(*linear.notes, *over.notes, *modes.modes.notes),
+        notes=(*_of_other_positions(linear.notes, over), *over.notes, *modes.modes.notes),
         omitted=omitted,
         rotors=over.rotors,
     )
+
+
+def _usual(words: Sequence[Sequence[str]]) -> list[str]:
+    """Most frequent word of each mode over the speeds; of equally frequent ones that at the highest speed."""
+    return [Counter(column).most_common(1)[0][0] for column in zip(*reversed(words), strict=True)]
+
+
+def _of_other_positions(notes: Sequence[str], over: OverSpeed) -> list[str]:
+    """Notes without those on one position, which multi-blade coordinates do not depend on."""
+    return [text for text in notes if not (over.rotors and ONE_POSITION in text)]
 
 
 def _branches(

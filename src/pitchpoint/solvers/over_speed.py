@@ -15,11 +15,16 @@ from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.speed_states import SpeedStates
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.turning_rotors import TurningRotors
+from pitchpoint.solvers.whirl_basis import Complex
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 AZIMUTHS = 2
 """Positions within the angle between two blades: the mean of two is free of the blade-passing frequency."""
+WAYS = ("collective", "forward", "backward")
+"""Motions of all blades, in the order of `TurningRotors.whirl`."""
+LARGEST = 0.3
+"""Least share of the coordinates of the blades in the kinetic energy of a mode whose whirl is theirs."""
 MULTIBLADE = "multi-blade coordinates"
 """What the frequencies of turning rotors refer to, for notes and outputs."""
 
@@ -47,6 +52,9 @@ class OverSpeed(Protocol):
     def prepare(self, speeds: Array) -> None:
         """Prepare the evaluation at some speeds [rad/s]."""
 
+    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
+        """Words for the whirl of modes with shapes (n, nd), of the blades where they move most."""
+
 
 class InPlace:
     """Systems without trees of bodies: the same position at every speed; parameters as `SpeedStates`."""
@@ -60,6 +68,10 @@ class InPlace:
 
     def prepare(self, speeds: Array) -> None:
         """Nothing to prepare."""
+
+    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
+        """The given words."""
+        return list(words)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
@@ -84,6 +96,10 @@ class InTrees:
         """Equilibria, each from the nearest one, beginning at the operating speed."""
         self.states.prepare(speeds)
 
+    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
+        """The given words."""
+        return list(words)
+
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
         return self.states.at(speed)
@@ -106,6 +122,21 @@ class OfTurningRotors(InTrees):
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
         return self.axes.mean(self.states, super().at(speed), speed, AZIMUTHS)
+
+    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
+        """Words for the whirl of modes: of the blades with most of the kinetic energy, if they move most."""
+        M = self.reference.at_rest.M
+        size = np.sqrt(np.abs(np.diag(M)))
+        energy = (shapes.conj() * (shapes @ M)).real
+        found = list(words)
+        ways = [self.axes.whirl(shapes, size, one) for one in range(len(self.axes.rotors))]
+        own = np.array(
+            [energy[:, np.concatenate(r.coordinates)].sum(axis=1) for r in self.axes.rotors]
+        ) / energy.sum(axis=1)
+        for k, most in enumerate(np.argmax(own, axis=0)):
+            if own[most, k] >= LARGEST:
+                found[k] = WAYS[int(np.argmax(ways[int(most)][k]))]
+        return found
 
 
 def over_speed(linear: Linearised, rates: Array) -> OverSpeed:

@@ -10,9 +10,8 @@ A step is accepted by the size of the step that would follow it with the same ma
 Residuals do not measure progress: they may grow (a gear train multiplies a torque before the next mesh
 carries it).
 
-Sources: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
-Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004
-(natural monotonicity).
+Sources: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM J. Numerical
+Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004 (natural monotonicity).
 """
 
 from __future__ import annotations
@@ -52,6 +51,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     SOFTENING,
     extents,
     inverse_of,
+    is_rounding,
     rest_matrix,
     unsettled_states,
     without_rate_limits,
@@ -76,6 +76,8 @@ FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 NEAR = 1.0
 """The same from an equilibrium for similar loads."""
+CLOSE = 8.0
+"""Residual over the accepted one up to which a step below the rounding of positions ends the iteration."""
 TINY = 1e-9
 """Step [m] over which a continuous force is practically constant."""
 HEAVY = 1e8
@@ -87,8 +89,7 @@ LONGEST = 0.3
 """Largest joint rotation per step with exact tangents [rad]."""
 SLOW = 1.0
 """Time [s] after which the iteration reports its number of steps."""
-NOW = (np.zeros(1), np.ones(1))
-"""Only the initial instant, with weight one."""
+NOW = np.zeros(1), np.ones(1)  # only the initial instant, with weight one
 SHORT = 1e-6
 """Step [m] below which a rejected step is searched for a force jump."""
 
@@ -140,7 +141,7 @@ def find_equilibrium(
     Parameters
     ----------
     system
-        The system; constraint rows of drives are ignored (they prescribe motion, not rest).
+        The system; rows of drives are ignored (they prescribe motion, not rest).
     start
         Initial state; its velocities are retained and define the friction. Default: the initial state.
     held
@@ -231,6 +232,8 @@ def _pseudo_time(
         allowed = goal / weight[free]
         drift = balanced_drift(R[free], mass, mu, inverse, allowed) if floats else None
         step = -inverse(R[free] if drift is None else R[free] - drift)
+        if (left <= CLOSE * goal).all() and is_rounding(system, state, free, step, size):
+            return Rest(state, R), count, 0, -1
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
