@@ -18,7 +18,9 @@ from numpy.typing import NDArray
 from pitchpoint.solvers.eigen import best_match, ratio_of
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
-from pitchpoint.solvers.speed_states import SpeedStates
+from pitchpoint.solvers.modes.energies import energies_of, motions_of, spins_of, whirl_words
+from pitchpoint.solvers.modes.names import base_names, full_names
+from pitchpoint.solvers.over_speed import OfTurningRotors
 from pitchpoint.solvers.turning_rotors import TurningRotors
 from pitchpoint.system.system import System
 
@@ -48,6 +50,10 @@ class MultibladeModes:
         largest multi-blade coordinate of the mode.
     speed
         Speed of the rotor [rad/s].
+    names
+        Names of the modes, with the whirl of the blades where they move most.
+    strain
+        Shares of the components in the strain energy, by mode.
     """
 
     eigenvalue: NDArray[np.complex128]
@@ -55,6 +61,8 @@ class MultibladeModes:
     damping_ratio: Array
     blades: Array
     speed: float
+    names: tuple[str, ...]
+    strain: tuple[dict[str, float], ...]
 
 
 def find_multiblade_modes(
@@ -94,21 +102,27 @@ def find_multiblade_modes(
     axes = TurningRotors(linear.system, [(hub, blades)], rates)
     basis = axes.basis(linear)
     speed = float(linear.state.v[linear.system.spin(hub)])
-    states = SpeedStates(linear, rates)
-    mean = axes.mean(states, linear, abs(speed), azimuths)
+    over = OfTurningRotors(linear, rates, axes, [hub], azimuths)
+    mean = over.reference
     own = list(mean.states)
     M, D, K = mean.at_rest.M.copy(), mean.D.copy(), mean.K.copy()
     M[:, own], D[:, own], K[:, own] = 0.0, mean.at_rest.M[:, own], mean.D[:, own]
     total = np.array([basis.T @ A @ basis for A in (M, D, K)])
     values, z = _modes(total, len(own))
-    size = np.sqrt(np.abs(np.diag(mean.at_rest.M)))
     shapes = z @ basis.T
+    motions = motions_of(mean.system, mean.state, mean.at_rest)
+    spins = spins_of(motions, linear.state.v)
+    energies = energies_of(motions, shapes, values, 0.0 * shapes.real, spins)
+    named = base_names(mean.system, motions, np.abs(values), shapes, energies)
+    components = motions.groups.components
     return MultibladeModes(
         eigenvalue=values,
         frequency=values.imag / math.tau,
         damping_ratio=ratio_of(values),
-        blades=axes.whirl(shapes, size),
+        blades=axes.whirl(shapes, np.sqrt(np.abs(np.diag(mean.at_rest.M)))),
         speed=speed,
+        names=full_names(named, over.whirls(shapes, whirl_words(energies))),
+        strain=tuple(dict(zip(components, row.tolist(), strict=True)) for row in energies.strain),
     )
 
 
@@ -161,7 +175,7 @@ def solve_multiblade_modes(
     xarray.Dataset
         Over `mode`, by frequency: frequency [Hz], the damped natural frequency in axes that do not turn,
         damping_ratio, eigenvalue_real and eigenvalue_imag [1/s]; collective, forward and backward, the
-        amplitudes of the blades relative to the largest multi-blade coordinate.
+        amplitudes of the blades relative to the largest multi-blade coordinate. `name` is a coordinate.
     """
     import xarray as xr
 
@@ -178,12 +192,16 @@ def solve_multiblade_modes(
         "forward": (found.blades[:, 1], "1", "amplitude of the blades in forward whirl"),
         "backward": (found.blades[:, 2], "1", "amplitude of the blades in backward whirl"),
     }
+    names = np.array(found.names, dtype=object)
     options: dict[str, Any] = {"hub": hub, "blades": list(blades), "azimuths": azimuths, "speed": found.speed}
     return xr.Dataset(
         {
             name: (("mode",), values, {"units": unit, "long_name": text})
             for name, (values, unit, text) in columns.items()
         },
-        coords={"mode": np.arange(1, len(found.frequency) + 1)},
+        coords={
+            "mode": np.arange(1, len(found.frequency) + 1),
+            "name": ("mode", names, {"long_name": "name of the mode"}),
+        },
         attrs=attributes(system, "multiblade", wall_s=clock.perf_counter() - began, **options),
     )

@@ -108,11 +108,18 @@ class InTrees:
 class OfTurningRotors(InTrees):
     """Turning rotors with blades, in multi-blade coordinates; `rotors`: their names."""
 
-    def __init__(self, linear: Linearised, rates: Array, axes: TurningRotors, rotors: Sequence[str]) -> None:
+    def __init__(
+        self,
+        linear: Linearised,
+        rates: Array,
+        axes: TurningRotors,
+        rotors: Sequence[str],
+        azimuths: int = AZIMUTHS,
+    ) -> None:
         super().__init__(linear, rates)
         axes.basis(linear)  # refuses loops between blades
-        self.axes, self.rotors = axes, tuple(rotors)
-        self.reference = axes.mean(self.states, linear, self.states.operating, AZIMUTHS)
+        self.axes, self.rotors, self.azimuths = axes, tuple(rotors), azimuths
+        self.reference = axes.mean(self.states, linear, self.states.operating, azimuths)
         self.notes = (
             f"modes of {', '.join(rotors)} in {MULTIBLADE}: the frequencies are those in axes that do not "
             "turn; the wind changes in proportion to the speed, and pitch and controllers are those of the "
@@ -121,7 +128,7 @@ class OfTurningRotors(InTrees):
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
-        return self.axes.mean(self.states, super().at(speed), speed, AZIMUTHS)
+        return self.axes.mean(self.states, super().at(speed), speed, self.azimuths)
 
     def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
         """Words for the whirl of modes: of the blades with most of the kinetic energy, if they move most."""
