@@ -28,7 +28,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.gear_trains import mesh_orders
-from pitchpoint.solvers.linear_system import ONE_POSITION, Linearised, linearise, rates_of
+from pitchpoint.solvers.linear_system import Linearised, linearise, rates_of
 from pitchpoint.solvers.modes.energies import (
     Energies,
     Motions,
@@ -40,7 +40,7 @@ from pitchpoint.solvers.modes.energies import (
     whirl_words,
 )
 from pitchpoint.solvers.modes.names import base_names, full_names
-from pitchpoint.solvers.over_speed import OverSpeed, over_speed
+from pitchpoint.solvers.over_speed import over_speed
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.whirl_basis import Complex, WhirlModes, normalised
 from pitchpoint.system.system import System
@@ -164,8 +164,10 @@ def follow_modes(
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
     rotating = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
     usual = _usual(rotating) if rotating else None
-    if usual is not None:
-        usual = _usual([over.whirls(z, usual) for s, z in zip(omega, shapes, strict=True) if s != 0.0])
+    blades = None
+    if linear.axes is not None and rotating:
+        turned = shapes[omega != 0.0]
+        blades = _usual([linear.axes.ways(z, parts.M) for z in turned])
     return Campbell(
         body=body,
         speed=omega,
@@ -173,7 +175,7 @@ def follow_modes(
         shape=shapes,
         frequency=values.imag / (2.0 * np.pi),
         damping_ratio=ratio_of(values),
-        names=full_names(named, usual),
+        names=full_names(named, usual, blades),
         character=_character(shapes, at_rest, symmetric(parts.M), [(x.words, x.number) for x in named]),
         whirl=words,
         whirl_index=np.array([whirl_index(e) for e in energies]).reshape(omega.size, n),
@@ -183,7 +185,7 @@ def follow_modes(
         motions=motions,
         modes=modes,
         total=total,
-        notes=(*_of_other_positions(linear.notes, over), *over.notes, *modes.modes.notes),
+        notes=(*linear.notes, *modes.modes.notes),
         omitted=omitted,
         rotors=over.rotors,
     )
@@ -192,11 +194,6 @@ def follow_modes(
 def _usual(words: Sequence[Sequence[str]]) -> list[str]:
     """Most frequent word of each mode over the speeds; of equally frequent ones that at the highest speed."""
     return [Counter(column).most_common(1)[0][0] for column in zip(*reversed(words), strict=True)]
-
-
-def _of_other_positions(notes: Sequence[str], over: OverSpeed) -> list[str]:
-    """Notes without those on one position, which multi-blade coordinates do not depend on."""
-    return [text for text in notes if not (over.rotors and ONE_POSITION in text)]
 
 
 def _branches(

@@ -80,6 +80,8 @@ class Linearised:
         Notes for the user.
     at
         Which state of a sweep this is, in words; else empty.
+    axes
+        Multi-blade coordinates (`turning_rotors.TurningRotors`) if the matrices are in them.
     """
 
     system: System
@@ -94,6 +96,7 @@ class Linearised:
     flanks: Mapping[str, int]
     notes: tuple[str, ...]
     at: str = ""
+    axes: Any = None
 
 
 def _frictionless_point(

@@ -121,7 +121,7 @@ def find_multiblade_modes(
         damping_ratio=ratio_of(values),
         blades=axes.whirl(shapes, np.sqrt(np.abs(np.diag(mean.at_rest.M)))),
         speed=speed,
-        names=full_names(named, over.whirls(shapes, whirl_words(energies))),
+        names=full_names(named, whirl_words(energies), axes.ways(shapes, mean.at_rest.M)),
         strain=tuple(dict(zip(components, row.tolist(), strict=True)) for row in energies.strain),
     )
 

@@ -11,20 +11,15 @@ import numpy as np
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.multibody.bodies import GENERAL
-from pitchpoint.solvers.linear_system import Linearised
+from pitchpoint.solvers.linear_system import ONE_POSITION, Linearised
 from pitchpoint.solvers.speed_states import SpeedStates
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.turning_rotors import TurningRotors
-from pitchpoint.solvers.whirl_basis import Complex
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 AZIMUTHS = 2
 """Positions within the angle between two blades: the mean of two is free of the blade-passing frequency."""
-WAYS = ("collective", "forward", "backward")
-"""Motions of all blades, in the order of `TurningRotors.whirl`."""
-LARGEST = 0.3
-"""Least share of the coordinates of the blades in the kinetic energy of a mode whose whirl is theirs."""
 MULTIBLADE = "multi-blade coordinates"
 """What the frequencies of turning rotors refer to, for notes and outputs."""
 
@@ -52,9 +47,6 @@ class OverSpeed(Protocol):
     def prepare(self, speeds: Array) -> None:
         """Prepare the evaluation at some speeds [rad/s]."""
 
-    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
-        """Words for the whirl of modes with shapes (n, nd), of the blades where they move most."""
-
 
 class InPlace:
     """Systems without trees of bodies: the same position at every speed; parameters as `SpeedStates`."""
@@ -68,10 +60,6 @@ class InPlace:
 
     def prepare(self, speeds: Array) -> None:
         """Nothing to prepare."""
-
-    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
-        """The given words."""
-        return list(words)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
@@ -89,16 +77,13 @@ class InTrees:
     """Systems with trees of bodies, in relative equilibrium; parameters as `SpeedStates`."""
 
     def __init__(self, linear: Linearised, rates: Array, notes: Sequence[str] = ()) -> None:
-        self.states, self.reference = SpeedStates(linear, rates), linear
+        self.states = SpeedStates(linear, rates)
         self.notes, self.rotors = tuple(notes), ()
+        self.reference = replace(linear, notes=(*linear.notes, *self.notes))
 
     def prepare(self, speeds: Array) -> None:
         """Equilibria, each from the nearest one, beginning at the operating speed."""
         self.states.prepare(speeds)
-
-    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
-        """The given words."""
-        return list(words)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
@@ -116,34 +101,29 @@ class OfTurningRotors(InTrees):
         rotors: Sequence[str],
         azimuths: int = AZIMUTHS,
     ) -> None:
-        super().__init__(linear, rates)
+        super().__init__(linear, rates, [_of_multiblade(rotors)])
         axes.basis(linear)  # refuses loops between blades
         self.axes, self.rotors, self.azimuths = axes, tuple(rotors), azimuths
-        self.reference = axes.mean(self.states, linear, self.states.operating, azimuths)
-        self.notes = (
-            f"modes of {', '.join(rotors)} in {MULTIBLADE}: the frequencies are those in axes that do not "
-            "turn; the wind changes in proportion to the speed, and pitch and controllers are those of the "
-            "operating point",
-        )
+        self.reference = self._mean(linear, self.states.operating)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
-        return self.axes.mean(self.states, super().at(speed), speed, self.azimuths)
+        return self._mean(super().at(speed), speed)
 
-    def whirls(self, shapes: Complex, words: Sequence[str]) -> list[str]:
-        """Words for the whirl of modes: of the blades with most of the kinetic energy, if they move most."""
-        M = self.reference.at_rest.M
-        size = np.sqrt(np.abs(np.diag(M)))
-        energy = (shapes.conj() * (shapes @ M)).real
-        found = list(words)
-        ways = [self.axes.whirl(shapes, size, one) for one in range(len(self.axes.rotors))]
-        own = np.array(
-            [energy[:, np.concatenate(r.coordinates)].sum(axis=1) for r in self.axes.rotors]
-        ) / energy.sum(axis=1)
-        for k, most in enumerate(np.argmax(own, axis=0)):
-            if own[most, k] >= LARGEST:
-                found[k] = WAYS[int(np.argmax(ways[int(most)][k]))]
-        return found
+    def _mean(self, linear: Linearised, speed: float) -> Linearised:
+        """Mean over the azimuth."""
+        found = self.axes.mean(self.states, linear, speed, self.azimuths)
+        notes = tuple(text for text in linear.notes if ONE_POSITION not in text)
+        return replace(found, notes=(*notes, *self.notes), axes=self.axes)
+
+
+def _of_multiblade(rotors: Sequence[str]) -> str:
+    """Note on the coordinates."""
+    return (
+        f"modes of {', '.join(rotors)} in {MULTIBLADE}: the frequencies are those in axes that do not turn; "
+        "at other speeds the wind changes in proportion to the speed, and pitch and controllers are as at the "
+        "operating point"
+    )
 
 
 def over_speed(linear: Linearised, rates: Array) -> OverSpeed:

@@ -40,6 +40,9 @@ from pitchpoint.solvers.speed_states import SpeedStates
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.system import System
 
+WAYS = ("collective", "forward", "backward")
+"""Motions of all blades."""
+
 
 class TurningRotors:
     """Multi-blade coordinates of one rotor or several.
@@ -190,6 +193,20 @@ class TurningRotors:
         parts = (collective, 0.5 * (c + turn * s), 0.5 * (c - turn * s), *others)
         sizes = np.array([np.linalg.norm(part, axis=1) for part in parts]).T
         return np.asarray(sizes[:, :3] / np.maximum(sizes.max(axis=1, keepdims=True), 1e-300))
+
+    def ways(self, shapes: NDArray[np.complex128], M: Array) -> list[str]:
+        """Motion of the blades in each mode, of the rotor with most of the energy: a word of `WAYS`.
+
+        Parameters
+        ----------
+        shapes, M
+            Shapes (n, nd) and mass matrix (nd, nd) in the coordinates of this class.
+        """
+        size = np.sqrt(np.abs(np.diag(M)))
+        energy = (shapes.conj() * (shapes @ M)).real
+        own = np.array([energy[:, np.concatenate(r.coordinates)].sum(axis=1) for r in self.rotors])
+        sizes = [self.whirl(shapes, size, one) for one in range(len(self.rotors))]
+        return [WAYS[int(np.argmax(sizes[int(most)][k]))] for k, most in enumerate(np.argmax(own, axis=0))]
 
 
 def harmonics(psi: float, k: int, count: int) -> list[tuple[float, float, float]]:

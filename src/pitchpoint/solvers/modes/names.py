@@ -86,7 +86,7 @@ class _Named:
     @property
     def whirls(self) -> bool:
         """Whether the mode can whirl."""
-        return self.plane is not None or self.multiple or self.blades > 0
+        return self.plane is not None or self.multiple
 
 
 def base_names(
@@ -114,7 +114,9 @@ def base_names(
     return found
 
 
-def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> tuple[str, ...]:
+def full_names(
+    named: Sequence[_Named], whirls: Sequence[str] | None = None, blades: Sequence[str] | None = None
+) -> tuple[str, ...]:
     """Names with number and direction: the whirl, or the direction at rest.
 
     Parameters
@@ -123,6 +125,8 @@ def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> 
         Result of `base_names`.
     whirls
         Whirl of each mode at speed; "" or "planar" for none.
+    blades
+        Motion of the blades in multi-blade coordinates, for modes of blades.
 
     Examples
     --------
@@ -134,7 +138,11 @@ def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> 
     ('1st bending of rotor (backward)', '1st bending of rotor (forward)')
     """
     marks = [
-        whirls[k] if whirls and whirls[k] not in NO_WHIRL and one.whirls else one.mark
+        blades[k]
+        if blades and one.blades
+        else whirls[k]
+        if whirls and whirls[k] not in NO_WHIRL and one.whirls
+        else one.mark
         for k, one in enumerate(named)
     ]
     plain = [_numbered(one) for one in named]
