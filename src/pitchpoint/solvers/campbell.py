@@ -42,7 +42,7 @@ from pitchpoint.solvers.modes.energies import (
 from pitchpoint.solvers.modes.names import base_names, full_names
 from pitchpoint.solvers.over_speed import over_speed
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.whirl_basis import Complex, WhirlModes, normalised
+from pitchpoint.solvers.whirl_basis import Complex, Found, WhirlModes, normalised
 from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
@@ -251,7 +251,16 @@ def _step(
         middle = 0.5 * (before + speed)
         _, last = _step(modes, M, before, middle, last, divisions - 1)
         return _step(modes, M, middle, speed, last, divisions - 1)
-    return values[order], z[order]
+    return _with_rigid_modes(modes, (values[order], z[order]), last, likeness[np.arange(len(order)), order])
+
+
+def _with_rigid_modes(modes: WhirlModes, found: Found, last: Complex, likeness: Array) -> Found:
+    """Rigid rotations that forces damp need not be among the computed modes: they then have no frequency."""
+    values, z = found
+    lost = (modes.modes.omega[: len(values)] == 0.0) & (likeness < SIMILAR)
+    if not lost.any():
+        return found
+    return np.where(lost, 0.0, values), np.where(lost[:, None], last, z)
 
 
 def _character(
