@@ -83,8 +83,9 @@ BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 ROTATION = WAYS.index("rotation")
 ROUNDING = 1e-12
 """Share of the energy up to which nothing is excited."""
-ROUNDS, EXACT = 6, 1e-9
-"""Maximum number of corrections of a crossing, and its relative accuracy."""
+ROUNDS, EXACT, OF_ROTORS = 6, 1e-9, 1e-4
+"""Maximum number of corrections of a crossing, and its relative accuracy; that of rotors in multi-blade
+coordinates, whose matrices require several equilibria."""
 
 DAMPED = 0.012 / (2.0 * np.pi)
 """Least damping ratio in the ranks, see the module."""
@@ -266,7 +267,8 @@ def _solve(
         new = value.imag / (2.0 * np.pi) - order * abs(speed) / (2.0 * np.pi)
         if speed != last and new != gap:
             slope = (new - gap) / (speed - last)
-        done = abs(new) <= EXACT * abs(value.imag) / (2.0 * np.pi) or speed == last
+        close = OF_ROTORS if found.rotors else EXACT
+        done = abs(new) <= close * abs(value.imag) / (2.0 * np.pi) or speed == last
         last, gap = speed, new
         if done:
             break

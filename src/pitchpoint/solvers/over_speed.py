@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
@@ -20,11 +19,8 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
 AZIMUTHS = 3
-"""Positions within the angle between two blades: also with the flow around the tower, the frequencies of blades
-are then within 0.5 % of those of many positions."""
-KEPT, NODES = 600, 3
-"""Largest number of coordinates of systems whose matrices are kept at all speeds, and number of speeds from
-which those between them are interpolated."""
+"""Positions within the angle between two blades. With the flow around the tower, frequencies of blades are
+then within 0.5 % of those of many positions."""
 MULTIBLADE = "multi-blade coordinates"
 """What the frequencies of turning rotors refer to, for notes and outputs."""
 
@@ -109,39 +105,11 @@ class OfTurningRotors(InTrees):
         super().__init__(linear, rates, [_of_multiblade(rotors)])
         axes.basis(linear)  # refuses loops between blades
         self.axes, self.rotors, self.azimuths = axes, tuple(rotors), azimuths
-        self.nodes: dict[float, Linearised] = {}
-        self.wanted: set[float] = set()
         self.reference = self._mean(linear, self.states.operating)
 
     def at(self, speed: float) -> Linearised:
         """The linear system at a speed of the reference body [rad/s]."""
-        if speed in self.nodes:
-            return self.nodes[speed]
-        if speed not in self.wanted and len(self.nodes) >= NODES:
-            return self._between(speed)
-        found = self._mean(super().at(speed), speed)
-        if found.system.sizes["nd"] <= KEPT:
-            self.nodes[speed] = found
-        return found
-
-    def prepare(self, speeds: Array) -> None:
-        """Equilibria; the matrices at these speeds are those from which others are interpolated."""
-        super().prepare(speeds)
-        self.wanted = {float(speed) for speed in speeds}
-
-    def _between(self, speed: float) -> Linearised:
-        """Polynomial of the matrices through the nearest speeds: an equilibrium at each would take long."""
-        near = sorted(self.nodes, key=lambda node: abs(node - speed))[:NODES]
-        shares = [
-            math.prod((speed - b) / (a - b) for b in near if b != a) for a in near
-        ]  # Lagrange's polynomials
-        nodes = [self.nodes[a] for a in near]
-        M, K_rest = (
-            sum(x * getattr(node.at_rest, name) for x, node in zip(shares, nodes, strict=True))
-            for name in "MK"
-        )
-        D, K = (sum(x * getattr(node, name) for x, node in zip(shares, nodes, strict=True)) for name in "DK")
-        return replace(nodes[0], D=D, K=K, at_rest=replace(nodes[0].at_rest, M=M, K=K_rest))
+        return self._mean(super().at(speed), speed)
 
     def _mean(self, linear: Linearised, speed: float) -> Linearised:
         """Mean over the azimuth."""

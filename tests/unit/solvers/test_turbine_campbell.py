@@ -116,18 +116,6 @@ def test_multiblade_modes_and_diagram_agree(production, diagram):
         assert found.frequency[2, found.names.index(name)] == pytest.approx(one, rel=3e-3), name
 
 
-def test_modes_between_the_speeds_are_those_of_their_equilibrium(production, diagram):
-    """Matrices between computed speeds are interpolated, here over 5 rpm; a diagram has steps of 0.7 rpm."""
-    system, linear = production
-    found, _ = diagram
-    exact = follow_modes(system, np.array([9.1, 11.5]) * RPM, "hub", "production", linear=linear, count=10)
-    for name in ("1st tower side-to-side", "1st flapwise (forward)", "1st edgewise (backward)"):
-        k = found.names.index(name)
-        value, _ = found.modes.near(11.5 * RPM, complex(found.eigenvalue[2, k]), found.shape[2, k])
-        wanted = exact.eigenvalue[1, exact.names.index(name)]
-        assert value == pytest.approx(wanted, rel=3e-3), name
-
-
 def test_the_whole_train_turns_with_the_rotor(production):
     system, linear = production
     rates = rates_of(linear, "hub", "production")
