@@ -48,8 +48,9 @@ from pitchpoint.system.system import System
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
-RECENT = 4
-"""Number of the last speeds at which the linear system is kept."""
+RECENT, KEPT = 4, 600
+"""Number of the last speeds at which the linear system is kept, and largest number of coordinates up to which
+that of turning rotors is kept at all speeds."""
 ALL, FEW = 24, 16
 """Largest number of modes of which all are followed by default, and the number followed of more."""
 SIMILAR, DIVISIONS = 0.6, 4
@@ -139,7 +140,9 @@ def follow_modes(
     wanted = min(count if count is not None else total if total <= ALL else FEW, total)
     over = over_speed(linear, rates)
     over.prepare(omega)
-    at, linear = lru_cache(RECENT)(over.at), over.reference
+    linear = over.reference
+    few = not over.rotors or system.sizes["nd"] > KEPT
+    at = lru_cache(RECENT if few else RECENT + omega.size)(over.at)
     own, parts = linear.system, linear.at_rest
     modes = WhirlModes(linear, at, omega, wanted if wanted < total else None)
     n = min(wanted, len(modes.modes.omega))

@@ -83,9 +83,8 @@ BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 ROTATION = WAYS.index("rotation")
 ROUNDING = 1e-12
 """Share of the energy up to which nothing is excited."""
-ROUNDS, EXACT, OF_ROTORS = 6, 1e-9, 1e-4
-"""Maximum number of corrections of a crossing, and its relative accuracy; that of rotors in multi-blade
-coordinates, whose matrices require several equilibria."""
+ROUNDS, EXACT = 6, 1e-9
+"""Maximum number of corrections of a crossing, and its relative accuracy."""
 
 DAMPED = 0.012 / (2.0 * np.pi)
 """Least damping ratio in the ranks, see the module."""
@@ -169,6 +168,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     """Crossings of all branches and orders in the range of the speeds, in order of their rank."""
     forward = np.argsort(found.speed, kind="stable")
     phases: Phases | None = None
+    solve = _interpolate if found.rotors else _solve
     solved, turning = [], []
     by_teeth: list[ByTeeth | None] = []
     for order in orders:
@@ -181,10 +181,10 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         source = _source(found, order, phases)
         for mode, ends in crossings:
             try:
-                speed, value, shape, slope = _solve(found, order.value, mode, ends)
+                speed, value, shape, slope = solve(found, order.value, mode, ends)
             except SolverError:  # no equilibrium at a speed between the computed ones
                 continue
-            at = found.modes.at(speed)  # as in the last step of the solution
+            at = found.modes.at(_nearest(found, speed) if found.rotors else speed)  # as in the solution
             solved.append((order, mode, speed, value, shape, slope))
             turning.append(gyroscopic_terms(shape[None], at.D)[0])
             near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
@@ -267,12 +267,41 @@ def _solve(
         new = value.imag / (2.0 * np.pi) - order * abs(speed) / (2.0 * np.pi)
         if speed != last and new != gap:
             slope = (new - gap) / (speed - last)
-        close = OF_ROTORS if found.rotors else EXACT
-        done = abs(new) <= close * abs(value.imag) / (2.0 * np.pi) or speed == last
+        done = abs(new) <= EXACT * abs(value.imag) / (2.0 * np.pi) or speed == last
         last, gap = speed, new
         if done:
             break
     return last, value, shape, 1.0 + slope * 2.0 * math.pi / (order * math.copysign(1.0, last))
+
+
+def _interpolate(
+    found: Campbell, order: float, mode: int, at: tuple[int, int]
+) -> tuple[float, complex, NDArray[np.complex128], float]:
+    """As `_solve` between the computed points: matrices of turning rotors require several equilibria each."""
+    from scipy.interpolate import PchipInterpolator
+    from scipy.optimize import brentq
+
+    forward = np.argsort(found.speed, kind="stable")
+    curve = PchipInterpolator(
+        found.speed[forward], found.eigenvalue[forward, mode].view(float).reshape(-1, 2)
+    )
+    sense = math.copysign(1.0, float(found.speed[list(at)].sum()))
+
+    def gap(speed: float) -> float:
+        """Circular natural frequency less that of the order [rad/s]."""
+        return float(curve(speed)[1]) - order * sense * speed
+
+    ends = [float(found.speed[k]) for k in at]
+    last = next((end for end in ends if gap(end) == 0.0), None)
+    speed = float(brentq(gap, ends[0], ends[1])) if last is None else last
+    slope = float(curve(speed, 1)[1]) * sense / order
+    near = int(np.argmin(np.abs(found.speed - speed)))
+    return speed, complex(*curve(speed)), found.shape[near, mode], slope
+
+
+def _nearest(found: Campbell, speed: float) -> float:
+    """Computed speed that is closest to a speed."""
+    return float(found.speed[int(np.argmin(np.abs(found.speed - speed)))])
 
 
 def _critical(

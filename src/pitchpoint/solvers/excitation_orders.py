@@ -110,11 +110,11 @@ def excitation_orders(
     teeth = _grouped([(name, value, (name,)) for name, value in mesh_orders(system, rates).items()])
     found = []
     for n in shafts:
-        for name, value, own in turning:
-            bladed = [rotor for rotor in rotors if rotor.part in own]
+        for name, value, parts in turning:
+            bladed = [rotor for rotor in rotors if rotor.part in parts]
             if not bladed or n == 1:
                 label = f"1P{bladed[0].mark}" if bladed else f"{n}× {name}"
-                found.append(Order(label, n * value, SHAFT, n, tuple(own), _on(system, motions, own)))
+                found.append(Order(label, n * value, SHAFT, n, tuple(parts), _on(system, motions, parts)))
     if BLADES in words:
         found += [
             Order(f"{n * r.blades}P{r.mark}", n * r.blades * r.speed, BLADES, n, r.parts)

@@ -79,7 +79,8 @@ class InTrees:
 
     def __init__(self, linear: Linearised, rates: Array, notes: Sequence[str] = ()) -> None:
         self.states = SpeedStates(linear, rates)
-        self.notes, self.rotors = tuple(notes), ()
+        self.notes: tuple[str, ...] = tuple(notes)
+        self.rotors: tuple[str, ...] = ()
         self.reference = replace(linear, notes=(*linear.notes, *self.notes))
 
     def prepare(self, speeds: Array) -> None:

@@ -190,7 +190,7 @@ class StructureNames:
             arms = place[own] - place[root]
             relative = moved[own, :3] - moved[root, :3] - np.cross(moved[root, 3:], arms)
             sizes = [np.abs(x[own, :3]).sum(axis=1) for x in (forces, moved)]
-            mass = np.divide(*sizes, out=np.zeros(len(own)), where=sizes[1] > 0.0)
+            mass = np.divide(sizes[0], sizes[1], out=np.zeros(len(own)), where=sizes[1] > 0.0)
             for way in range(2):
                 motion[way].append(np.sqrt(mass) * (relative @ directions[way]))
             about, moment = moved[own, 3:] @ directions[2], forces[own, 3:] @ directions[2]

@@ -90,7 +90,7 @@ class _Named:
 
 
 def base_names(
-    system: System, motions: Motions, omega: Array, shapes: Array, energies: Energies
+    system: System, motions: Motions, omega: Array, shapes: NDArray[np.inexact], energies: Energies
 ) -> list[_Named]:
     """Names of undamped modes at rest in ascending order, without the direction of whirl.
 
