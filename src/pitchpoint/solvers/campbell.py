@@ -92,7 +92,7 @@ class Campbell:
     notes
         Notes for the user.
     omitted
-        Speeds without an equilibrium [rad/s], which are left out, with the reason.
+        Speeds without an equilibrium [rad/s], which are omitted, with the reason.
     rotors
         Wind rotors whose modes are in multi-blade coordinates.
     """

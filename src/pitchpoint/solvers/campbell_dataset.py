@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 NO_EQUILIBRIUM = "no equilibrium at"
-"""First words of the note on speeds that are left out."""
+"""First words of the note on speeds that are omitted."""
 NAMED = 4
 """Most speeds without an equilibrium that a note lists."""
 
@@ -165,12 +165,12 @@ def campbell_dataset(
 
 
 def omitted_words(found: Campbell) -> str:
-    """The speeds without an equilibrium, which are left out, and the reason at the first of them."""
+    """The speeds without an equilibrium, which are omitted, and the reason at the first of them."""
     speeds = sorted(found.omitted)
     texts = [format_quantity(speed, "angular_speed", 4) for speed in speeds]
     words = ", ".join(texts) if len(texts) <= NAMED else f"{texts[0]} to {texts[-1]} ({len(texts)} speeds)"
     plural = "these speeds are" if len(texts) > 1 else "this speed is"
-    return f"{NO_EQUILIBRIUM} {words} of {found.body}, {plural} left out: {found.omitted[speeds[0]]}"
+    return f"{NO_EQUILIBRIUM} {words} of {found.body}, {plural} omitted: {found.omitted[speeds[0]]}"
 
 
 Rows = dict[str, tuple[Any, Any, str, str]]

@@ -122,9 +122,9 @@ class OfTurningRotors(InTrees):
 def _of_multiblade(rotors: Sequence[str]) -> str:
     """Note on the coordinates."""
     return (
-        f"modes of {', '.join(rotors)} in {MULTIBLADE}: the frequencies are those in axes that do not turn; "
-        "at other speeds the wind changes in proportion to the speed, and pitch and controllers remain as at "
-        "the operating point"
+        f"modes of {', '.join(rotors)} in {MULTIBLADE}: the frequencies are those in axes that do not turn, "
+        "and at other speeds the wind changes in proportion to the speed while pitch and controllers remain "
+        "as at the operating point"
     )
 
 

@@ -147,7 +147,7 @@ def test_a_speed_without_equilibrium_is_left_out(production, monkeypatch):
     assert found.frequency.shape == (3, 4)
     assert list(found.omitted) == [pytest.approx(6.0 * RPM)]
     notes = campbell_dataset(system, found).attrs["notes"]
-    assert "no equilibrium at 6 rpm of hub, this speed is left out: the blades have no equilibrium" in notes
+    assert "no equilibrium at 6 rpm of hub, this speed is omitted: the blades have no equilibrium" in notes
 
 
 def test_a_diagram_without_any_equilibrium_is_an_error(production, monkeypatch):

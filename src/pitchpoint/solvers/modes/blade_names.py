@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.solvers.modes.structures import BEAM, BLADES
+from pitchpoint.solvers.modes.structures import BLADES
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.modes.energies import Motions
@@ -79,6 +79,7 @@ class StructureNames:
         model = system.model
         self.blades: list[_Blades] = []
         self.beams: dict[int, tuple[tuple[int, ...], Array]] = {}
+        self.labels: dict[str, int] = {}
         if model is None:
             return
         names = list(system.layout.bodies)
@@ -88,9 +89,15 @@ class StructureNames:
                 self.blades.append(_blades_of(system, motions, rotor, groups.parts.index(group)))
         axis = self.blades[0].axis if self.blades else None
         for name, beam in model.beams.items():
-            if f"{BEAM} {name}" not in groups.components or name not in groups.parts:
+            nodes = tuple(b for b, label in enumerate(names) if label.startswith(f"{name}."))
+            own_labels = [
+                label
+                for label, bodies in zip(groups.components, groups.bodies, strict=True)
+                if label.endswith(f" {name}") and not bodies.isdisjoint(nodes)
+            ]
+            if not own_labels or name not in groups.parts:
                 continue
-            nodes = tuple(b for b, label in enumerate(names) if label.partition(".")[0] == name)
+            self.labels[own_labels[0]] = groups.parts.index(name)
             ends = [motions.place[_body(names, end)] for end in beam.ends]
             along = _unit(ends[1] - ends[0])
             across = np.asarray(beam.axis, float) if axis is None else axis
@@ -112,7 +119,7 @@ class StructureNames:
         groups = self.motions.groups
         sums: dict[str, float] = {}
         for e, label in enumerate(groups.components):
-            key = label if label.startswith((f"{BEAM} ", f"{BLADES} ")) else ""
+            key = label if label in self.labels or label.startswith(f"{BLADES} ") else ""
             key = key or (DRIVE_TRAIN if self._drives(e) else f"other {e}")
             sums[key] = sums.get(key, 0.0) + float(strain[e])
         most = max(sums, key=sums.__getitem__)
@@ -124,9 +131,9 @@ class StructureNames:
         for own in self.blades:
             if most == f"{BLADES} {groups.parts[own.part].removeprefix(f'{BLADES} ')}":
                 return self._of_blades(own, moved, forces)
-        for part, (nodes, directions) in self.beams.items():
-            if most == f"{BEAM} {groups.parts[part]}":
-                return self._of_beam(part, nodes, directions, moved, forces)
+        if most in self.labels:
+            part = self.labels[most]
+            return self._of_beam(part, *self.beams[part], moved, forces)
         return None
 
     def _drives(self, e: int) -> bool:

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 BLADES = "blades of"
 """First words of the part and component of all blades of a rotor."""
-BEAM, AIR, ACTUATOR = "beam", "air on", "actuator"
-"""First words of components: of a beam, of the air on the blades of a rotor, of an actuator."""
+AIR, ACTUATOR = "air on", "actuator"
+"""First words of components: of the air on the blades of a rotor, of an actuator."""
 LINK = ".link"
 """Begin of the end of the name of a tangent of an actuator."""
 
@@ -29,7 +29,7 @@ class Structures:
     bodies
         Part of every body that belongs to a beam or blade, by its name.
     beams
-        Component of every beam, by its name.
+        Component of every beam that is a blade, by the name of the beam; "" for others: a component each.
     rotors
         Names of the wind rotors.
     """
@@ -46,7 +46,7 @@ class Structures:
             actuator, link, _ = name.partition(LINK)
             return f"{ACTUATOR} {actuator}" if link else label
         if base in self.beams and base != name:
-            return self.beams[base]
+            return self.beams[base] or f"{words} {base}"
         if base in self.rotors:
             return f"{AIR} {base}"
         return label
@@ -58,7 +58,7 @@ def structures_of(system: System) -> Structures:
     if model is None:
         return Structures()
     names, table = list(system.layout.bodies), system.program["body"]
-    beams = {name: f"{BEAM} {name}" for name in model.beams}
+    beams = dict.fromkeys(model.beams, "")
     bodies = {name: base for name in names if (base := name.partition(".")[0]) in beams and base != name}
     for rotor, part in model.wind_rotors.items():
         if not (part.beams or part.bodies):

@@ -39,7 +39,7 @@ MAX_CRITICAL = 3
 
 
 SHOWN_NOTES = ("no equilibrium at", "modes of")
-"""First words of notes on the diagram: speeds that are left out, coordinates of rotors."""
+"""First words of notes on the diagram: speeds that are omitted, coordinates of rotors."""
 
 
 def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
