@@ -24,13 +24,13 @@ from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.exported_rest import ExportedRest, exported_rest
-from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.fixed_steps import FIXED_METHODS, loop_of, start_fixed_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.input_places import Place, drive_places, load_places, shafts
 from pitchpoint.solvers.inputs_outputs import coordinate_units
 from pitchpoint.solvers.step_choice import choose_step
-from pitchpoint.solvers.time import loop_of, run_time, scenario_of
+from pitchpoint.solvers.time import run_time, scenario_of
 from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
