@@ -45,7 +45,8 @@ def live_page(
     token
         Identifier of the model.
     settable, outputs
-        Variables with `name`, `unit`, `reference`; those that can be set also with `start`.
+        Variables with `name`, `reference`, the `unit` in which they are shown and its `factor`; those that
+        can be set also with `start`, and with `least` and `most` if they have limits.
     start, sample
         Start time and time between two samples [s].
     scene, follow
@@ -78,10 +79,10 @@ def live_page(
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
         f'<header><h1>{escape(title)}</h1><div class="bar"><button id="run">Pause</button>'
-        '<button id="reset">Reset</button><label>Speed '
-        '<input id="pace" type="range" min="-5" max="0" step="0.1" ></label>'
+        '<button id="reset">Reset</button><label title="simulated time per second">Time scale '
+        '<input id="pace" type="range" min="-5" max="0" step="0.1"> <output id="scale"></output></label>'
         '<span id="status" role="status"></span></div></header>\n'
-        f'<main><div id="controls"></div><div>{_view(scene)}<div id="plots"></div></div></main>\n'
+        f'<main><div id="controls"></div><div id="picture">{_view(scene)}<div id="plots"></div></div></main>\n'
         f'<script type="application/json" id="pp-model">{described}</script>\n'
         f'<script type="text/plain" id="pp-code">{packed}</script>\n'
         f"<script>{asset('live.js')}</script></body></html>\n"
