@@ -161,7 +161,6 @@ def test_sliders_of_the_five_numbers(helical: tuple[str, object], open_page: Ope
     torque.press("Enter")
     page.get_by_role("button", name="Reset").click()
     assert float(page.get_by_label("loads.brake.torque", exact=True).input_value()) == pytest.approx(480.0)
-    distance = page.get_by_label("meshes.stage.center_distance", exact=True)
     for label, value, limit, words in (
         ("meshes.stage.center_distance", "150", 132.262, "150 mm is above the range: set to 132.262 mm"),
         ("meshes.stage.damping.ratio", "-1", 0.0, "-1 is below the range: set to 0"),  # of the model file

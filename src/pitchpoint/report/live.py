@@ -17,8 +17,8 @@ from pitchpoint.model.numbers import number_at
 from pitchpoint.report.exported_model import begin_export, fmu_model
 from pitchpoint.report.scene.live import live_scene
 from pitchpoint.solvers.tunable import check_sums, tunable_places
-from pitchpoint.viz.live_page import live_page
 from pitchpoint.system import evaluate
+from pitchpoint.viz.live_page import live_page
 from pitchpoint.viz.quantities import channel_scale, pretty, scale
 
 if TYPE_CHECKING:

@@ -241,7 +241,9 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     at = image.at
     fields = _order_fields(scenario)
     found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr", "R", "A", "G", "g", "gt")}
-    found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1", "weight", "x")}
+    found |= {
+        name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1", "weight", "x")
+    }
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}
     found["order_tol"] = at["order"] + fields["tol"][1] if "tol" in fields else 0

@@ -138,7 +138,7 @@ def _place(
 
 
 def _permitted(model: Model, path: str, start: float) -> tuple[float, float]:
-    """Range of a number in model files; a thousandth of the distance remains to a limit that is not allowed."""
+    """Range of a number in model files; 1/1000 of the distance is kept from a limit that is not allowed."""
     key = key_at(model, path)
     if key is None:
         return -math.inf, math.inf

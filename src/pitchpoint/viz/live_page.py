@@ -82,7 +82,8 @@ def live_page(
         '<button id="reset">Reset</button><label title="simulated time per second">Time scale '
         '<input id="pace" type="range" min="-5" max="0" step="0.1"> <output id="scale"></output></label>'
         '<span id="status" role="status"></span></div></header>\n'
-        f'<main><div id="controls"></div><div id="picture">{_view(scene)}<div id="plots"></div></div></main>\n'
+        f'<main><div id="controls"></div><div id="picture">{_view(scene)}<div id="plots"></div></div>'
+        "</main>\n"
         f'<script type="application/json" id="pp-model">{described}</script>\n'
         f'<script type="text/plain" id="pp-code">{packed}</script>\n'
         f"<script>{asset('live.js')}</script></body></html>\n"

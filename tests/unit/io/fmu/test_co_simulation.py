@@ -99,8 +99,8 @@ def test_a_communication_step_that_is_no_multiple_shortens_the_time_step(units, 
 def test_constraints_allow_any_communication_step(name, tmp_path):
     """Time steps that change with every communication step: errors as those of our own run.
 
-    The unit rescales its history, and the deviation of the rates along the rows by the square of the step; our
-    own run starts anew, with derivatives of the accelerations. Reference: our own run with a 25th of the step.
+    The unit rescales its history, and the deviation of the rates along the rows by the square of the step;
+    our own run starts anew, with derivatives of the accelerations. Reference: it with a 25th of the step.
     """
     need_linker()
     swing = "main: {speed: {spin: 20 rad/s}, type"
@@ -345,7 +345,8 @@ def test_wrong_calls_are_refused_with_a_sentence(units, case):
     for value in (np.nan, np.inf):
         assert one.set({"loads.input.torque": value}) == 3 and "not finite" in unit.messages[-1]
     assert one.set({"speed[driver]": 1.0}) == 3 and "neither an input" in unit.messages[-1]
-    for t, shown in ((99.0, "99"), (-1.25e-7, "-1.25e-7"), (0.0125, "0.0125"), (123456.7, "123457"), (2e120, "inf")):
+    numbers = {99.0: "99", -1.25e-7: "-1.25e-7", 0.0125: "0.0125", 123456.7: "123457", 2e120: "infinite"}
+    for t, shown in numbers.items():
         words = f"the communication point {shown}"
         assert one.step(t, H) == 3 and unit.messages[-1].startswith(words), unit.messages[-1]
         assert unit.messages[-1].endswith(" s is not the time of the model, 0 s")
