@@ -24,9 +24,8 @@ Matrix = NDArray[np.float64]
 class Coupling:
     """Stiffness and damping of an element in its six deformations.
 
-    The deformations are the elongation [m], the twist, the rotation of the second end against the first by
-    which axis 1 leaves the normal, the sum of the slopes of axis 1 at both ends towards the chord, and both for
-    axis 2 [rad].
+    The deformations are the elongation [m], the twist, the bending angle of axis 1 between both ends, the sum
+    of the slopes of axis 1 at both ends towards the chord, and both for axis 2 [rad].
 
     Parameters
     ----------
@@ -38,6 +37,12 @@ class Coupling:
 
     stiffness: Matrix
     damping: Matrix
+
+    def phi(self, plane: int) -> float:
+        """Shear parameter for bending in direction 1 or 2: share of the shear in the compliance for opposite
+        moments at both ends, over that of bending [-]."""
+        soft, k = np.linalg.inv(self.stiffness), 2 * plane
+        return max(3.0 * float(soft[k + 1, k + 1] / soft[k, k]) - 1.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)

@@ -128,6 +128,8 @@ class Beam:
     coupling
         Stiffness and damping of the deformations instead of E and G, for sections whose bending, torsion and
         extension are coupled; None: that of the section.
+    shear
+        Shear parameter of the shapes of the mass, for an element with mass only; None: that of the section.
     """
 
     section: Section
@@ -136,6 +138,7 @@ class Beam:
     G: float
     rho: float = 0.0
     coupling: Coupling | None = None
+    shear: float | None = None
 
     @property
     def mass(self) -> float:
@@ -145,6 +148,10 @@ class Beam:
     def phi(self, plane: int) -> float:
         """Shear parameter 12 E I / (kappa A G L^2) for bending in direction 1 or 2 [-]."""
         s = self.section
+        if self.shear is not None:
+            return self.shear
+        if self.coupling is not None:
+            return self.coupling.phi(plane)
         second, kappa = (s.I_1, s.kappa_1) if plane == 1 else (s.I_2, s.kappa_2)
         if kappa == 0.0:
             return 0.0

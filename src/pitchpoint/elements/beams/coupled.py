@@ -45,8 +45,8 @@ def _forces(b, y, to):
 
 @kernel
 def coupled_forces(b):
-    """Set bending angles and slopes with their rates, and the forces of all deformations; elongation and twist
-    are set."""
+    """Set bending angles and slopes with their rates, and the forces of all deformations; elongation and
+    twist are set."""
     for n in range(2):
         i = PI + 2 * n
         j = i + 1

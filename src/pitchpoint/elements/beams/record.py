@@ -168,7 +168,7 @@ def _couple(r: np.void, part: Coupling) -> None:
     base = np.array([K[0, 0], K[1, 1], *(2 * (K[k, k], K[k + 1, k + 1]))])
     r["coupled"], r["k_u"], r["k_t"], r["k_d"], r["k_s"] = 1, *base[:4]
     r["c_a"] = r["c_b"] = 0.0
-    b = soft[k, k] / (3.0 * soft[k + 1, k + 1])
+    b = 1.0 / (1.0 + part.phi(k // 2))
     elongation = -0.125 + 0.25 * b - 0.1 * b * b
     r["n_s"] = 1.0 / elongation if elongation != 0.0 else np.inf
     r["Q"] = K - np.diag(base)

@@ -173,8 +173,8 @@ class BeamProperties(Component):
     stiffness: tuple[Matrix6, ...] = key(
         "matrices",
         "instead of stiffnesses and centres: stiffness matrix of the section at each place, in SI units. "
-        "Forces along the twisted axes 1 and 2 and the beam, then moments about them, for the strains in this "
-        "order",
+        "Forces along the twisted axes 1 and 2 and the beam, then moments about them, for the strains in this"
+        " order",
         (),
         needs="inertia",
         later=True,

@@ -141,12 +141,8 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
             torsion=mean["torsion"],
         )
         part = coupling([Place(share, 0.5, compliance) for share in _TWO_POINTS], length)
-    return Piece(
-        replace(beam, rho=0.0, coupling=part),
-        axes,
-        ends,
-        ((_mass_beam(mean["mass"], second, length), center),),
-    )
+    stiffness = replace(beam, rho=0.0, coupling=part)
+    return Piece(stiffness, axes, ends, ((_mass_beam(mean["mass"], second, stiffness), center),))
 
 
 def _coupled(
@@ -162,22 +158,19 @@ def _coupled(
         factor = np.sqrt(damping)
         lost = own @ soft @ (factor[:, None] * stiffness * factor) @ soft @ own.T if factor.any() else None
         places.append(Place(share, weight, own @ soft @ own.T, lost))
+    beam = Beam(section=_NOTHING, length=length, E=0.0, G=0.0, coupling=coupling(places, length))
     masses = tuple(
-        (_mass_beam(part.mass, (part.second, part.second), length), part.place)
+        (_mass_beam(part.mass, (part.second, part.second), beam), part.place)
         for part in mass_lines(mean["inertia"])
     )
-    return Piece(
-        Beam(section=_NOTHING, length=length, E=0.0, G=0.0, coupling=coupling(places, length)),
-        _along(way / length) @ about_z(twist),
-        ends,
-        masses,
-    )
+    return Piece(beam, _along(way / length) @ about_z(twist), ends, masses)
 
 
-def _mass_beam(mass: float, second: tuple[float, float], length: float) -> Beam:
-    """Element with the mass per length alone, and its moments of inertia over the mass."""
+def _mass_beam(mass: float, second: tuple[float, float], beam: Beam) -> Beam:
+    """Element with the mass per length and its moments of inertia over the mass beside an element without."""
     section = replace(_NOTHING, A=1.0, I_1=second[0], I_2=second[1])
-    return Beam(section=section, length=length, E=0.0, G=0.0, rho=mass)
+    phi = None if beam.coupling is None else 0.5 * (beam.phi(1) + beam.phi(2))
+    return Beam(section=section, length=beam.length, E=0.0, G=0.0, rho=mass, shear=phi)
 
 
 def about_z(angle: float) -> Array:
