@@ -66,7 +66,7 @@ def exact_tip(stiffness, length, force=(0.0, 0.0, 0.0), inertia=None, speed=0.0)
     def rates(s, y):
         r, R, F, moment = y[:3], y[3:12].reshape(3, 3), y[12:15], y[15:]
         strain = soft @ np.r_[R.T @ F, R.T @ moment]
-        way = R @ (strain[:3] + [0.0, 0.0, 1.0])
+        way = R @ np.add(strain[:3], (0.0, 0.0, 1.0))
         arm, about = R @ place, R @ J @ R.T @ omega
         f = -m * np.cross(omega, np.cross(omega, r + arm))
         t = -np.cross(omega, about) - m * np.cross(arm, np.cross(omega, np.cross(omega, r)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Section matrices of a beam over its length, and the sections of its pieces."""
+"""Section matrices of a beam over its length, and their means over its pieces."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness
 
 FloatArray = NDArray[np.float64]
-_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -102,23 +101,6 @@ class SectionTable:
             except ValueError as error:
                 found.append(Message(f"{name}[{k}]", str(error), remedy="correct the matrix"))
         return found
-
-    def points(self, start: float, end: float) -> list[tuple[float, float, float, FloatArray]]:
-        """Points of quadrature of a piece: share of the piece, weight, twist [rad], stiffness matrix.
-
-        Parameters
-        ----------
-        start, end
-            Ends of the piece, from 0 to 1. The weights have the sum 1.
-        """
-        inner = self.position[(self.position > start) & (self.position < end)]
-        x = np.r_[start, inner, end]
-        wide = np.diff(x)
-        at = (0.5 * (x[:-1] + x[1:])[:, None] + 0.5 * wide[:, None] * _POINTS).ravel()
-        weights = (0.5 * wide[:, None] * _WEIGHTS).ravel() / (end - start)
-        twist, stiffness = np.interp(at, self.position, self.twist), self._at(self.stiffness, at)
-        shares = (at - start) / (end - start)
-        return list(zip(shares.tolist(), weights.tolist(), twist.tolist(), stiffness, strict=True))
 
     def mean(self, start: float, end: float) -> dict[str, FloatArray]:
         """Mean twist, stiffness and mass matrix of a piece; the matrices in the axes of their sections."""

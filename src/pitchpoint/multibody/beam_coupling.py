@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness of beam elements with coupled sections, from the compliance of the sections along the element.
+"""Stiffness of beam elements with coupled sections, from the compliance of the section.
 
 The section forces of an element without loads between its ends follow from the force and the moment on the
-second end, so the compliance of that end is an integral of the compliance of the sections: exact for any
-section, also one that changes along the element.
+second end, so the compliance of that end is an integral of the compliance of the section: the stiffness is
+exact for any section that is the same from end to end.
 
 Sources: D. H. Hodges, Nonlinear Composite Beam Theory (2006), chapter 2 (section matrices); J. S.
 Przemieniecki, Theory of Matrix Structural Analysis (1968), section 6.5 (stiffness from the compliance).
@@ -11,7 +11,6 @@ Przemieniecki, Theory of Matrix Structural Analysis (1968), section 6.5 (stiffne
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,38 +44,18 @@ class Coupling:
         return max(3.0 * float(soft[k + 1, k + 1] / soft[k, k]) - 1.0, 0.0)
 
 
-@dataclass(frozen=True, eq=False)
-class Place:
-    """Section at a point of quadrature of an element.
+def coupling(compliance: ArrayLike, length: float, dissipation: ArrayLike | None = None) -> Coupling:
+    """Stiffness and damping of an element with the same section from end to end.
 
     Parameters
     ----------
-    share
-        Place from the first end, 0, to the second, 1.
-    weight
-        Weight; the sum of all is 1.
     compliance
-        Strains for the section forces, in the axes of the element, shape (6, 6): along axes 1, 2 and the
-        beam, then about them [1/N, 1/(N m), 1/(N m²)].
-    dissipation
-        Damping of the section between both compliances, S D S, shape (6, 6).
-    """
-
-    share: float
-    weight: float
-    compliance: Matrix
-    dissipation: Matrix | None = None
-
-
-def coupling(places: Sequence[Place], length: float) -> Coupling:
-    """Stiffness and damping of an element.
-
-    Parameters
-    ----------
-    places
-        Sections at the points of quadrature.
+        Strains for the section forces, symmetric, shape (6, 6): along axes 1, 2 and the beam, then about them
+        [1/N, 1/(N m), 1/(N m²)].
     length
         Length of the element [m].
+    dissipation
+        Damping matrix D of the section between two compliances S, S D S, shape (6, 6); None: no damping.
 
     Examples
     --------
@@ -85,24 +64,26 @@ def coupling(places: Sequence[Place], length: float) -> Coupling:
 
     >>> K = np.diag([1e9, 1e9, 1e9, 2.0, 2.0, 1.0])
     >>> K[3, 5] = K[5, 3] = 0.5
-    >>> points = [Place(0.5 + s / 12**0.5, 0.5, np.linalg.inv(K)) for s in (-1, 1)]
     >>> end = end_matrix(3.0)
-    >>> moved = np.linalg.solve(end.T @ coupling(points, 3.0).stiffness @ end, [0, 0, 0, 1.0, 0, 0])
-    >>> round(moved[5], 9), round(-0.5 * 3 / 1.75, 9)
-    (-0.857142857, -0.857142857)
+    >>> stiffness = end.T @ coupling(np.linalg.inv(K), 3.0).stiffness @ end
+    >>> moved = np.linalg.solve(stiffness, [0, 0, 0, 1.0, 0, 0])
+    >>> round(moved[5], 6), round(-0.5 * 3 / 1.75, 6)
+    (-0.857143, -0.857143)
     """
-    compliance, dissipation = np.zeros((2, 6, 6))
-    for place in places:
-        arm = (1.0 - place.share) * length
-        forces = np.eye(6)
-        forces[3, 1], forces[4, 0] = -arm, arm
-        compliance += place.weight * length * forces.T @ place.compliance @ forces
-        if place.dissipation is not None:
-            dissipation += place.weight * length * forces.T @ place.dissipation @ forces
-    stiffness = np.linalg.inv(compliance)
-    damping = stiffness @ dissipation @ stiffness
+    stiffness = np.linalg.inv(_integral(np.asarray(compliance, float), length))
+    damping = np.zeros((6, 6))
+    if dissipation is not None:
+        damping = stiffness @ _integral(np.asarray(dissipation, float), length) @ stiffness
     back = np.linalg.inv(end_matrix(length))
     return Coupling(*(_symmetric(back.T @ part @ back) for part in (stiffness, damping)))
+
+
+def _integral(section: Matrix, length: float) -> Matrix:
+    """Integral over the element for the section forces due to force and moment on its second end."""
+    middle, arm = np.eye(6), np.zeros((6, 6))
+    arm[3, 1], arm[4, 0] = -length, length
+    middle += 0.5 * arm
+    return np.asarray(length * (middle.T @ section @ middle + arm.T @ section @ arm / 12.0))
 
 
 def end_matrix(length: float) -> Matrix:

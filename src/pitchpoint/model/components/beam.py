@@ -191,7 +191,6 @@ class BeamProperties(Component):
         "time",
         "with stiffness: internal damping over stiffness for each of the six strains",
         (),
-        length=(6, 6),
         minimum=0.0,
         needs="stiffness",
         display="0",

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pitchpoint.geometry.section_matrix import mass_lines
 from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.beam_tables import beam_table_of
-from pitchpoint.multibody.beam_coupling import Place, coupling, parallel_compliance
+from pitchpoint.multibody.beam_coupling import coupling, parallel_compliance
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
 
 if TYPE_CHECKING:
@@ -26,7 +26,6 @@ Array = NDArray[np.float64]
 SAME = 1e-6
 """Distance of two centres that are one, over the larger radius of gyration of the section."""
 _NOTHING = Section(A=0.0, I_1=0.0, I_2=0.0, J=0.0, kappa_1=0.0, kappa_2=0.0)
-_TWO_POINTS = (0.5 - 0.5 / math.sqrt(3.0), 0.5 + 0.5 / math.sqrt(3.0))
 
 
 @dataclass(frozen=True)
@@ -140,7 +139,7 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
             axial=stiff,
             torsion=mean["torsion"],
         )
-        part = coupling([Place(share, 0.5, compliance) for share in _TWO_POINTS], length)
+        part = coupling(compliance, length)
     stiffness = replace(beam, rho=0.0, coupling=part)
     return Piece(stiffness, axes, ends, ((_mass_beam(mean["mass"], second, stiffness), center),))
 
@@ -150,20 +149,14 @@ def _coupled(
 ) -> Piece:
     """Element with the section matrices of a piece along a way."""
     length, mean = float(np.linalg.norm(way)), table.mean(*piece)
-    twist = float(mean["twist"])
-    places = []
-    for share, weight, turn, stiffness in table.points(*piece):
-        own = np.kron(np.eye(2), about_z(turn - twist))
-        soft = np.linalg.inv(stiffness)
-        factor = np.sqrt(damping)
-        lost = own @ soft @ (factor[:, None] * stiffness * factor) @ soft @ own.T if factor.any() else None
-        places.append(Place(share, weight, own @ soft @ own.T, lost))
-    beam = Beam(section=_NOTHING, length=length, E=0.0, G=0.0, coupling=coupling(places, length))
+    factor, soft = np.sqrt(damping), np.linalg.inv(mean["stiffness"])
+    lost = soft @ (factor[:, None] * mean["stiffness"] * factor) @ soft
+    beam = Beam(section=_NOTHING, length=length, E=0.0, G=0.0, coupling=coupling(soft, length, lost))
     masses = tuple(
         (_mass_beam(part.mass, (part.second, part.second), beam), part.place)
         for part in mass_lines(mean["inertia"])
     )
-    return Piece(beam, _along(way / length) @ about_z(twist), ends, masses)
+    return Piece(beam, _along(way / length) @ about_z(float(mean["twist"])), ends, masses)
 
 
 def _mass_beam(mass: float, second: tuple[float, float], beam: Beam) -> Beam:
