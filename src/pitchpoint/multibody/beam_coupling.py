@@ -67,7 +67,7 @@ def coupling(compliance: ArrayLike, length: float, dissipation: ArrayLike | None
     >>> end = end_matrix(3.0)
     >>> stiffness = end.T @ coupling(np.linalg.inv(K), 3.0).stiffness @ end
     >>> moved = np.linalg.solve(stiffness, [0, 0, 0, 1.0, 0, 0])
-    >>> round(moved[5], 6), round(-0.5 * 3 / 1.75, 6)
+    >>> round(float(moved[5]), 6), round(-0.5 * 3 / 1.75, 6)
     (-0.857143, -0.857143)
     """
     stiffness = np.linalg.inv(_integral(np.asarray(compliance, float), length))
