@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from scipy.optimize import brentq, root
 
-#: Composite box beam of Wang et al. (2017), section 4.2, in inches and pounds, in our order: theirs has the
+#: Composite box beam of Wang et al. (2017), in inches and pounds, in our order: theirs has the
 #: beam along axis 1, so axes 1, 2 and the beam are theirs 2, 3 and 1. A bending-torsion coupling of 0.56 of
 #: the geometric mean.
 _ORDER = [1, 2, 0, 4, 5, 3]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""WT-COMPOSITE: cantilevers whose bending and torsion are coupled by the layup, at rest, vibrating and rotating.
+"""WT-COMPOSITE: beams whose bending and torsion are coupled by the layup, at rest, vibrating and rotating.
 
-Sources: Q. Wang, M. A. Sprague, J. Jonkman, N. Johnson, B. Jonkman, BeamDyn: a high-fidelity wind turbine blade
-solver in the FAST modular framework, Wind Energy 20 (2017) 1439-1462, section 4.2: composite box beam; the
-converged tip displacement of BeamDyn to 15 digits is in the documentation of Kynema (NREL), "Static bending of
-a straight composite beam". Its axes 1, 2, 3 are our z, x, y; inches and pounds are entered as metres and
+Sources: Q. Wang, M. A. Sprague, J. Jonkman, N. Johnson, B. Jonkman, BeamDyn: a high-fidelity wind turbine
+blade solver in the FAST modular framework, Wind Energy 20 (2017) 1439-1462: composite box beam; the converged
+tip displacement of BeamDyn to 15 digits is in the documentation of Kynema (NREL), "Static bending of a
+straight composite beam". Its axes 1, 2, 3 are our z, x, y; inches and pounds are entered as metres and
 newtons. Independent references: tests/support/section_beams.py.
 """
 
@@ -58,8 +58,8 @@ def test_reference_is_that_of_the_paper() -> None:
 
 
 def test_small_deflection_is_the_closed_form() -> None:
-    """With the compliance S = K^-1: w = F (S_22 L + S_44 L^3/3), slope -F S_44 L^2/2, twist -F S_46 L^2/2, for
-    any number of pieces."""
+    """With the compliance S = K^-1: w = F (S_22 L + S_44 L^3/3), slope -F S_44 L^2/2, twist -F S_46 L^2/2,
+    for any number of pieces."""
     S, L = np.linalg.inv(BOX), BOX_LENGTH
     for pieces in (1, 3):
         found = tip(matrices(BOX, BOX_MASS), pieces, (0.0, 1e-3, 0.0)) / 1e-3
@@ -121,7 +121,7 @@ def test_rotating_beam_is_that_of_the_exact_equations() -> None:
 
 
 def test_tension_twists_a_beam_with_coupled_extension() -> None:
-    """Rotation alone: N = m Omega^2 (L^2 - z^2)/2 and twist S_36 m Omega^2 L^3/3, to the square of the twist."""
+    """Rotation alone: N = m Omega^2 (L^2 - z^2)/2, twist S_36 m Omega^2 L^3/3, to the square of it."""
     K = np.diag([1e7, 1e7, 1e7, 1e4, 1e4, 1e4])
     K[2, 5] = K[5, 2] = 1e5
     M = np.diag([1.0, 1.0, 1.0, 5e-4, 5e-4, 1e-3])

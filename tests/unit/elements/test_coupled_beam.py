@@ -65,7 +65,7 @@ def test_moved_and_turned_world_changes_nothing(beam):
 
 
 def test_uncoupled_sections_are_those_of_the_plain_element():
-    """Stiffness and shear parameter of a flat section with shear; forces within 1 % at rotations of 0.1 rad."""
+    """Stiffness and shear parameter of a flat section; forces within 1 % at rotations of 0.1 rad."""
     plain = Beam(section=FLAT, length=0.4, **SOFT)
     own = Beam(section=FLAT, length=0.4, coupling=coupling(compliance_of(plain), 0.4), **SOFT)
     np.testing.assert_allclose(own.stiffness(), plain.stiffness(), atol=1e-12 * plain.stiffness().max())
@@ -99,7 +99,9 @@ def test_centres_off_the_axis_are_elements_in_parallel():
     along[np.ix_([2, 8], [2, 8])] = K[np.ix_([2, 8], [2, 8])]
     expected = sum(moved(part, place) for part, place in ((K - along, s), (along, e)))
     # bending is that about the elastic centre, on whichever line it acts
-    found = Beam(section=FLAT, length=0.4, coupling=coupling(compliance_of(beam, e, s), 0.4), **SOFT).stiffness()
+    found = Beam(
+        section=FLAT, length=0.4, coupling=coupling(compliance_of(beam, e, s), 0.4), **SOFT
+    ).stiffness()
     np.testing.assert_allclose(found, expected, atol=1e-12 * np.abs(found).max())
 
 
