@@ -69,7 +69,7 @@ def test_small_deflection_is_the_closed_form() -> None:
     assert abs(S[3, 5]) > 0.2 * S[3, 3]
 
 
-def with_mass_beside_the_axis():
+def with_mass_off_the_axis():
     """Mass matrix with the centre at (0.3, -0.5) in, turned principal axes, J_1 and J_2 different."""
     M, m, x, y = BOX_MASS.copy(), BOX_MASS[0, 0], 0.3, -0.5
     M[0, 5] = M[5, 0] = -m * y
@@ -83,11 +83,11 @@ def with_mass_beside_the_axis():
     return M
 
 
-@pytest.mark.parametrize("beside", [False, True])
-def test_frequencies_are_those_of_the_transfer_matrix(beside) -> None:
+@pytest.mark.parametrize("off_axis", [False, True])
+def test_frequencies_are_those_of_the_transfer_matrix(off_axis) -> None:
     """Bending in both directions and torsion, coupled by stiffness and by mass: 16 pieces to 0.6 % for six
     modes, the first two to 1e-4, from above; the error is of second order in their length."""
-    mass = with_mass_beside_the_axis() if beside else BOX_MASS
+    mass = with_mass_off_the_axis() if off_axis else BOX_MASS
     found = [frequencies(matrices(BOX, mass), n) for n in (8, 16)]
     exact = exact_frequencies(BOX, mass, BOX_LENGTH, found[1])
     off = [f / exact - 1.0 for f in found]
@@ -109,9 +109,9 @@ def frequencies(properties, pieces, count=6):
 
 
 def test_rotating_beam_is_that_of_the_exact_equations() -> None:
-    """At 10 rad/s about x the mass beside the axis bends and twists the beam, and the tension stiffens it:
+    """At 10 rad/s about x the mass off the axis bends and twists the beam, and the tension stiffens it:
     elongation, deflection and rotation of the tip to 0.3 % with 16 pieces, the limit of 8 and 16 to 3e-4."""
-    mass = with_mass_beside_the_axis()
+    mass = with_mass_off_the_axis()
     moved, turn = exact_tip(BOX, BOX_LENGTH, inertia=mass, speed=10.0)
     angles = np.arctan2(-turn[1, 2], turn[2, 2]), np.arcsin(turn[0, 2]), np.arctan2(-turn[0, 1], turn[0, 0])
     exact = np.r_[moved, angles]

@@ -146,7 +146,8 @@ def mass_lines(inertia: ArrayLike) -> list[MassLine]:
 
 
 def polar_error(inertia: ArrayLike) -> float:
-    """Difference of the polar moment of inertia of a mass matrix from the sum of both others, relative."""
+    """Difference of the polar moment of inertia of a mass matrix, shape (6, 6), from the sum of both others,
+    relative."""
     M = np.asarray(inertia, dtype=float)
     return float(abs(M[3, 3] + M[4, 4] - M[5, 5]) / max(M[5, 5], M[3, 3] + M[4, 4], 1e-300))
 

@@ -103,15 +103,21 @@ class SectionTable:
         return found
 
     def mean(self, start: float, end: float) -> dict[str, FloatArray]:
-        """Mean twist, stiffness and mass matrix of a piece; the matrices in the axes of their sections."""
+        """Mean twist [rad], stiffness and mass matrix of a piece, shape (6, 6), in the axes of the sections.
+
+        Parameters
+        ----------
+        start, end
+            Ends of the piece, from 0 to 1.
+        """
         inner = self.position[(self.position > start) & (self.position < end)]
         x = np.r_[start, inner, end]
-        columns = {"twist": np.interp(x, self.position, self.twist)}
+        columns: dict[str, FloatArray] = {"twist": np.asarray(np.interp(x, self.position, self.twist))}
         columns |= {name: self._at(getattr(self, name), x) for name in ("stiffness", "inertia")}
-        return {
-            name: np.asarray(np.trapezoid(values, x, axis=0)) / (end - start)
-            for name, values in columns.items()
-        }
+        found: dict[str, FloatArray] = {}
+        for name, values in columns.items():
+            found[name] = np.asarray(np.trapezoid(values, x, axis=0)) / (end - start)
+        return found
 
     def offset(self, at: FloatArray) -> FloatArray:
         """Curved axis of the beam from the straight line at positions, shape (m,) to (m, 2) [m]."""

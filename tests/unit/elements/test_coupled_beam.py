@@ -106,7 +106,7 @@ def test_centres_off_the_axis_are_elements_in_parallel():
 
 
 def moved(K, place):
-    """Matrix of an element on nodes fixed to others beside them."""
+    """Matrix of an element on nodes fixed to others at a distance."""
     x, y = place
     arm = np.eye(6)
     arm[0, 5], arm[1, 5], arm[2, 3], arm[2, 4] = -y, x, y, -x

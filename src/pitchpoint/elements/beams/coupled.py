@@ -3,9 +3,10 @@
 
 With the chord e, the normals t and the section axes p and q of both ends, y are the elongation u of the bent
 axis, the twist, the bending angle (p_j . t_i - p_i . t_j)/2, the sum (p_i + p_j) . e of the slopes, and both
-with q instead of p. Bending is the rotation between both ends, so that the shear angle of a section that
-twists is no curvature. Besides the terms of a round section (`forces`) the energy is 1/2 y . Q y and the
-damping force R dy/dt. All deformations are the same for any motion of the whole element.
+with q instead of p. Bending is the rotation between both ends; the difference of the slopes would count the
+shear angle of a section that twists as curvature. In addition to the terms of a round section (`forces`) the
+energy is 1/2 y . Q y and the damping force R dy/dt. All deformations are the same for any motion of the whole
+element.
 """
 
 from __future__ import annotations

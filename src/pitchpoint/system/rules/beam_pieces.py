@@ -30,7 +30,7 @@ _NOTHING = Section(A=0.0, I_1=0.0, I_2=0.0, J=0.0, kappa_1=0.0, kappa_2=0.0)
 
 @dataclass(frozen=True)
 class Piece:
-    """One element of a beam, and elements for the mass beside it.
+    """One element of a beam, and elements for a separate mass.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def _coupled(
 
 
 def _mass_beam(mass: float, second: tuple[float, float], beam: Beam) -> Beam:
-    """Element with the mass per length and its moments of inertia over the mass beside an element without."""
+    """Element with the mass per length and its moments of inertia over the mass, for an element without."""
     section = replace(_NOTHING, A=1.0, I_1=second[0], I_2=second[1])
     phi = None if beam.coupling is None else 0.5 * (beam.phi(1) + beam.phi(2))
     return Beam(section=section, length=beam.length, E=0.0, G=0.0, rho=mass, shear=phi)
