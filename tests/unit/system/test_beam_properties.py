@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -223,3 +226,16 @@ def test_a_section_that_is_not_flat_is_noted():
     notes = [str(note) for note in remarks_of(loads_model(text.replace("0.03]", "0.06]")))]
     assert any("beams.mast.properties" in note and "by up to 50 %" in note for note in notes), notes
     assert not any("entry 66" in str(note) for note in remarks_of(loads_model(text)))
+
+
+def test_section_matrices_of_the_page():
+    """docs/howto/wind_turbine.md: a force bends the mast to one side and twists it, L = 10 m."""
+    page = (Path(__file__).parents[3] / "docs" / "howto" / "wind_turbine.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```yaml\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
+    (block,) = (text for text in blocks if "&stiff" in text)
+    bodies = TEXT[: TEXT.index("beams:")].replace("tip:", "top:").replace("2 m", "10 m")
+    system = compile_model(loads_model(f"{bodies}{block}loads: {{pull: {{body: top, force: [0, 1, 0]}}}}\n"))
+    rest = find_equilibrium(system).state
+    moved = [rest.q[system.layout.coordinate(f"top.{c}")] for c in ("y", "spin")]
+    S = np.linalg.inv([[4e9, 5e8], [5e8, 6e8]])
+    assert moved == pytest.approx([S[0, 0] * 1000 / 3 + 10 / 2e8, -S[0, 1] * 50], rel=1e-6)
