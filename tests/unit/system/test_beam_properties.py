@@ -14,6 +14,7 @@ from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.openfast.elastodyn import read_elastodyn
 from pitchpoint.model.remarks.collect import remarks_of
+from pitchpoint.report.defaults import defaults
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
@@ -188,6 +189,17 @@ def test_offsets_in_matrices_are_the_centres_of_lists():
     ]
     whole = [np.diag([b["k_u"], b["k_t"], b["k_d"], b["k_s"], b["k_d"], b["k_s"]]) + b["Q"] for b in found]
     np.testing.assert_allclose(whole[0], whole[1], atol=1e-9 * np.abs(whole[1]).max())
+
+
+def test_defaults_are_those_in_effect():
+    """Section matrices leave no lists of stiffnesses; lists leave no matrices."""
+    for properties, shown, idle in (
+        (SAME, {"twist", "offset_1", "damping"}, {"torsion", "axial", "gyration"}),
+        (PLAIN, {"twist", "torsion", "gyration"}, {"damping"}),
+    ):
+        found = {key for key, _ in defaults(mast(properties).model)}
+        assert {f"beams.mast.properties.{name}" for name in shown} <= found
+        assert not {f"beams.mast.properties.{name}" for name in idle} & found
 
 
 def with_entry(i, j, value):
