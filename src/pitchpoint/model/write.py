@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.discon.installed import package_of
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
 from pitchpoint.model.component import HOOKS, Unread, as_written
@@ -261,6 +262,10 @@ class _Writer:
         """Path relative to the model file."""
         return self.relative(value)
 
+    def library(self, key: Key, value: str) -> str:
+        """Name of the package of an installed library, else its path relative to the model file."""
+        return package_of(value) or self.relative(value)
+
     def relative(self, name: str) -> str:
         """Path relative to the directory of the model file."""
         file = Path(name)
@@ -347,7 +352,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "center": _Writer.center,
     "ends": _Writer.strings,
     "file": _Writer.file,
-    "library": _Writer.file,
+    "library": _Writer.library,
     "records": _Writer.mapping,
     "record_signals": _Writer.mapping,
     "coordinates": _Writer.mapping,
