@@ -26,7 +26,7 @@ RECORD = np.dtype(
         ("k_s", "f8"),  # moment of either end per sum of both slopes against the chord [N m/rad]
         ("c_a", "f8"),  # excess bending stiffness towards axis 1: moment per slope of the same end [N m/rad]
         ("c_b", "f8"),  # and per slope of the other end
-        ("n_s", "f8"),  # length times square of the sum of both slopes over the elongation by it [m]
+        ("n_s", "f8"),  # length times square of the sum of both slopes over the elongation by it [1]
         ("eta", "f8"),  # damping over stiffness [s]
         ("coupled", "i8"),  # 1: the next two matrices are not zero
         ("Q", "f8", (6, 6)),  # further stiffness of the deformations y [N/m, N, N m]
