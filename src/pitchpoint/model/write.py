@@ -187,6 +187,10 @@ class _Writer:
         """Rows of plain numbers."""
         return [list(row) for row in value]
 
+    def matrices(self, key: Key, value: Any) -> list[list[list[float]]]:
+        """Matrices as rows of plain numbers."""
+        return [self.matrix(key, rows) for rows in value]
+
     def strings(self, key: Key, value: Any) -> list[str]:
         """A list of names."""
         return list(value)
@@ -334,6 +338,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "points": _Writer.points,
     "tooth_profile": _Writer.nested,
     "matrix": _Writer.matrix,
+    "matrices": _Writer.matrices,
     "orders": _Writer.orders,
     "law": _Writer.law,
     "laws": _Writer.laws,
