@@ -100,7 +100,8 @@ def live_text(
     now = evaluate.observe(run.system, run.state)
     channels = [(k, v) for k, v in enumerate(unit.variables) if v.kind == OUTPUT]
     outputs = [
-        {"name": v.name, "reference": k, **_display_of_channel(v.name, v.unit, now[[i]])}
+        {"name": v.name, "reference": k, "size": abs(float(now[i]))}
+        | _display_of_channel(v.name, v.unit, now[[i]])
         for i, (k, v) in enumerate(channels)
     ]
     settable = [

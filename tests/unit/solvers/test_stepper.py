@@ -191,6 +191,9 @@ def test_an_input_has_a_range_where_its_effect_is_not_affine():
     assert stepper.inputs[name] == start and stepper.inputs["loads.input.torque"] == 150.0
     stepper.set({name: 1.001 * start})
     assert stepper.inputs[name] == 1.001 * start
+    ratio = "meshes.stage.damper.ratio"  # affine, within the limits of the model file
+    with pytest.raises(pp.ModelError, match=rf"{ratio}: -0.01 1 is out of range \(limit 0 to 10\)"):
+        pp.Stepper(pair("adams"), "steady", inputs=[ratio]).set({ratio: -0.01})
 
 
 def test_the_speed_of_a_drive_is_an_input():

@@ -177,7 +177,7 @@ const draw = (curve, values) => {
   if (!(high >= low)) return;
   const middle = (low + high) / 2, half = Math.max((high - low) / 2, 1e-9 * Math.abs(middle), 1e-300) * 1.08;
   const bottom = height - FOOT, inner = bottom - 8;
-  const begin = samples.t[first], span = (ROOM - 1) * model.sample, unit = begin + span < 1 ? 1e3 : 1; // ms or s
+  const shown = [125, 250, 500, ROOM].find((n) => n >= samples.n), begin = samples.t[first], span = (shown - 1) * model.sample, unit = begin + span < 1 ? 1e3 : 1; // ms or s
   const acrossTo = (t) => GUTTER + ((width - GUTTER - 8) * (t - begin)) / span, upTo = (y) => 4 + inner * (0.5 - (y - middle) / (2 * half));
   c.strokeStyle = ink("grid");
   c.fillStyle = ink("soft");
