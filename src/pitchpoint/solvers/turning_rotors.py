@@ -59,7 +59,7 @@ class TurningRotors:
     Raises
     ------
     CompileError
-        If a rotor has fewer than three blades, they differ, or they are no branches of the hub.
+        If a rotor has fewer than three blades, they differ, or they are not branches of the hub.
     """
 
     def __init__(self, system: System, rotors: Sequence[tuple[str, Sequence[str]]], rates: Array) -> None:

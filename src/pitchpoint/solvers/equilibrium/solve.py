@@ -69,14 +69,13 @@ MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""
 NEGLIGIBLE = 1e-12
-"""Residual over the loads of the initial state, up to which any state is in equilibrium, however close to one
-the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
+"""Residual over the loads of the initial state, up to which any state is in equilibrium: a body that floats
+in the clearance of a bearing has no stiffness to oppose them."""
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 NEAR = 1.0
 """The same from an equilibrium for similar loads."""
-CLOSE = 8.0
-"""Residual over the accepted one up to which a step below the rounding of positions ends the iteration."""
+CLOSE = 8.0  # residual over the accepted one up to which a step below the rounding of positions is the last
 TINY = 1e-9
 """Step [m] over which a continuous force is practically constant."""
 HEAVY = 1e8
