@@ -101,8 +101,8 @@ def solve_campbell(
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
 
-    The attribute `dissipation` is "none" if the model has no damping. Speeds without an equilibrium are omitted;
-    the attribute `omitted_speed` has them. `multiblade` names wind rotors in multi-blade coordinates.
+    The attribute `dissipation` is "none" if the model has no damping. Speeds without an equilibrium are
+    omitted; the attribute `omitted_speed` has them. `multiblade` names wind rotors in multi-blade coordinates.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
