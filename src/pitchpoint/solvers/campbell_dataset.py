@@ -102,7 +102,7 @@ def solve_campbell(
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
 
     The attribute `dissipation` is "none" if the model has no damping. Speeds without an equilibrium are
-    omitted; the attribute `omitted_speed` has them. `multiblade` names wind rotors in multi-blade coordinates.
+    omitted; the attribute `omitted_speed` has them. `multiblade` names rotors in multi-blade coordinates.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
