@@ -28,8 +28,6 @@ MAX_TURNS = 50
 """Maximum number of alternations between the machine and the states that depend on its loads."""
 PARTS = (1.0, 0.5, 0.2, 0.05)
 """Parts of a step of states that are tried."""
-TRIAL = 0.1
-"""First trial change of a state over its size, at least 1."""
 AT_REST = 1e-9
 """Relative rate of a state, and relative residual torque, that count as zero."""
 
@@ -150,7 +148,7 @@ def acting_torques(system: System, state: State) -> Array:
 
 
 def _unit(state: State, at: NDArray[np.int64]) -> Array:
-    return TRIAL * np.maximum(1.0, np.abs(state.v[at]))
+    return np.maximum(1.0, np.abs(state.v[at]))
 
 
 def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int, change: float) -> Array | None:
