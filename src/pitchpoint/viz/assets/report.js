@@ -98,12 +98,105 @@
     });
   }
 
+  // A screen shows the first, least, largest and last sample of each column of pixels; zooming shows the samples.
+  const COLUMNS = 1000, ASIDE = 60;
+
+  function pickOut(y, low, high, columns, chosen) {
+    if (high - low <= 4 * columns) {
+      for (let k = low; k < high; k++) chosen.push(k);
+      return;
+    }
+    for (let column = 0; column < columns; column++) {
+      const first = low + Math.floor((column * (high - low)) / columns);
+      const end = low + Math.floor(((column + 1) * (high - low)) / columns);
+      let least = first, most = first;
+      for (let k = first; k < end; k++) {
+        if (y[k] < y[least]) least = k;
+        if (y[k] > y[most]) most = k;
+      }
+      for (const k of [first, Math.min(least, most), Math.max(least, most), end - 1])
+        if (k !== chosen[chosen.length - 1]) chosen.push(k);
+    }
+  }
+
+  // Samples to draw of curves within a range of their axis; the ranges of the axes stay those of the whole record.
+  function thinned({ x, y }, [from, to], columns) {
+    const place = (t) => {
+      let low = 0, high = x.length;
+      while (low < high) {
+        const middle = (low + high) >> 1;
+        if (x[middle] < t) low = middle + 1;
+        else high = middle;
+      }
+      return low;
+    };
+    const low = Math.max(0, place(from) - 1), high = Math.min(x.length, place(to) + 1), chosen = [];
+    pickOut(y, 0, low, ASIDE, chosen);
+    pickOut(y, low, high, columns, chosen);
+    pickOut(y, high, x.length, ASIDE, chosen);
+    return { x: chosen.map((k) => x[k]), y: chosen.map((k) => y[k]) };
+  }
+
+  // Curves over time with more samples than a screen has columns, by the number of the curve.
+  function longCurves({ data, layout }) {
+    if (!layout.meta || !layout.meta.clock) return new Map();
+    const long = data.map((trace, k) => [k, trace])
+      .filter(([, { x, y }]) => y instanceof Float64Array && x instanceof Float64Array && y.length > 4 * COLUMNS)
+      .map(([k, { x, y }]) => [k, { x, y }]);
+    for (const [k, curve] of long) Object.assign(data[k], thinned(curve, [-Infinity, Infinity], COLUMNS));
+    return new Map(long);
+  }
+
+  function followZoom(node, long) {
+    let last = "";
+    node.on("plotly_relayout", () => {
+      const { xaxis } = node._fullLayout;
+      const range = xaxis.range.slice(), columns = Math.max(COLUMNS, Math.round(xaxis._length));
+      if (last === (last = [...range, columns].join())) return;
+      const drawn = [...long.values()].map((curve) => thinned(curve, range, columns));
+      Plotly.restyle(node, { x: drawn.map(({ x }) => x), y: drawn.map(({ y }) => y) }, [...long.keys()]);
+    });
+  }
+
+  // Plots below each other over the same axis: all labels get the room of the widest, so that the axes are aligned.
+  function align(section) {
+    const groups = new Map();
+    for (const { node } of plots) {
+      if (node.closest("section") !== section || !node.layout.xaxis.title) continue;
+      const key = [node.layout.xaxis.title.text, Math.round(node.getBoundingClientRect().left)].join();
+      groups.set(key, [...(groups.get(key) || []), node]);
+    }
+    for (const group of groups.values()) {
+      const rooms = group.flatMap((node) => Object.keys(node.layout)
+        .filter((name) => /^yaxis\d*$/.test(name) && node.layout[name].visible !== false && node.layout[name].title)
+        .map((name) => {
+          const labels = node.querySelectorAll(`.y${name.slice(5)}tick text`);
+          const wide = Math.max(0, ...[...labels].map((label) => label.getBoundingClientRect().width));
+          return { node, name, wide, standoff: node.layout[name].title.standoff || 0 };
+        }));
+      if (rooms.length < 2) continue;
+      const widest = Math.max(...rooms.map(({ wide }) => wide));
+      const moved = group.map((node) => {
+        const update = {};
+        for (const { name, wide, standoff } of rooms.filter((room) => room.node === node))
+          update[`${name}.title.standoff`] = standoff + widest - wide;
+        return Plotly.relayout(node, update);
+      });
+      Promise.all(moved).then(() => {
+        const edge = (side) => Math.max(...group.map((node) => node._fullLayout._size[side]));
+        const [left, right] = [edge("l"), edge("r")];
+        for (const node of group) Plotly.relayout(node, { "margin.l": left, "margin.r": right });
+      });
+    }
+  }
+
   // Plots are drawn one after the other, those in sight first, so that a long page answers from the start.
   function draw(node) {
     if (node.dataset.drawn) return;
     node.dataset.drawn = "1";
     const text = node.nextElementSibling.textContent;
     const figure = unpacked(text);
+    const long = longCurves(figure);
     // what is shown here is nobody else's: the button of the library that uploads a plot goes
     const config = { responsive: true, displaylogo: false, showSendToCloud: false, plotlyServerURL: "",
       displayModeBar: hovering ? "hover" : false,
@@ -114,8 +207,11 @@
     const { meta } = figure.layout;
     // the library writes into the figure it is given; what is offered starts from an untouched one
     if (meta && meta.orders) offerShafts(node, unpacked(text));
+    if (long.size) followZoom(node, long);
     if (meta && meta.clock && node.closest(".linked")) link(node, meta.clock);
     Plotly.relayout(node, look(node.layout, current()));
+    const section = node.closest("section");
+    if (section && !section.querySelector(".plot:not([data-drawn])")) align(section);
   }
 
   // The time of the scene stands in every curve of its run, and a click into a curve moves the scene.
