@@ -26,7 +26,7 @@ def test_blades_have_their_chords_and_reach_to_the_tip(model, beams):
     drawn = solids(model if beams else model.replace("wind_rotors.rotor.beams", ()))
     name = "blade_1" if beams else "rotor, blade 1"
     points = drawn[name].points
-    rings = points.reshape(-1, 24, 3)
+    rings = points.reshape(-1, 32, 3)
     widths = np.array([np.linalg.norm(r[:, None] - r[None], axis=-1).max() for r in rings])
     assert widths[0] == pytest.approx(3.542, rel=1e-3)
     assert widths.max() == pytest.approx(4.652, rel=2e-2)
