@@ -81,12 +81,12 @@ def _check_shape(shape: Shape, at: Place, report: Reader) -> None:
                 value=f"{shape.rounding:.6g} m",
                 limit=f"<= {0.5 * min(shape.box):.6g} m",
             )
-    elif len(shape.heights) != len(shape.diameters):
+    elif len(shape.heights) != len(shape.diameters) or len(shape.heights) < 2:
         report.problem(
             (*at, "heights"),
-            "and the diameters differ in number",
-            value=f"{len(shape.heights)} and {len(shape.diameters)}",
-            remedy="give one diameter per height",
+            "and the diameters are no outline",
+            value=f"{len(shape.heights)} and {len(shape.diameters)} values",
+            remedy="give at least two heights, and a diameter for each",
         )
     elif any(b < a for a, b in zip(shape.heights, shape.heights[1:], strict=False)):
         report.problem((*at, "heights"), "do not ascend", remedy="order them along z")

@@ -230,7 +230,6 @@ class Beam(Component):
         "length",
         "with properties: outer diameters at equal distances from the first to the second end, for the scene",
         (),
-        length=(2, 1000),
         minimum=0.0,
         above=True,
         needs="properties",

@@ -23,11 +23,8 @@ class Shape(Component):
         "body of revolution: positions along z from its position, in the order of the diameters, which they "
         "connect by cones; equal ones make a step",
         (),
-        length=(2, 1000),
     )
-    diameters: tuple[float, ...] = quantities(
-        "length", "its outer diameters at the heights", (), length=(2, 1000), minimum=0.0
-    )
+    diameters: tuple[float, ...] = quantities("length", "its outer diameters at the heights", (), minimum=0.0)
     position: Triple = quantities(
         "length", "position from the origin of the body, in its axes", (0.0, 0.0, 0.0), length=(3, 3)
     )

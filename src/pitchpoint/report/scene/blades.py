@@ -90,9 +90,7 @@ def _rings(rotor: Rotor, stations: list[Station]) -> Array:
     circle = np.clip((thick - SHARP) / (ROUND - SHARP), 0.0, 1.0)[:, None]
     along = x - (1.0 - circle) * (0.5 - AHEAD)
     height = thick[:, None] * y * (circle + (1.0 - circle) * 1.4 * (0.55 + x) ** 0.6)
-    rings: Array = (
-        place[:, None] + along[:, :, None] * chord[:, None] + height[:, :, None] * normal[:, None]
-    )
+    rings: Array = place[:, None] + along[:, :, None] * chord[:, None] + height[:, :, None] * normal[:, None]
     return rings
 
 
