@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import RAYLEIGH, WITH_STATE
 from pitchpoint.report.scene.motion import coordinates
-from pitchpoint.report.stored_energy import move_to, rates_of_leans, rotation_vectors
+from pitchpoint.report.stored_energy import move_to, rates_of_tilts, rotation_vectors
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.system import evaluate
@@ -81,7 +81,7 @@ def damping_loss(
         return 0.0
     q, charts, _ = coordinates(system, time.size, read)
     v = np.gradient(q, time, axis=0, edge_order=2)
-    v += rates_of_leans(system, _angular_velocities(charts, time))
+    v += rates_of_tilts(system, _angular_velocities(charts, time))
     chosen, weights = _drawn(time)
     places, v, time = (q[chosen], charts[chosen]), v[chosen], time[chosen]
     light = {name: rows for name, rows in on.items() if registry.find(name).massless}

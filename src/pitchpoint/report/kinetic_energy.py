@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
 from pitchpoint.report.scene.motion import coordinates
-from pitchpoint.report.stored_energy import move_to, rates_of_leans, rotation_vectors
+from pitchpoint.report.stored_energy import move_to, rates_of_tilts, rotation_vectors
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.system import evaluate
 
@@ -87,8 +87,8 @@ def _place_at_end(machine: Machine, state: State, end: int) -> Array:
     state.charts[:] = charts[at]
     rates = np.zeros_like(state.v)
     if time.size == 3:
-        leans = rotation_vectors(np.swapaxes(charts[at], -1, -2) @ charts)
-        moved = q + rates_of_leans(system, leans)
+        tilts = rotation_vectors(np.swapaxes(charts[at], -1, -2) @ charts)
+        moved = q + rates_of_tilts(system, tilts)
         rates += np.gradient(moved, time, axis=0, edge_order=2)[at]
     for b, speed in machine.spin.items():
         rates[system.program["body"]["spin"][b]] = speed[at]

@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 TURN = 2.0 * math.pi
-LEANS = 1.0
+TILT = 1.0
 """Rotation from the rest position [rad] beyond which springs of a tumbling body are not evaluated."""
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 """Points along the way: exact for linear springs, about 1 % of the part beyond a clearance otherwise."""
@@ -74,14 +74,14 @@ class Deflections:
     ----------
     known
         Whether the result determines them: not in machines with closed loops, with bodies that tumble by more
-        than `LEANS`, or with displacements that were not stored.
+        than `TILT`, or with displacements that were not stored.
     """
 
     def __init__(self, system: System, read: Callable[[str], Array | None]) -> None:
         self.system = system
         self.ends, charts, unknown = coordinates(system, 2, read)
-        self.leans = rotation_vectors(charts)
-        small = float(np.linalg.norm(self.leans, axis=-1).max(initial=0.0)) < LEANS
+        self.tilts = rotation_vectors(charts)
+        small = float(np.linalg.norm(self.tilts, axis=-1).max(initial=0.0)) < TILT
         self.known = small and not (unknown or is_looped(system))
         held = list(free_spins(system))
         motions = rotations(system, held)
@@ -99,12 +99,12 @@ class Deflections:
     def _energy(self, end: int) -> float:
         """Work of the forces from the undeflected position to that at one end, at rest [J]."""
         step = self.ends[end] - self.rigid[end]
-        way = step + rates_of_leans(self.system, self.leans[end])
+        way = step + rates_of_tilts(self.system, self.tilts[end])
         total, state = 0.0, self.system.initial_state()
         for x, weight in zip(NODES, WEIGHTS, strict=True):
             share = 0.5 * (1.0 + x)
             move_to(self.system, state, self.rigid[end] + share * step)
-            state.charts[:] = attitudes(share * self.leans[end])
+            state.charts[:] = attitudes(share * self.tilts[end])
             total += 0.5 * weight * float(evaluate.residual(self.system, state) @ way)
         return float(total)
 
@@ -124,7 +124,7 @@ def attitudes(vectors: Array) -> Array:
     return Rotation.from_rotvec(vectors).as_matrix() if vectors.size else np.zeros((0, 3, 3))
 
 
-def rates_of_leans(system: System, vectors: Array) -> Array:
+def rates_of_tilts(system: System, vectors: Array) -> Array:
     """Rotation vectors or angular velocities of tumbling bodies (..., charts, 3) as rates (..., nd).
 
     At the attitude of its chart, the rates of a tumbling body are the components of its angular velocity

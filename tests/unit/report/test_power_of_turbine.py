@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Power flow of a wind turbine: from the air to the generator, with the energy of elastic blades and tower."""
+"""Power flow of a wind turbine: from the air to the generator, with elastic blades and tower."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report.damping_losses import damping_loss
+from pitchpoint.report.external_torques import external_torques
 from pitchpoint.report.power_flow import power_flow
 from pitchpoint.report.stored_energy import Deflections
 from pitchpoint.solvers.time import solve_time
@@ -24,8 +25,10 @@ bodies:
 joints:
   loose: {type: free, bodies: [ground, other]}
 bushings:
-  mount: {ends: [other, ground], stiffness: {radial: 3e3 N/m, axial: 5e3 N/m, tilt: 70 N m/rad, torsion: 90 N m/rad},
-    damping: {radial: 4 N s/m, axial: 4 N s/m, tilt: 0.5 N m s/rad, torsion: 0.8 N m s/rad}}
+  mount:
+    ends: [other, ground]
+    stiffness: {radial: 3e3 N/m, axial: 5e3 N/m, tilt: 70 N m/rad, torsion: 90 N m/rad}
+    damping: {radial: 4 N s/m, axial: 4 N s/m, tilt: 0.5 N m s/rad, torsion: 0.8 N m s/rad}
 scenarios:
   s: {duration: 1 s, step: 1 ms}
 """
@@ -80,12 +83,20 @@ def test_the_balance_of_the_turbine_closes(turbine):
     assert flow.unfollowed == ["gravity"]
 
 
+def test_torques_without_a_run_are_unknown_in_the_wind():
+    """The torque of the air is not zero: it depends on the motion of the blades."""
+    model = load_model(FOLDER.parent / "model.yaml")
+    found, _, _ = external_torques(model, model.scenarios["production"], {})
+    wind = next(each for each in found if each.name == ("wind_rotors", "rotor"))
+    assert (wind.body, wind.torque) == ("hub", None)
+
+
 def swing(amplitude: float, turn: float, rate: float):
     """Channels of a free body that swings along z and about x."""
     time = np.linspace(0.0, 2.0 * np.pi / rate, 401)
-    lean = np.zeros((time.size, 3))
-    lean[:, 0] = turn * np.sin(rate * time)
-    quaternion = Rotation.from_rotvec(lean).as_quat()
+    tilt = np.zeros((time.size, 3))
+    tilt[:, 0] = turn * np.sin(rate * time)
+    quaternion = Rotation.from_rotvec(tilt).as_quat()
     known = {f"attitude[other.{c}]": quaternion[:, k] for k, c in enumerate("xyzw")}
     known["displacement[other.z]"] = amplitude * np.sin(rate * time)
     return time, known

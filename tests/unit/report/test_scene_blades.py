@@ -34,7 +34,15 @@ def test_blades_have_their_chords_and_reach_to_the_tip(model, beams):
     assert (drawn[name].blend is not None) == beams
 
 
+def test_blades_have_no_steps(model):
+    """From the cylindrical root to the thin tip, neighbouring sections differ little in thickness and chord."""
+    rings = solids(model)["blade_1"].points.reshape(-1, 32, 3)
+    extents = np.array([np.linalg.svd(r - r.mean(axis=0), compute_uv=False) for r in rings])
+    for size in extents[:-8, :2].T:
+        assert (np.abs(np.diff(size)) / size[:-1]).max() < 0.15
+
+
 def test_bodies_without_mass_at_the_ends_of_beams_are_not_drawn(model):
     names = set(solids(model))
     assert not names & {"tip_1", "root_1", "tower_top"}
-    assert {"tower", "blade_2", "nacelle", "hub"} <= names
+    assert {"tower", "blade_2", "nacelle.cover", "hub.spinner"} <= names

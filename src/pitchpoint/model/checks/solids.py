@@ -84,7 +84,7 @@ def _check_shape(shape: Shape, at: Place, report: Reader) -> None:
     elif len(shape.heights) != len(shape.diameters) or len(shape.heights) < 2:
         report.problem(
             (*at, "heights"),
-            "and the diameters are no outline",
+            "and the diameters do not make an outline",
             value=f"{len(shape.heights)} and {len(shape.diameters)} values",
             remedy="give at least two heights, and a diameter for each",
         )
