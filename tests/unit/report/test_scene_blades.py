@@ -35,7 +35,7 @@ def test_blades_have_their_chords_and_reach_to_the_tip(model, beams):
 
 
 def test_blades_have_no_steps(model):
-    """From the cylindrical root to the thin tip, neighbouring sections differ little in thickness and chord."""
+    """From the root to the thin tip, neighbouring sections differ little in thickness and chord."""
     rings = solids(model)["blade_1"].points.reshape(-1, 32, 3)
     extents = np.array([np.linalg.svd(r - r.mean(axis=0), compute_uv=False) for r in rings])
     for size in extents[:-8, :2].T:
