@@ -232,7 +232,6 @@ class Beam(Component):
         (),
         minimum=0.0,
         above=True,
-        needs="properties",
         display="3 % of the length",
         later=True,
     )
