@@ -84,3 +84,20 @@ def test_diameters_of_a_beam_are_those_of_its_ends():
 def test_impossible_shapes_are_refused(shape, words):
     with pytest.raises(ModelError, match=words):
         loads_model(TEXT.format(shape=shape))
+
+
+@pytest.mark.parametrize(
+    ("keys", "words"),
+    [
+        ("section: {diameter: 20 mm}, diameters: [1, 1]", "are for beams with properties"),
+        (
+            "properties: {position: [0, 1], mass: [1, 1], bending_1: [1, 1], bending_2: [1, 1]}, "
+            "diameters: [1]",
+            "is one diameter",
+        ),
+    ],
+)
+def test_impossible_diameters_of_beams_are_refused(keys, words):
+    text = TEXT.format(shape="box: [1, 1, 1]") + f"beams:\n  b: {{ends: [ground, rotor], {keys}}}\n"
+    with pytest.raises(ModelError, match=words):
+        loads_model(text)
