@@ -10,8 +10,9 @@ A step is accepted by the size of the step that would follow it with the same ma
 Residuals do not measure progress: they may grow (a gear train multiplies a torque before the next mesh
 carries it).
 
-Sources: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM J. Numerical
-Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004 (natural monotonicity).
+Sources: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
+Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004
+(natural monotonicity).
 """
 
 from __future__ import annotations
@@ -50,7 +51,6 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     SOFTENING,
     extents,
     inverse_of,
-    is_rounding,
     rest_matrix,
     unsettled_states,
     without_rate_limits,
@@ -69,13 +69,14 @@ MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""
 NEGLIGIBLE = 1e-12
-"""Residual over the loads of the initial state, up to which any state is in equilibrium: a body that floats
-in the clearance of a bearing has no stiffness to oppose them."""
+"""Residual over the loads of the initial state, up to which any state is in equilibrium, however close to one
+the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
+RESOLVED = 1e-13
+"""Newton step over the size of a coordinate that is no more than its rounding error, in hundreds of terms."""
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 NEAR = 1.0
 """The same from an equilibrium for similar loads."""
-CLOSE = 8.0  # residual over the accepted one up to which a step below the rounding of positions is the last
 TINY = 1e-9
 """Step [m] over which a continuous force is practically constant."""
 HEAVY = 1e8
@@ -87,7 +88,8 @@ LONGEST = 0.3
 """Largest joint rotation per step with exact tangents [rad]."""
 SLOW = 1.0
 """Time [s] after which the iteration reports its number of steps."""
-NOW = np.zeros(1), np.ones(1)  # only the initial instant, with weight one
+NOW = (np.zeros(1), np.ones(1))
+"""Only the initial instant, with weight one."""
 SHORT = 1e-6
 """Step [m] below which a rejected step is searched for a force jump."""
 
@@ -139,7 +141,7 @@ def find_equilibrium(
     Parameters
     ----------
     system
-        The system; rows of drives are ignored (they prescribe motion, not rest).
+        The system; constraint rows of drives are ignored (they prescribe motion, not rest).
     start
         Initial state; its velocities are retained and define the friction. Default: the initial state.
     held
@@ -230,8 +232,6 @@ def _pseudo_time(
         allowed = goal / weight[free]
         drift = balanced_drift(R[free], mass, mu, inverse, allowed) if floats else None
         step = -inverse(R[free] if drift is None else R[free] - drift)
-        if (left <= CLOSE * goal).all() and is_rounding(system, state, free, step, size):
-            return Rest(state, R), count, 0, -1
         if time.monotonic() - started > SLOW:
             report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
@@ -259,6 +259,10 @@ def _pseudo_time(
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue
+        if drift is None and (left <= tolerance * loads).all():  # rounding of many terms may exceed the goal
+            whole_step = inverse_of(whole[free][:, free] + 1e-3 * mass, root)(R[free])
+            if (np.abs(whole_step) <= RESOLVED * (np.abs(state.q) + size)[free]).all():
+                return Rest(state, R), count, 0, -1
         length = float(np.abs(step * system.weight[free]).max(initial=0.0))
         if length < SHORT and (surfaces := crossed(system, state, trial)):
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)

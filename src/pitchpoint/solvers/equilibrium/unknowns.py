@@ -219,26 +219,6 @@ def step_on(system: System, state: State, free: NDArray[np.int64], step: NDArray
     return found
 
 
-def is_rounding(system: System, state: State, free: NDArray[np.int64], step: Array, size: Array) -> bool:
-    """Whether a step of the free coordinates is below their rounding error, so that nothing is left to do.
-
-    The forces between the pieces of a long beam cancel in the torque on the body that carries it; their
-    rounding errors do not.
-
-    Parameters
-    ----------
-    system, state, free
-        The system, its state, and the free coordinates.
-    step
-        Newton step, shape (len(free),).
-    size
-        From `extents`.
-    """
-    now = np.abs(state.q) + size
-    now[system.states] = np.abs(state.v[system.states]) + 1.0
-    return bool(np.all(np.abs(step) <= ROUNDING * now[free]))
-
-
 def wrapped(system: System, state: State) -> State:
     """Wrap every spin angle of a state into (-pi, pi] and whole turns; changes and returns the state."""
     for b in range(1, len(system.layout.bodies)):
