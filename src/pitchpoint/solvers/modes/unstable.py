@@ -42,6 +42,8 @@ UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
 RIGID = 1e-10
 """Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which does not grow."""
+DRIFT = 1e-2
+"""The same relative to the speed for the rotation of a rotor in multi-blade coordinates."""
 ANTISYMMETRIC = 1e-12
 """Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
 SHOWN = 3
@@ -78,6 +80,9 @@ def unstable_modes(found: Campbell) -> tuple[UnstableMode, ...]:
     order = np.argsort(found.speed, kind="stable")
     size = np.abs(found.eigenvalue)
     moves = size > RIGID * size.max(axis=1, keepdims=True, initial=0.0)
+    if found.rotors:  # the mean over some azimuths leaves a small moment of the weight about the axis
+        still = found.modes.modes.omega[: size.shape[1]] == 0.0
+        moves &= ~(still & (size < DRIFT * np.abs(found.speed)[:, None]))
     ratio = np.where(moves, found.damping_ratio, 0.0)[order]
     listed = []
     for mode in range(ratio.shape[1]):
