@@ -23,7 +23,7 @@ from pitchpoint.system.residual import COLUMNS
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS
 
-_OWN_ARRAYS = {"x": "nd", "clock": "16", "real": "16"}
+_OWN_ARRAYS = {"x": "nd", "shift": "nd", "clock": "16", "real": "16"}
 """Arrays of the drivers that a part does not share with its system."""
 
 
@@ -51,10 +51,11 @@ def solve_entry(at, spare, other):
     x = view(m["x"], nd, F8)
     R = view(c["R"], nd, F8)
     own = view(m["own"], m["nown"], I8)
+    shift = view(m["shift"], nd, F8)
     for i in range(nd):
         x[i] = 0.0
     for k in range(own.size):
-        x[own[k]] = -R[own[k]]
+        x[own[k]] = -R[own[k]] - shift[own[k]]
     substitute(
         view(m["solve"], m["nsolve"], SOLVE), view(c["A"], (c["na"], 6, 6), F8), x, view(m["y6"], 6, F8)
     )

@@ -29,6 +29,9 @@ from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, STEPS, VALID
 BEGIN = 0
 """First of three rows of the stages of a part with the values at the start of its step: q and v, a, both memories."""
 
+SUM = 3
+"""Row of the stages of the slow part with the mean forces of the fast part, in this and the last long step."""
+
 PAIR = np.dtype(
     [
         *((name, "f8") for name in ("t0", "h", "rho", "tol")),
@@ -111,6 +114,32 @@ def _other_step(c, m, ratio):
         al[i] = a[i] + (al[i] - a[i]) * ratio
         ap[i] = a[i] + (ap[i] - a[i]) * ratio
     view(m["clock"], 16, I8)[VALID] = 0
+
+
+@kernel
+def _add_force(c, n, k, count):
+    """Add the forces of the fast part on the slow coordinates to their mean over a long step; after its last short
+    step k = count set the difference between the mean, extrapolated to the end of the step, and the present forces.
+
+    Forces at the mesh frequencies would otherwise be sampled once per long step.
+    """
+    nd = c["nd"]
+    own = view(n["own"], n["nown"], I8)
+    R = view(c["R"], nd, F8)
+    shift = view(n["shift"], nd, F8)
+    stage = view(n["stage"], (STAGE_ROWS, 2 * nd), F8)
+    for j in range(own.size):
+        i = own[j]
+        if k == 1:
+            stage[SUM, i] = 0.0
+        stage[SUM, i] += R[i] / count
+        if k == count:
+            mean = stage[SUM, i]
+            before = mean if stage[SUM + 1, 0] == 0.0 else stage[SUM, nd + i]
+            stage[SUM, nd + i] = mean
+            shift[i] = mean + (mean - before) * (count - 1.0) / (2.0 * count) - R[i]
+    if k == count:
+        stage[SUM + 1, 0] = 1.0
 
 
 @kernel
@@ -206,6 +235,7 @@ def entry(at, order, recorder):
             if status != OK:
                 _back(f, m)
                 break
+            _add_force(f, n, k, count)
             wrap(fast)
             clock[STEPS] += 1
             if k < count:
@@ -277,4 +307,5 @@ class SubstepRun(generalized_alpha.Run):
         self.last = self.count
         for part in self.parts:
             part.arrays["clock"][VALID] = 0
+        self.parts[1].arrays["stage"][SUM + 1, 0] = 0.0
         return status
