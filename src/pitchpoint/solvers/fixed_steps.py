@@ -15,6 +15,16 @@ if TYPE_CHECKING:
 FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
 
 
+def start_run(system: System, state: State, scenario: Scenario, h: float) -> Any:
+    """Start the run of a scenario as `start_fixed_steps`, with longer steps outside of gear trains if it has them."""
+    count = round((scenario.long_step or h) / h)
+    if count < 2:
+        return start_fixed_steps(system, state, scenario, h)
+    from pitchpoint.solvers.implicit import gear_part  # imported and compiled on demand
+
+    return gear_part.start(system, state, h, count)
+
+
 def start_fixed_steps(system: System, state: State, scenario: Scenario, h: float) -> Any:
     """Start the run of a scenario with a method of `FIXED_METHODS`.
 

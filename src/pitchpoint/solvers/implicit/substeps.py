@@ -1,36 +1,47 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Generalised-alpha with short steps of the gear trains within longer steps of all other bodies.
+"""Generalised-alpha with short steps of gear trains within longer steps of the rest of the machine.
 
-A long step begins with the short steps of the gear trains (fast part), during which all other coordinates (slow part)
-follow the extrapolation of their accelerations. The slow part then takes its step against the forces of the fast part at
-the end. Both parts are implicit and of second order. The parts influence each other at the end of every long step only,
-so that the elements between them must be soft compared with the inertia of the slow part: see `gear_trains`.
+A long step begins with the short steps of the gear trains (fast part), during which all other coordinates (slow
+part) follow the linear extrapolation of their accelerations. Then the slow part takes its step. It is loaded
+by the mean force of the fast part, extrapolated to the end of the step from two long steps: forces at the mesh
+frequencies, sampled once per long step, would appear as slow vibrations. Both parts are implicit and of second
+order; elements between them must be soft compared with the inertia of the slow part (`gear_part`).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
-
+from dataclasses import dataclass
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import BAD_CENTRE, DIVERGED, OK, SLOW, UNBOUNDED
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.contact_counts import count_contacts
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.implicit.newton import newton_step
 from pitchpoint.solvers.implicit.step import DIVISION, MAX_PARTS, coefficients
-from pitchpoint.solvers.sampling import Accumulators, Chunk, advance_into, new_recorder, record_step, recorder_at
+from pitchpoint.solvers.sampling import (
+    Accumulators,
+    Chunk,
+    add_value,
+    advance_into,
+    due,
+    keep,
+    new_recorder,
+    record_events,
+    record_step,
+    recorder_at,
+)
 from pitchpoint.system.part import Part
-from pitchpoint.system.residual import wrap
+from pitchpoint.system.residual import observe, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, STEPS, VALID
 
 BEGIN = 0
 """First of three rows of the stages of a part with the values at the start of its step: q and v, a, both memories."""
 
 SUM = 3
-"""Row of the stages of the slow part with the mean forces of the fast part, in this and the last long step."""
+"""First of two rows of the stages of the slow part: mean forces of the fast part in this and in the last long
+step, and whether there has been one."""
 
 PAIR = np.dtype(
     [
@@ -39,8 +50,8 @@ PAIR = np.dtype(
     ],
     align=True,
 )
-"""Arguments of the loop: short step h, n short steps, control records of both parts, short steps per long step, and
-those of the last one."""
+"""Arguments of the loop: short step h, n short steps, control records of both parts, number of short steps per
+long step and in the last one."""
 
 
 @kernel
@@ -85,7 +96,7 @@ def _back(c, m):
 
 @kernel
 def _follow(c, m, tau, h):
-    """Extrapolate the coordinates of a part from the start of its step h by tau, with a linear acceleration."""
+    """Extrapolate a part from the start of its step by tau, with the acceleration slope of the last step h."""
     nd = c["nd"]
     own = view(m["own"], m["nown"], I8)
     stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
@@ -118,10 +129,10 @@ def _other_step(c, m, ratio):
 
 @kernel
 def _add_force(c, n, k, count):
-    """Add the forces of the fast part on the slow coordinates to their mean over a long step; after its last short
-    step k = count set the difference between the mean, extrapolated to the end of the step, and the present forces.
+    """Add the forces of the fast part on the slow coordinates after short step k to their mean.
 
-    Forces at the mesh frequencies would otherwise be sampled once per long step.
+    After the last one, k = count, `shift` becomes the mean, extrapolated to the end of the long step, less the
+    present forces.
     """
     nd = c["nd"]
     own = view(n["own"], n["nown"], I8)
@@ -187,7 +198,9 @@ def _short_step(at, other, t, tau, h, whole, rho, tol):
     _follow(s, n, tau, whole)
     status = part_step(at, t, h, rho, tol)
     parts = DIVISION
-    while (status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED) and parts <= MAX_PARTS:
+    while parts <= MAX_PARTS:
+        if not (status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED):
+            break
         view(m["clock"], 16, I8)[REJECTED] += 1 if parts == DIVISION else 0
         _back(c, m)
         _other_step(c, m, 1.0 / parts)
@@ -201,6 +214,26 @@ def _short_step(at, other, t, tau, h, whole, rho, tol):
             _other_step(c, m, 1.0 * parts)
         parts *= DIVISION
     return status
+
+
+@kernel
+def _record_short(at, t, h, number, recorder):
+    """Record a short step: samples of all channels, statistics of those of the part; returns a status."""
+    measure, sample = due(number, recorder)
+    if sample != 0 or measure != 0:
+        c = view(at, 1, CTL)[0]
+        m = view(c["mach"], 1, MACH)[0]
+        status = observe(at, t, m["row"])
+        if status != OK:
+            return status
+        keep(at, t, recorder, 0, sample)
+        if measure != 0:
+            row = view(m["row"], c["no"], F8)
+            chosen = view(m["chosen"], m["nchosen"], I8)
+            for j in range(chosen.size):
+                add_value(row[chosen[j]], recorder.sums[chosen[j]])
+            count_contacts(t, row, recorder.counts)
+    return record_events(at, t, h, recorder)
 
 
 @kernel
@@ -239,7 +272,7 @@ def entry(at, order, recorder):
             wrap(fast)
             clock[STEPS] += 1
             if k < count:
-                status = record_step(fast, t, h, o["first"] + done + k, rec)
+                status = _record_short(fast, t, h, o["first"] + done + k, rec)
                 if status != OK:
                     break
         _back(s, n)
@@ -267,11 +300,13 @@ class SubstepRun(generalized_alpha.Run):
         Short steps per long step.
     parts
         Fast and slow part.
+    last
+        Short steps in the last long step.
     """
 
     count: int = 1
     parts: tuple[Part, ...] = ()
-    last: int = field(default=1)
+    last: int = 1
 
     def advance(
         self,
@@ -288,24 +323,34 @@ class SubstepRun(generalized_alpha.Run):
         recorder = new_recorder(
             system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        order = np.array(
-            [(self.t0, self.h, self.rho_inf, self.tolerance, self.steps, n, *(p.at for p in self.parts), self.count, self.last)],
-            PAIR,
-        )
+        at = (part.at for part in self.parts)
+        times = (self.t0, self.h, self.rho_inf, self.tolerance)
+        order = np.array([(*times, self.steps, n, *at, self.count, self.last)], PAIR)
         done = advance_into(entry, system.workspace.at, order, recorder)
         self.last = int(order[0]["last"])
+        system.workspace.clock[REJECTED] = self.parts[0].arrays["clock"][REJECTED]
         self.steps += done.steps
         return done
 
     def go_on(self) -> int:
         """Start or restart at the state in the workspace, after a jump of the forces; returns the status."""
         status = super().go_on()
-        w = self.system.workspace
-        slow = self.parts[1].own
-        for name in ("al", "ap"):
-            w.arrays[name][slow] = w.a[slow] + (w.arrays[name][slow] - w.a[slow]) * self.count
+        self._rescale(self.parts[1], self.count)
         self.last = self.count
+        self.parts[1].arrays["stage"][SUM + 1, 0] = 0.0
         for part in self.parts:
             part.arrays["clock"][VALID] = 0
-        self.parts[1].arrays["stage"][SUM + 1, 0] = 0.0
         return status
+
+    def change_step(self, h: float) -> None:
+        """Change the short step from the present time on."""
+        for part in self.parts:
+            self._rescale(part, h / self.h)
+        self.t0, self.steps, self.h = self.t, 0, h
+
+    def _rescale(self, part: Part, ratio: float) -> None:
+        """Rescale the values of a part that are a fraction of a step ahead or behind."""
+        w, own = self.system.workspace, part.own
+        for name in ("al", "ap"):
+            w.arrays[name][own] = w.a[own] + (w.arrays[name][own] - w.a[own]) * ratio
+        part.arrays["clock"][VALID] = 0
