@@ -32,6 +32,7 @@ from pitchpoint.solvers.sampling import (
     record_step,
     recorder_at,
 )
+from pitchpoint.system import evaluate
 from pitchpoint.system.part import Part
 from pitchpoint.system.residual import observe, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, STEPS, VALID
@@ -334,12 +335,14 @@ class SubstepRun(generalized_alpha.Run):
 
     def go_on(self) -> int:
         """Start or restart at the state in the workspace, after a jump of the forces; returns the status."""
-        status = super().go_on()
-        self._rescale(self.parts[1], self.count)
+        status, w = super().go_on(), self.system.workspace
+        self._rescale(self.parts[1], 0.0)  # their slopes contain vibrations of the gear train
         self.last = self.count
         self.parts[1].arrays["stage"][SUM + 1, 0] = 0.0
         for part in self.parts:
             part.arrays["clock"][VALID] = 0
+        if status == OK:  # short steps write only the channels of the fast part
+            w.arrays["row"][:] = evaluate.observe(self.system, evaluate.store(self.system, self.t))
         return status
 
     def change_step(self, h: float) -> None:
