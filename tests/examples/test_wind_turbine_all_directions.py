@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example `wind-turbine` with the gearbox in all directions, and with long steps outside of the gear train.
+"""The example `wind-turbine` with the gearbox in all directions, and with long steps outside of gears.
 
 Frames: z of the gearbox from the rotor to the generator, x upward; the generator turns against the rotor.
 """
@@ -14,6 +14,7 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.model.speed_ratios import start_speeds
 from pitchpoint.solvers.contact_counts import new_counts
 from pitchpoint.solvers.implicit import gear_part, generalized_alpha
 from pitchpoint.solvers.initial_state.start import prepare_start
@@ -56,6 +57,26 @@ def test_parts_have_the_mass_of_the_nacelle(turbine):
     np.testing.assert_allclose(moment / mass, [1.9, 0.0, 87.6 + 1.75], atol=1e-3)
 
 
+def test_the_housing_on_torque_arms_is_at_rest_at_the_start(turbine):
+    """The nacelle, which only yaws, does not let it rotate with the gears: ratio of the planetary stages."""
+    speeds, wrong = start_speeds(turbine[0], {"generator": -RATIO})
+    assert not wrong and speeds["housing"] == 0.0
+    assert speeds["main_shaft"] == pytest.approx(1.0, rel=1e-12)
+
+
+def test_a_locked_generator_on_the_slow_side_rolls_with_97_squared_times_its_inertia():
+    """Inertia of the nacelle about a horizontal axis: two masses less rigid ratio, both locked."""
+    roll = []
+    for train in ("two_mass.yaml", "rigid_ratio.yaml"):
+        model = load_model(FOLDER / "model.yaml", changes={"include": train})
+        system = compile_model(model, "parked")
+        M = evaluate.matrix(system, system.initial_state(), 1.0, 0.0, 0.0)
+        axis = system.layout.coordinate("tower_top.alpha")
+        roll.append(M[axis, axis])
+    more = (534.116 * (97**2 - 1) - 1.0) * 0.996195**2  # 1 kg m^2 of the low-speed shaft
+    assert roll[0] - roll[1] == pytest.approx(more, rel=1e-5)
+
+
 def test_torque_arms_carry_both_torques(turbine):
     """Housing: the torque of the rotor less the excess of the wind, and that of the generator, T (1 + i)."""
     value = turbine[2]
@@ -85,7 +106,7 @@ def test_axial_bearings_carry_thrust_and_weight(turbine):
 
 
 def test_main_bearings_and_planet_carrier_bearings_carry_the_weight(turbine):
-    """The same bodies across the axis, with the forces of sun and ring on the planets from the lines of action."""
+    """The same bodies across the axis, with the forces of sun and ring along the lines of action."""
     model, begin, value = turbine
     bodies = ["hub", "main_shaft", "carrier_1", *(f"planet_{k}" for k in PLANETS)]
     mass = sum(model.body_inertia(name).mass for name in bodies) + 3 * 17609.0 + 3.3
@@ -112,7 +133,8 @@ def test_a_bending_moment_of_the_hub_reaches_the_planets(turbine):
     """The loads of the planets change with it, their sum does not."""
     bent = started("gearbox_all_directions.yaml", **{"parameters.hub_moment": "2 MN m"})[2]
     one, two = (
-        np.array([abs(value(f"mesh_force[sun_1-planet_{k}]")) for k in PLANETS]) for value in (turbine[2], bent)
+        np.array([abs(value(f"mesh_force[sun_1-planet_{k}]")) for k in PLANETS])
+        for value in (turbine[2], bent)
     )
     assert two.sum() == pytest.approx(one.sum(), rel=5e-3)
     assert np.abs(two / two.mean() - one / one.mean()).max() > 0.02
@@ -174,7 +196,8 @@ def test_chunks_do_not_change_the_steps(torsional):
 def test_alternating_forces_of_all_stages_are_converged(torsional):
     """0.1 ms in long steps of 1 ms against 0.025 ms everywhere, one second: 2.5 % of the alternating force.
 
-    -1.9 % at sun 2 are impacts of spur pairs within 0.1 ms, +2.3 % at ring 2 and 1.2 % of stage 3 the long steps.
+    -1.9 % at sun 2 are impacts of spur pairs within 0.1 ms; +2.3 % at ring 2 and 1.2 % of stage 3 are due to
+    the long steps.
     """
     system, state = torsional.system, torsional.state
     found = []

@@ -16,7 +16,7 @@ FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
 
 
 def start_run(system: System, state: State, scenario: Scenario, h: float) -> Any:
-    """Start the run of a scenario as `start_fixed_steps`, with longer steps outside of gear trains if it has them."""
+    """Start the run of a scenario, with its long steps of bodies outside of gear trains if it has them."""
     count = round((scenario.long_step or h) / h)
     if count < 2:
         return start_fixed_steps(system, state, scenario, h)

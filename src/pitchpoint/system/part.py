@@ -132,9 +132,7 @@ class Part:
                 touched &= np.isin(bank["op"], (TORQUE, STRUT, FORCE))
             for end in kind.ends:
                 ends |= {int(b) for b in bank[end][touched]}
-            rows += [
-                (row[0], row[1] + first * bank.itemsize, n, *row[3:]) for first, n in _runs(touched)
-            ]
+            rows += [(row[0], row[1] + first * bank.itemsize, n, *row[3:]) for first, n in _runs(touched)]
             if "out" in (bank.dtype.names or ()):
                 seen += [int(b["out"]) + k for b in bank[touched] for k in range(len(kind.outputs_of(b)))]
         body, path, proj = (w.program[name] for name in ("body", "path", "proj"))
@@ -148,7 +146,7 @@ class Part:
         self.arrays["forces"] = np.array(rows, np.int64).reshape(-1, COLUMNS)
 
     def matrix(self, t: float, cd: float, ck: float) -> NDArray[np.float64]:
-        """Newton matrix cd D + ck K of the elements of the part at the state in the workspace, shape (nd, nd)."""
+        """Newton matrix cd D + ck K of the part at the state in the workspace, shape (nd, nd)."""
         ctl = self._ctl[0]
         ctl["t"], ctl["cm"], ctl["cd"], ctl["ck"] = t, 0.0, cd, ck
         evaluate.check(self.system, invoke(residual.entry, self.at, NEWTON, 0))

@@ -46,7 +46,7 @@ def test_it_is_the_clutch_with_this_capacity(method):
 
 
 def test_a_brake_closed_on_a_rotating_machine_slips_from_the_start():
-    """Assembled at 6 rad/s with 20 - 80 N m on 3 kg m^2: the capacity acts at once, without a damping peak."""
+    """Assembled at 6 rad/s with 20 - 80 N m on 3 kg m^2: the capacity acts, without a damping peak."""
     closed = "clutches: {brake: {bodies: [rotor], capacity: 80 N m}}"
     slow = SIGNAL.replace("input: speed}", "input: speed, damping_time: 0.1 s}")
     for model, channel, inputs in (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Start of a run with short steps of the gear trains: which bodies they have, and whether the machine permits it."""
+"""Start of a run with short steps of the gear trains: their bodies, and whether the machine permits it."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import State, System
 
 SOFT = 0.1
-"""Limit of H^2 K/M and H D/M of each slow coordinate in a long step H, with stiffness and damping of the elements
-at the gear trains and the inertia M that resists a sudden torque: its vibration against a gear train at rest then takes
-20 long steps or more."""
+"""Limit of H^2 K/M and H D/M of each slow coordinate in a long step H, with stiffness and damping of the
+elements at the gear trains and the inertia M that resists a sudden torque: its vibration against a gear train
+at rest then takes 20 long steps or more."""
 
 
 def start(system: System, state: State, h: float, count: int) -> SubstepRun:
@@ -42,7 +42,8 @@ def start(system: System, state: State, h: float, count: int) -> SubstepRun:
     Raises
     ------
     SolverError
-        If the machine has constraint rows or no separate gear train, or if a gear train is connected too stiffly.
+        If the machine has constraint rows or no separate gear train, or if a gear train is connected too
+        stiffly.
     """
     fast = fast_bodies(system)
     _check(system, fast)
@@ -60,9 +61,9 @@ def start(system: System, state: State, h: float, count: int) -> SubstepRun:
 def fast_bodies(system: System) -> list[int]:
     """Numbers of the bodies of the gear trains.
 
-    They are the rotating bodies with gears, the carriers of planets and all bodies that couplings, shafts and ratios
-    turn with them, without those that carry further bodies, such as the hub of a wind turbine.
-    """
+    They are the rotating bodies with gears, the carriers of planets and all bodies that couplings, shafts and
+    torsion springs turn with them, without those that carry further bodies, such as the hub of a wind
+    turbine."""
     body = system.program["body"]
     found = {b for row in mesh_records(system) for b in (int(row["i"]), int(row["j"])) if _turns(body, b)}
     joined = [
@@ -70,6 +71,8 @@ def fast_bodies(system: System) -> list[int]:
         for name, bank in system.records.items()
         for row in (bank if {"i", "j"} <= set(bank.dtype.names or ()) else ())
         if registry.find(name).spins_of(row) in (TOGETHER, GEARED)
+        and not {int(row["i"]), int(row["j"])}
+        & {int(body[row["i"]]["parent"]), int(body[row["j"]]["parent"])} - {0}
     ]
     size = -1
     while size != len(found):
@@ -101,13 +104,15 @@ def _turns(body: np.ndarray, b: int) -> bool:
 
 
 def _check(system: System, fast: list[int]) -> None:
-    """Refuse machines without a separate gear train, with constraint rows or with damping of all coordinates."""
+    """Refuse machines without a separate gear train, with constraint rows or damping of all coordinates."""
     problem = ""
     if not fast:
         problem = "has no gear train apart from bodies that carry others"
+    elif not {b for b in range(1, system.sizes["nb"]) if system.program["body"][b]["n"] > 0} - set(fast):
+        problem = "has no bodies outside of its gear trains"
     elif system.sizes["nc"]:
         problem = "has closed loops, rigid ratios or drives"
-    elif any(registry.find(name).scope == EVERYWHERE and name == "damping" for name in system.records):
+    elif any(registry.find(name).scope == EVERYWHERE for name in system.records):
         problem = "has damping of all coordinates"
     elif len(system.workspace.tables["frictions"]):
         problem = "has friction that depends on joint loads"

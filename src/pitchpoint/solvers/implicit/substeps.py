@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Generalised-alpha with short steps of gear trains within longer steps of the rest of the machine.
 
-A long step begins with the short steps of the gear trains (fast part), during which all other coordinates (slow
+A long step begins with the short steps of the gear trains (fast part), during which all other coordinates
+(slow
 part) follow the linear extrapolation of their accelerations. Then the slow part takes its step. It is loaded
-by the mean force of the fast part, extrapolated to the end of the step from two long steps: forces at the mesh
-frequencies, sampled once per long step, would appear as slow vibrations. Both parts are implicit and of second
-order; elements between them must be soft compared with the inertia of the slow part (`gear_part`).
+by the mean force of the fast part, extrapolated to the end of the step from two long steps: forces at the
+mesh
+frequencies, sampled once per long step, would appear as slow vibrations. Both parts are implicit and of
+second order; elements between them must be soft compared with the inertia of the slow part (`gear_part`).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
@@ -38,7 +41,7 @@ from pitchpoint.system.residual import observe, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, STEPS, VALID
 
 BEGIN = 0
-"""First of three rows of the stages of a part with the values at the start of its step: q and v, a, both memories."""
+"""First of three rows of the stages of a part: q and v, a and both memories at the start of its step."""
 
 SUM = 3
 """First of two rows of the stages of the slow part: mean forces of the fast part in this and in the last long
@@ -51,8 +54,8 @@ PAIR = np.dtype(
     ],
     align=True,
 )
-"""Arguments of the loop: short step h, n short steps, control records of both parts, number of short steps per
-long step and in the last one."""
+"""Arguments of the loop: short step h, n short steps, control records of both parts, number of short steps
+per long step and in the last one."""
 
 
 @kernel
@@ -97,7 +100,7 @@ def _back(c, m):
 
 @kernel
 def _follow(c, m, tau, h):
-    """Extrapolate a part from the start of its step by tau, with the acceleration slope of the last step h."""
+    """Extrapolate a part from the start of its step by tau, with the slope of its accelerations over h."""
     nd = c["nd"]
     own = view(m["own"], m["nown"], I8)
     stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
@@ -132,8 +135,8 @@ def _other_step(c, m, ratio):
 def _add_force(c, n, k, count):
     """Add the forces of the fast part on the slow coordinates after short step k to their mean.
 
-    After the last one, k = count, `shift` becomes the mean, extrapolated to the end of the long step, less the
-    present forces.
+    After the last one, k = count, `shift` becomes the mean, extrapolated to the end of the long step, less
+    the present forces.
     """
     nd = c["nd"]
     own = view(n["own"], n["nown"], I8)

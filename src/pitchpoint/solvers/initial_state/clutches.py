@@ -98,8 +98,8 @@ def settle_clutches(
 def slipping_clutches(system: System, state: State) -> State:
     """Copy of a state in which clutches and brakes that slip have the deflection of steady slip.
 
-    Without deflection, as assembled, the damping of the bristles would act with the whole slip speed: a torque
-    of many times the capacity for the first milliseconds.
+    Without deflection, as assembled, the damping of the bristles would act with the whole slip speed: a
+    torque of many times the capacity for the first milliseconds.
     """
     found = state.copy()
     for number, record in _bristles(system):
