@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Remarks on beams with a jump in speed at the start: one end moves, the other is at rest on ground."""
+"""Remarks on beams: a jump in speed at the start, and mass matrices of sections that are not flat."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.formula.formula import Formula
+from pitchpoint.geometry.section_matrix import polar_error
+from pitchpoint.geometry.section_table import SectionTable
+from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, TableLaw
 from pitchpoint.model.frames import GROUND, carrier_of
 from pitchpoint.model.mechanism import Seat, coordinate
@@ -17,6 +20,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
 
+NOT_FLAT = 0.01
+"""Error of the polar moment of inertia of a section that is attributed to rounding."""
 SHORT = 1e-6
 """Step of the difference quotient of a prescribed angle [s]."""
 SLOW = 1e-6
@@ -42,6 +47,27 @@ def ends_left_behind(model: Model) -> tuple[Message, ...]:
                     f"{far} moves against ground (motion: {model.bodies[far].motion}) and starts at rest "
                     f"while {near} moves in {', '.join(turning)}, so the beam starts with a jump in speed",
                     f"use a joint {{type: free, bodies: [{near}, {far}]}} instead of motion",
+                    model.line(("beams", name)),
+                )
+            )
+    return tuple(found)
+
+
+def sections_not_flat(model: Model) -> tuple[Message, ...]:
+    """A remark for every beam whose mass matrices have a polar moment of inertia that is not the sum of both
+    others."""
+    found = []
+    for name, beam in model.beams.items():
+        if beam.properties is None:
+            continue
+        table = beam_table_of(beam.properties)
+        if isinstance(table, SectionTable) and (error := max(map(polar_error, table.inertia))) > NOT_FLAT:
+            found.append(
+                remark(
+                    f"beams.{name}.properties",
+                    f"the entry 66 of the mass matrices differs from the sum of 44 and 55 by up to "
+                    f"{100 * error:.3g} %; 44, 45 and 55 give only their difference and its direction",
+                    "correct the matrices if their entries are of one section",
                     model.line(("beams", name)),
                 )
             )
