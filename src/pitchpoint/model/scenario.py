@@ -236,7 +236,8 @@ class Scenario(Component):
     )
     long_step: float | None = positive(
         "time",
-        "time step of all bodies outside of gear trains; these take several steps `step` in it",
+        "time step of all bodies outside of gear trains; these take several steps `step` in it. Without gear "
+        "trains all bodies take `step`",
         None,
         display="step",
         later=True,

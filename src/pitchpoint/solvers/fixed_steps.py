@@ -22,6 +22,8 @@ def start_run(system: System, state: State, scenario: Scenario, h: float) -> Any
         return start_fixed_steps(system, state, scenario, h)
     from pitchpoint.solvers.implicit import gear_part  # imported and compiled on demand
 
+    if not gear_part.fast_bodies(system):
+        return start_fixed_steps(system, state, scenario, h)
     return gear_part.start(system, state, h, count)
 
 

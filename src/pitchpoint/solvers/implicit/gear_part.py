@@ -42,7 +42,7 @@ def start(system: System, state: State, h: float, count: int) -> SubstepRun:
     Raises
     ------
     SolverError
-        If the machine has constraint rows or no separate gear train, or if a gear train is connected too
+        If the machine has constraint rows or nothing but gear trains, or if a gear train is connected too
         stiffly.
     """
     fast = fast_bodies(system)
@@ -104,11 +104,9 @@ def _turns(body: np.ndarray, b: int) -> bool:
 
 
 def _check(system: System, fast: list[int]) -> None:
-    """Refuse machines without a separate gear train, with constraint rows or damping of all coordinates."""
+    """Refuse machines with nothing but gear trains, constraint rows or damping of all coordinates."""
     problem = ""
-    if not fast:
-        problem = "has no gear train apart from bodies that carry others"
-    elif not {b for b in range(1, system.sizes["nb"]) if system.program["body"][b]["n"] > 0} - set(fast):
+    if not {b for b in range(1, system.sizes["nb"]) if system.program["body"][b]["n"] > 0} - set(fast):
         problem = "has no bodies outside of its gear trains"
     elif system.sizes["nc"]:
         problem = "has closed loops, rigid ratios or drives"
