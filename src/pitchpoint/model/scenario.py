@@ -242,6 +242,14 @@ class Scenario(Component):
         None,
         display="1/200 of the shortest period of meshes and modes; of elastic bodies, excited modes only",
     )
+    long_step: float | None = positive(
+        "time",
+        "time step of all bodies outside of gear trains; these take several steps `step` in it. Without gear "
+        "trains all bodies take `step`",
+        None,
+        display="step",
+        later=True,
+    )
     tolerance: float = positive(
         "dimensionless", "relative tolerance of methods with step-size control", 1e-7, maximum=0.1
     )
