@@ -10,7 +10,7 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.checks.validate import check
 from pitchpoint.model.component import without_arrays
-from pitchpoint.model.keys import BAD, keys_of, remedy_for_key
+from pitchpoint.model.keys import BAD, INCLUDE, keys_of, remedy_for_key
 from pitchpoint.model.model import Model
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parts import Parts
@@ -44,7 +44,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     keys = keys_of(Model)
     for name in [name for name in data if name not in keys]:
         sections.find(str(name))  # register sections of other packages
-    reader.unknown(data, keys, ())
+    reader.unknown(data, {INCLUDE: None, **keys} if reader.lines else keys, ())
     names = _names(data, (*GROUPS, *(n for n in keys if sections.is_other(n))))
     values = {}
     for name, key in keys.items():
