@@ -145,7 +145,9 @@ class _Merger:
         """Question with the model file of the same folder whose name is similar, if there is one."""
         folder = (self.folder / name).parent
         try:
-            names = [p.name for p in folder.iterdir() if p.suffix.lower() in SUFFIXES] if folder.is_dir() else []
+            names = (
+                [p.name for p in folder.iterdir() if p.suffix.lower() in SUFFIXES] if folder.is_dir() else []
+            )
         except OSError:
             return ""
         parent = Path(name).parent

@@ -129,9 +129,7 @@ def loads_model(
     directory = str(Path(file).parent if file is not None else Path())
     if whole.incomplete:  # names of missing files would be unknown everywhere
         by_option = {INCLUDE: names.get(INCLUDE, "changes")} if included is not None else {}
-        raise ModelError(
-            [p if p.file else next(iter(named([p], by_option))) for p in whole.problems], file
-        )
+        raise ModelError([p if p.file else next(iter(named([p], by_option))) for p in whole.problems], file)
 
     def build(data: Any, more: list[Message]) -> Model:
         """Model of the data of the file, or of these with changes."""
