@@ -27,11 +27,10 @@ class ModelFile(click.Path):
             path = Path(os.fsdecode(value))
             if path.exists() or not path.parent.is_dir():
                 raise
-            from pitchpoint.core.nearest import nearest
+            from pitchpoint.core.nearest import similar_file
 
-            known = sorted(str(p) for p in path.parent.iterdir() if p.suffix.lower() in (".yaml", ".yml"))
-            near = nearest(str(path), known)
-            text = f"the file {value} does not exist{f'; did you mean {near[0]}?' if near else ''}"
+            near = similar_file(Path(), str(path), (".yaml", ".yml")).strip()
+            text = f"the file {value} does not exist{f'; {near}' if near else ''}"
             raise click.BadParameter(text, ctx, param) from None
 
 

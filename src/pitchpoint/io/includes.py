@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
-from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.nearest import similar_file
 from pitchpoint.model import sections
 from pitchpoint.model.keys import INCLUDE, Place, keys_of, remedy_for_key
 from pitchpoint.model.model import Model
@@ -125,7 +125,7 @@ class _Merger:
             return
         if not file.is_file():
             text = "names a folder" if file.is_dir() else "names a file that does not exist"
-            remedy = f"{self.similar(name)}file names are relative to the folder of the model file"
+            remedy = f"{similar_file(self.folder, name, SUFFIXES)}file names are relative to the folder of the model file"
             self.missing(place, text, line, remedy, shown(name))
             return
         self.whole.files.append(own)
@@ -140,20 +140,6 @@ class _Merger:
             self.whole.problems += [p.changed(line=FileLine(p.line or 1, own)) for p in error.problems]
             return
         self.add(tree, (*path, own), own)
-
-    def similar(self, name: str) -> str:
-        """Question with the model file of the same folder whose name is similar, if there is one."""
-        folder = (self.folder / name).parent
-        try:
-            names = (
-                [p.name for p in folder.iterdir() if p.suffix.lower() in SUFFIXES] if folder.is_dir() else []
-            )
-        except OSError:
-            return ""
-        parent = Path(name).parent
-        return did_you_mean(Path(name).name, sorted(names)).replace(
-            "mean ", f"mean {parent.as_posix()}/" if parent != Path() else "mean "
-        )
 
     def merge(self, key: str, value: Any, lines: Mapping[Place, int]) -> None:
         """Add a key of a file: sections by name, other keys as a whole."""

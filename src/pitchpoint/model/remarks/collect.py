@@ -40,7 +40,7 @@ from pitchpoint.model.remarks.unusual_values import (
     overdamped_supports,
     preloads_above_the_rating,
 )
-from pitchpoint.model.remarks.wind_rotors import unused_polars
+from pitchpoint.model.remarks.wind_rotors import repeated_turbulence, unused_polars
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -289,6 +289,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *couplings_without_torque(model),
         *stage_keys(model),
         *unused_polars(model),
+        *repeated_turbulence(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
