@@ -125,7 +125,8 @@ class _Merger:
             return
         if not file.is_file():
             text = "names a folder" if file.is_dir() else "names a file that does not exist"
-            remedy = f"{similar_file(self.folder, name, SUFFIXES)}file names are relative to the folder of the model file"
+            near = similar_file(self.folder, name, SUFFIXES)
+            remedy = f"{near}file names are relative to the folder of the model file"
             self.missing(place, text, line, remedy, shown(name))
             return
         self.whole.files.append(own)

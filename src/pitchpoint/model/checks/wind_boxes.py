@@ -24,6 +24,7 @@ from pitchpoint.model.wind.turbsim import turbsim_extent
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
+    from pitchpoint.model.model import Model
     from pitchpoint.model.parts import Parts
 
 _CLOSE = 1e-6
@@ -74,7 +75,7 @@ def _extent(path: str, stamp: int) -> BoxExtent:
     return turbsim_extent(path)
 
 
-def winds_of_scenario(parts: Parts, rotor: WindRotor) -> Iterator[tuple[str, str]]:
+def winds_of_scenario(parts: Parts | Model, rotor: WindRotor) -> Iterator[tuple[str, str]]:
     """Every scenario with its wind at a rotor."""
     for name, scenario in parts.scenarios.items():
         wind = scenario.wind or rotor.wind or next(iter(parts.winds), None)
