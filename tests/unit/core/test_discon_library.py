@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pitchpoint.core.discon.library_file import library_problem, own_platform
-from pitchpoint.core.discon.library_header import LIBRARY, PROGRAM, read_headers
+from pitchpoint.core.discon.library_file import library_problem
+from pitchpoint.core.library_header import LIBRARY, PROGRAM, own_platform, read_headers
 from tests.support.discon_library import discon_library
 
 LINUX = pytest.mark.skipif(not own_platform().startswith("Linux"), reason="the probe is a library of Linux")

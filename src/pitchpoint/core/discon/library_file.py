@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-import platform
 import sys
 from pathlib import Path
 
-from pitchpoint.core.discon.library_header import LIBRARY, read_headers
 from pitchpoint.core.errors import Message
+from pitchpoint.core.library_header import LIBRARY, own_platform, read_headers
 from pitchpoint.core.nearest import nearest
 
-OWN_PROCESSORS = {"x86_64": "x86-64", "amd64": "x86-64", "aarch64": "ARM64", "arm64": "ARM64"}
-SYSTEMS = {"linux": "Linux", "win32": "Windows", "darwin": "macOS"}
 ENDINGS = {"linux": "libdiscon.so", "win32": "DISCON.dll", "darwin": "libdiscon.dylib"}
 KINDS = (
     (b"!<arch>\n", "static library", "link its objects to a shared library"),
@@ -20,15 +17,6 @@ KINDS = (
     (b"\x1f\x8b", "compressed file", "extract the library from it"),
 )
 """First bytes of files that are confused with libraries."""
-
-
-def own_platform() -> str:
-    """System and processor of this Python, such as `Linux x86-64`."""
-    machine = platform.machine().lower()
-    processor = OWN_PROCESSORS.get(machine, machine)
-    if sys.maxsize < 2**32:
-        processor = {"x86-64": "x86 (32 bit)", "ARM64": "ARM (32 bit)"}.get(processor, processor)
-    return f"{SYSTEMS.get(sys.platform, sys.platform)} {processor}"
 
 
 def library_problem(path: str, procedure: str) -> Message | None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.fmi.fmu_file import TYPES, FmuFileError, FmuVariable, read_fmu
@@ -27,7 +28,7 @@ def check_fmu(at: Place, part: FmuController, report: Reader) -> None:
     try:
         unit = read_fmu(part.file)
     except FmuFileError as error:
-        report.hand_on((*at, "file"), error.problem)
+        report.hand_on((*at, "file"), error.problem.changed(value=f"'{Path(part.file).name}'"))
         return
     for key, causality in (("inputs", "input"), ("outputs", "output"), ("parameters", "parameter")):
         known = {name: v for name, v in unit.variables.items() if v.causality == causality}

@@ -6,7 +6,9 @@ Sources: System V ABI, chapters 4 and 5 (ELF); Microsoft PE format; Apple mach-o
 
 from __future__ import annotations
 
+import platform
 import struct
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -27,6 +29,8 @@ PE_PROCESSORS = {
     0xAA64: "ARM64",
 }
 MACH_PROCESSORS = {0x7: "x86 (32 bit)", 0xC: "ARM (32 bit)", 0x01000007: "x86-64", 0x0100000C: "ARM64"}
+OWN_PROCESSORS = {"x86_64": "x86-64", "amd64": "x86-64", "aarch64": "ARM64", "arm64": "ARM64"}
+SYSTEMS = {"linux": "Linux", "win32": "Windows", "darwin": "macOS"}
 LIBRARY, OBJECT, PROGRAM, OTHER = "shared library", "object file", "program", "other file"
 _ELF_KINDS = {1: OBJECT, 2: PROGRAM, 3: LIBRARY}
 _MACH_KINDS = {1: OBJECT, 2: PROGRAM, 6: LIBRARY, 8: LIBRARY}
@@ -54,6 +58,15 @@ class LibraryHeader:
     kind: str
     size: int
     names: tuple[str, ...] | None
+
+
+def own_platform() -> str:
+    """System and processor of this Python, such as `Linux x86-64`."""
+    machine = platform.machine().lower()
+    processor = OWN_PROCESSORS.get(machine, machine)
+    if sys.maxsize < 2**32:
+        processor = {"x86-64": "x86 (32 bit)", "ARM64": "ARM (32 bit)"}.get(processor, processor)
+    return f"{SYSTEMS.get(sys.platform, sys.platform)} {processor}"
 
 
 def read_headers(data: bytes) -> tuple[LibraryHeader, ...]:
