@@ -49,7 +49,7 @@ def check_wind_boxes(parts: Parts, report: Reader) -> None:
     for name, rotor in parts.wind_rotors.items() if extents else ():
         if ("wind_rotors", name) in report.tainted:
             continue
-        reach = _reach(parts, rotor)
+        reach = rotor_reach(parts, rotor)
         for wind in dict.fromkeys(_winds(parts, rotor)):
             if reach is not None and wind in extents:
                 file = Path(str(parts.winds[wind].box)).name
@@ -90,8 +90,14 @@ def _winds(parts: Parts, rotor: WindRotor) -> Iterator[str]:
     yield from (wind for _, wind in winds_of_scenario(parts, rotor))
 
 
-def _reach(parts: Parts, rotor: WindRotor) -> NDArray[np.float64] | None:
-    """Lowest and highest x, y and z of the rigid turning blades, shape (3, 2) [m]; None if unknown."""
+def rotor_reach(parts: Parts | Model, rotor: WindRotor) -> NDArray[np.float64] | None:
+    """Lowest and highest x, y and z of the rigid turning blades, shape (3, 2) [m]; None if unknown.
+
+    Parameters
+    ----------
+    parts, rotor
+        Parts of the model, and the rotor.
+    """
     try:
         shape = rotor_input(rotor).rotor
     except ModelError:

@@ -74,10 +74,19 @@ def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
     if any(at == tainted[: len(at)] for tainted in report.tainted):
         return
     try:
-        rotor_input(rotor)
+        found = rotor_input(rotor).rotor
     except ModelError as error:
         for problem in error.problems:
             report.hand_on(at, problem)
+        return
+    if found.hub_radius > found.blade.length:
+        report.problem(
+            (*at, "hub_radius"),
+            "is larger than the blade",
+            value=f"{found.hub_radius:.6g} m",
+            limit=f"<= {found.blade.length:.6g} m, the length of the blade",
+            remedy="give the distance of the blade roots from the axis, with its unit",
+        )
 
 
 def _wind(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:

@@ -6,10 +6,12 @@ from __future__ import annotations
 import math
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
+from pitchpoint.core.nearest import similar_file
 
 _MOST = 20_000_000
 """Largest file that is read [bytes]."""
@@ -35,11 +37,44 @@ class InputText:
         The file.
     lines
         Its lines without comments and empty ones.
+    title
+        Its first line, without signs of a comment.
     """
 
     path: Path
     lines: list[Line]
     problems: list[Message] = field(default_factory=list)
+    title: str = ""
+
+    def require(self, kind: str, names: Sequence[str], remedy: str, first: Sequence[str] = ()) -> None:
+        """Stop with one sentence if names are missing that every file of a kind has.
+
+        Parameters
+        ----------
+        kind
+            Kind of the file, for the message.
+        names
+            Names of lines.
+        remedy
+            Corrective action for a file without any of them.
+        first
+            Names before these: with one of them the file is cut off.
+        """
+        missing = [name for name in names if self.find(name) is None]
+        if not missing:
+            return
+        listed = f"it has no {' or '.join([', '.join(missing[:-1]), missing[-1]][not missing[1:] :])}"
+        name = f"'{self.path.name}'"
+        if not self.lines:
+            problem = Message("", f"is empty and not {kind}", name, remedy="copy the file again")
+        elif len(missing) == len(names) and self.find(*first) is None:
+            begins = f", and begins with '{self.title[:60]}'" if self.title else ""
+            problem = Message("", f"is not {kind}: {listed}{begins}", name, remedy=remedy)
+        else:
+            text = f"is cut off, or of another version than {kind}: {listed}"
+            problem = Message("", text, name, remedy="complete the file, or copy it again")
+        self.problems.append(problem)
+        self.stop()
 
     def problem(
         self,
@@ -115,6 +150,13 @@ class InputText:
         """Whether a token is a number."""
         return _NUMBER.fullmatch(token) is not None
 
+    def row_line(self, after: Line, k: int) -> int:
+        """Number of the line of row k after a line; that of this line if there is none."""
+        rows = [
+            line for line in self.lines[self.lines.index(after) + 1 :] if _NUMBER.fullmatch(line.tokens[0])
+        ]
+        return rows[k].number if k < len(rows) else after.number
+
     def rows(self, after: Line, count: int, width: int, name: str) -> list[list[float]]:
         """Rows of numbers after a line; titles and units in between are skipped.
 
@@ -139,6 +181,8 @@ class InputText:
                 found = found[:k]
                 break
             if len(line.tokens) < width:
+                if k + 1 == len(found) < count:
+                    continue  # the file is cut off there
                 self.problem(
                     f"{name}, row {k + 1}",
                     "columns are too few",
@@ -196,19 +240,20 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
         data = path.read_bytes()
     except OSError as error:
         reason = error.strerror or "failed"
-        raise ModelError(
-            [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
-        ) from None
+        remedy = f"{similar_file(path.parent, path.name)}check the name"
+        raise ModelError([Message("", f"cannot be read: {reason}", remedy=remedy)], str(path)) from None
     if b"\0" in data:
         raise ModelError(
             [Message("", "is not a text file", remedy="give the input file of OpenFAST")], str(path)
         )
     lines = []
-    for k, text in enumerate(data.decode("utf-8", errors="replace").splitlines(), 1):
+    every = data.decode("utf-8", errors="replace").splitlines()
+    title = next((each for text in every if (each := text.strip("-!#%= \t"))), "")
+    for k, text in enumerate(every, 1):
         bare = text.strip()
         if not bare or bare[0] in "!#%" or bare.startswith(("---", "===")):
             continue
         tokens = tuple(token.strip("\"'") for token in _TOKEN.findall(bare))
         if tokens:
             lines.append(Line(k, tokens))
-    return InputText(path, lines)
+    return InputText(path, lines, title=title)
