@@ -76,8 +76,12 @@ def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
     try:
         found = rotor_input(rotor).rotor
     except ModelError as error:
+        told = {p.text for p in report.problems}
         for problem in error.problems:
-            report.hand_on(at, problem)
+            if problem.text in told and rotor.windio is not None:  # at a beam of the same file
+                report.taint((*at, "windio"))
+            else:
+                report.hand_on(at, problem)
         return
     if found.hub_radius > found.blade.length:
         report.problem(

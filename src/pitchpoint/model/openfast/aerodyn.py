@@ -168,17 +168,18 @@ def _check_rows(text: InputText, start: Line, data: NDArray[np.float64], airfoil
     known = f"1 to {airfoils}, the airfoils of the primary file"
     falling = np.r_[False, np.diff(span) <= 0.0]
     before = f"> {span[max(int(np.argmax(falling)) - 1, 0)]:.6g} m"
-    for column, bad, unit, limit, remedy in (
-        (6, wrong, "", known, "correct the number, or name the airfoil"),
-        (0, falling, " m", before, "sort the stations from root to tip"),
-        (5, chord <= 0.0, " m", "> 0", "give the length of the chord"),
-        (5, chord > length, " m", f"<= {length:.6g} m, the length of the blade", _UNITS),
-        (4, np.abs(twist) > 90.0, " deg", "-90 to 90 deg", _UNITS),
+    outside = "is out of range"
+    for column, bad, words, unit, limit, remedy in (
+        (6, wrong, "is not the number of an airfoil", "", known, "correct it, or name the airfoil"),
+        (0, falling, "does not increase", " m", before, "sort the stations from root to tip"),
+        (5, chord <= 0.0, outside, " m", "> 0", "give the length of the chord"),
+        (5, chord > length, outside, " m", f"<= {length:.6g} m, the length of the blade", _UNITS),
+        (4, np.abs(twist) > 90.0, outside, " deg", "-90 to 90 deg", _UNITS),
     ):
         for k in np.flatnonzero(bad)[:1]:
             name = f"{_COLUMNS[column]}, row {k + 1}"
             value = f"{data[k, column]:.6g}{unit}"
-            text.problem(name, "is out of range", value, limit, text.row_line(start, int(k)), remedy)
+            text.problem(name, words, value, limit, text.row_line(start, int(k)), remedy)
         if bad.any() and column in (0, 6):
             text.stop()
     text.stop()

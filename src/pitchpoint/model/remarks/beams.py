@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
 
-SLOWEST_SOUND, FASTEST_SOUND = 100.0, 13_000.0
-"""Speeds of sound in bars: below that of hard rubber, above that of carbon fibres and beryllium [m/s]."""
+SLOWEST_SOUND, FASTEST_SOUND = 500.0, 13_000.0
+"""Speeds of sound in bars: below that of lead, above that of carbon fibres and beryllium [m/s]."""
 THICK = 0.1
 """Radius of gyration over the length that no slender beam has."""
 SHORT = 1e-6
