@@ -18,6 +18,9 @@ from pitchpoint.model.reading.laws import MATERIALS, note_materials
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.sections import GROUPS
 
+MANY = 4
+"""Number of values with the same unknown name from which they are one problem."""
+
 
 def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple[str, ...] = ()) -> Model:
     """Create a model from the nested mappings of a file.
@@ -63,11 +66,33 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     check(parts, reader)
     if reader.problems:
         ordered = sorted(
-            reader.problems, key=lambda p: (p.file or "", p.line if p.line is not None else 10**9)
+            _in_one(reader.problems), key=lambda p: (p.file or "", p.line if p.line is not None else 10**9)
         )
         raise ModelError(ordered, file)
     origin = Origin(reader.sources, tuple(reader.bare), files)
     return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code, origin=origin)
+
+
+def _in_one(problems: list[Message]) -> list[Message]:
+    """Problems, with those of one unknown name that many places have in one."""
+    groups: dict[tuple[str | None, ...], list[Message]] = {}
+    for problem in problems:
+        groups.setdefault((problem.value, problem.text, problem.remedy), []).append(problem)
+    found = []
+    for (_, text, remedy), each in groups.items():
+        names = str(text).startswith("names the ") and str(text).endswith("which does not exist")
+        if len(each) < MANY or not (names or "in parameters" in str(remedy)):
+            found += each
+            continue
+        first = each[0]
+        lines = sorted(
+            {p.line for p in each[1:] if p.line not in (None, first.line) and p.file == first.file}
+        )
+        at = f": {'lines' if lines[1:] else 'line'} {', '.join(map(str, lines))}" if lines else ""
+        found.append(
+            first.changed(text=f"{text}; so {'do' if names else 'are'} {len(each) - 1} other values{at}")
+        )
+    return found
 
 
 def _names(data: Mapping[Any, Any], groups: tuple[str, ...]) -> dict[str, set[str]]:
