@@ -70,7 +70,7 @@ def own_platform() -> str:
 
 
 def read_headers(data: bytes) -> tuple[LibraryHeader, ...]:
-    """Headers of a library; several for a universal library of macOS, none if the data are no library.
+    """Headers of a library; several for a universal library of macOS, none if the data are not a library.
 
     Parameters
     ----------

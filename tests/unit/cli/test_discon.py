@@ -150,7 +150,7 @@ def test_warnings_are_notes(file: Path, capsys: pytest.CaptureFixture[str]) -> N
 POINTS = [[k, k] for k in range(300)]
 WRONG = {
     "no library": (("libprobe.so", "libprob.so"), "library", "names a file that does not exist"),
-    "text": (("libprobe.so", "rotor.yaml"), "library", "is a text file and no shared library"),
+    "text": (("libprobe.so", "rotor.yaml"), "library", "is a text file, not a shared library"),
     "other": (("libprobe.so", "other.so"), "library", "is for another system, "),
     "procedure": (("period:", "procedure: discon, period:"), "library", "write procedure: DISCON"),
     "no input file": (("pi.in", "no.in"), "input_file", "names a file that does not exist"),

@@ -62,8 +62,8 @@ def test_platforms_and_kinds_of_elf(probe, told):
         patched(patched(probe, 18, "<H", 62), 4, "B", 1)
     )
     assert "Linux processor 9999" in told(patched(probe, 18, "<H", 9999))
-    assert told(patched(probe, 16, "<H", 1)).startswith("'lib.so' is an object file and no shared library")
-    assert told(patched(probe, 16, "<H", 2)).startswith("'lib.so' is a program and no shared library")
+    assert told(patched(probe, 16, "<H", 1)).startswith("'lib.so' is an object file, not a shared library")
+    assert told(patched(probe, 16, "<H", 2)).startswith("'lib.so' is a program, not a shared library")
 
 
 @LINUX
@@ -79,12 +79,12 @@ def test_cut_libraries(probe, told):
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (b"", "is empty and no shared library; copy the file again"),
-        (b"1 ! LoggingLevel\n" * 9, "is a text file and no shared library; give a library that is built for"),
-        (b"!<arch>\n" + bytes(90), "is a static library and no shared library; link its objects"),
-        (b"PK\x03\x04" + bytes(90), "is a zip archive and no shared library; extract the library from it"),
-        (b"\x7fEL", "is a text file and no"),
-        (b"\x89HDF" + bytes(90), "is a binary file of another kind and no shared library"),
+        (b"", "is empty, not a shared library; copy the file again"),
+        (b"1 ! LoggingLevel\n" * 9, "is a text file, not a shared library; give a library that is built for"),
+        (b"!<arch>\n" + bytes(90), "is a static library, not a shared library; link its objects"),
+        (b"PK\x03\x04" + bytes(90), "is a zip archive, not a shared library; extract the library from it"),
+        (b"\x7fEL", "is a text file, not"),
+        (b"\x89HDF" + bytes(90), "is a binary file of another kind, not a shared library"),
         (b"\xca\xfe\xba\xbe\0\0\0\x41" + bytes(90), "is a binary file of another kind"),  # Java class
     ],
 )

@@ -37,7 +37,7 @@ def library_problem(path: str, procedure: str) -> Message | None:
     headers, own = read_headers(data), own_platform()
     if not headers:
         what, remedy = _other(data)
-        return Message("", f"is {what} and no shared library", name, remedy=remedy)
+        return Message("", f"is {what}, not a shared library", name, remedy=remedy)
     header = next((each for each in headers if each.platform == own), None)
     if header is None:
         platforms = ", ".join(each.platform for each in headers)
@@ -49,7 +49,7 @@ def library_problem(path: str, procedure: str) -> Message | None:
     if header.kind != LIBRARY:
         article = "an" if header.kind[0] in "aeo" else "a"
         remedy = "link it as a shared library"
-        return Message("", f"is {article} {header.kind} and no shared library", name, remedy=remedy)
+        return Message("", f"is {article} {header.kind}, not a shared library", name, remedy=remedy)
     if header.names is not None and procedure not in header.names:
         return Message("", f"has no procedure {procedure}", name, remedy=_remedy(procedure, header.names))
     return None
@@ -66,7 +66,7 @@ def _remedy(procedure: str, names: tuple[str, ...]) -> str:
 
 
 def _other(data: bytes) -> tuple[str, str]:
-    """Kind of a file that is no library, and a remedy."""
+    """Kind of a file that is not a library, and a remedy."""
     for start, words, remedy in KINDS:
         if data.startswith(start):
             return f"a {words}", remedy

@@ -26,7 +26,7 @@ LENGTH_ERROR = 0.01
 
 def check_beams(parts: Parts, report: Reader) -> None:
     """Check all beams after the bodies have been located."""
-    told: set[tuple[str, str]] = set()
+    reported: set[tuple[str, str]] = set()
     for name, beam in parts.beams.items():
         at: Place = ("beams", name)
         if name in parts.bodies and beam.pieces > 1:
@@ -34,7 +34,7 @@ def check_beams(parts: Parts, report: Reader) -> None:
         if beam.section is not None and (*at, "section") not in report.tainted:
             _section(beam.section, (*at, "section"), report)
         if beam.properties is not None and (*at, "properties") not in report.tainted:
-            _properties(beam.properties, (*at, "properties"), report, told)
+            _properties(beam.properties, (*at, "properties"), report, reported)
         if (*at, "ends") not in report.tainted:
             _place(parts, beam, at, report)
 
@@ -85,8 +85,8 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
         )
 
 
-def _properties(part: BeamProperties, at: Place, report: Reader, told: set[tuple[str, str]]) -> None:
-    """Check lists and file; `told` has the problems of files that several beams name."""
+def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[tuple[str, str]]) -> None:
+    """Check lists and file; `reported` has the problems of files that several beams name."""
     given = part.lists
     files = [name for name in FILES if getattr(part, name) is not None]
     if len(files) > 1:
@@ -108,10 +108,10 @@ def _properties(part: BeamProperties, at: Place, report: Reader, told: set[tuple
         for p in error.problems:
             key = p.where.partition("[")[0]
             file = str(getattr(part, key)) if key in FILES else ""
-            if file and (file, p.text) in told:
+            if file and (file, p.text) in reported:
                 report.taint((*at, key))
                 continue
-            told.add((file, p.text))
+            reported.add((file, p.text))
             report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 

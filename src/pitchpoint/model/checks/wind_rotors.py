@@ -132,9 +132,9 @@ def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
     try:
         found = rotor_input(rotor).rotor
     except ModelError as error:
-        told = {p.text for p in report.problems}
+        reported = {p.text for p in report.problems}
         for problem in error.problems:
-            if problem.text in told and rotor.windio is not None:  # at a beam of the same file
+            if problem.text in reported and rotor.windio is not None:  # at a beam of the same file
                 report.taint((*at, "windio"))
             else:
                 report.hand_on(at, problem)
