@@ -215,7 +215,14 @@ def _airfoil_files(text: InputText) -> list[str]:
     lines: list[Line] = text.lines[at : at + count]
     names = [lines[0].tokens[0], *(line.tokens[0] for line in lines[1:] if _is_name(line))]
     if len(names) < count:
-        text.problem("AFNames", "names follow", str(len(names)), f"{count}, see NumAFfiles", first.number)
+        text.problem(
+            "AFNames",
+            "names follow",
+            str(len(names)),
+            f"{count}, see NumAFfiles",
+            first.number,
+            "correct one of them",
+        )
     return names
 
 

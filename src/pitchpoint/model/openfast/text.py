@@ -117,7 +117,12 @@ class InputText:
             line = self.find(*names)
             if line is not None and math.isfinite(value):
                 self.problem(
-                    names[0], "is not a number of lines", f"{value:g}", "a whole number >= 0", line.number
+                    names[0],
+                    "is not a number of lines",
+                    f"{value:g}",
+                    "a whole number >= 0",
+                    line.number,
+                    "correct the number",
                 )
             return 0
         return int(value)
@@ -138,11 +143,11 @@ class InputText:
         token = line.tokens[k] if k < len(line.tokens) else ""
         if not _NUMBER.fullmatch(token):
             shown = f"'{token[:40]}'" if token else "nothing"
-            self.problem(name, "is not a number", shown, None, line.number)
+            self.problem(name, "is not a number", shown, None, line.number, "give a number")
             return math.nan
         value = float(token.replace("d", "e").replace("D", "e"))
         if not math.isfinite(value):
-            self.problem(name, "is not finite", token[:40], None, line.number)
+            self.problem(name, "is not finite", token[:40], None, line.number, "give a finite number")
         return value
 
     @staticmethod
@@ -176,22 +181,28 @@ class InputText:
             start += 1
         found = self.lines[start : start + count]
         out = []
+        short = []
         for k, line in enumerate(found):
             if not _NUMBER.fullmatch(line.tokens[0]):
                 found = found[:k]
                 break
             if len(line.tokens) < width:
-                if k + 1 == len(found) < count:
-                    continue  # the file is cut off there
-                self.problem(
-                    f"{name}, row {k + 1}",
-                    "columns are too few",
-                    str(len(line.tokens)),
-                    f">= {width}",
-                    line.number,
-                )
+                short.append(k)
                 continue
-            out.append([self.value(line, c, f"{name}, row {k + 1}, column {c + 1}") for c in range(width)])
+            out.append(self._row(line, width, f"{name}, row {k + 1}"))
+        if short and not (
+            len(found) < count and short == [len(found) - 1]
+        ):  # otherwise the file is cut off there
+            first = found[short[0]]
+            more = f", as in {len(short) - 1} other rows" if short[1:] else ""
+            self.problem(
+                f"{name}, row {short[0] + 1}",
+                f"columns are too few{more}",
+                str(len(first.tokens)),
+                f">= {width}",
+                first.number,
+                "complete the row, or correct the titles of the columns",
+            )
         if len(found) < count:
             self.problem(
                 name,
@@ -202,6 +213,15 @@ class InputText:
                 "complete the file or correct the number",
             )
         return out
+
+    def _row(self, line: Line, width: int, name: str) -> list[float]:
+        """Numbers of a row; only its first problem is reported."""
+        before, values = len(self.problems), [math.nan] * width
+        for c in range(width):
+            values[c] = self.value(line, c, f"{name}, column {c + 1}")
+            if len(self.problems) > before:
+                break
+        return values
 
 
 def beside(path: Path, name: str) -> Path:

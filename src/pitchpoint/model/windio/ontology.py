@@ -135,17 +135,17 @@ class Ontology:
             return math.nan
         value = _finite(found)
         if value is None:
-            self.problem(place, "is not a finite number", _shown(found))
+            self.problem(place, "is not a finite number", _shown(found), remedy="give a number")
             return math.nan
         if positive and not value > 0.0:
-            self.problem(place, "is out of range", f"{value:g}", "> 0")
+            self.problem(place, "is out of range", f"{value:g}", "> 0", "correct the value")
         return value
 
     def entries(self, *place: Any) -> list[Any]:
         """List at a path; empty with a problem if there is none."""
         found = self.get(*place)
         if found is not None and not isinstance(found, list):
-            self.problem(place, "is not a list", _shown(found))
+            self.problem(place, "is not a list", _shown(found), remedy="give a list")
         return found if isinstance(found, list) else []
 
     def numbers(self, *place: Any) -> FloatArray:
@@ -156,7 +156,7 @@ class Ontology:
             return np.zeros(0)
         for k, value in enumerate(found):
             if _finite(value) is None:
-                self.problem((*place, k), "is not a finite number", _shown(value))
+                self.problem((*place, k), "is not a finite number", _shown(value), remedy="give a number")
                 return np.zeros(0)
         return np.array(found, dtype=float)
 
