@@ -115,6 +115,7 @@ GROUPS = {
         "read_windio_rotor",
         "read_windio_beam",
         "BeamTable",
+        "SectionTable",
         "solve_rotor_performance",
         "solve_rotor_transient",
         "solve_multiblade_modes",

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.rotor.polar import Polar
     from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
     from pitchpoint.geometry.rotor.tower import Tower
+    from pitchpoint.geometry.section_table import SectionTable
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.results import open_result
     from pitchpoint.io.rexs.importing import import_rexs
@@ -160,6 +161,7 @@ __all__ = [
     "RotorSite",
     "Scenario",
     "ScissorGear",
+    "SectionTable",
     "Shaft",
     "SolverError",
     "Spring",
@@ -254,6 +256,7 @@ _HOMES = {
     "model.windio.beam": ("read_windio_beam",),
     "model.windio.rotor": ("read_windio_rotor",),
     "geometry.beam_table": ("BeamTable",),
+    "geometry.section_table": ("SectionTable",),
     "model.components.wind": ("Wind",),
     "model.components.wind_rotor": ("WindRotor",),
     "io.results": ("open_result",),

@@ -11,6 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.components.beam import FILES
 from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.beamdyn import read_beamdyn
@@ -21,13 +22,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.beam import BeamProperties
 
 
-def beam_table_of(given: BeamProperties) -> BeamTable:
+def beam_table_of(given: BeamProperties) -> BeamTable | SectionTable:
     """Table of a beam.
 
     Parameters
     ----------
     given
-        Lists or a file; lists next to a file of ElastoDyn replace or complete its columns.
+        Lists, section matrices or a file; lists next to a file of ElastoDyn replace or complete its columns.
 
     Raises
     ------
@@ -35,6 +36,8 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
         With every problem, at the key.
     """
     key = next((name for name in FILES if getattr(given, name) is not None), None)
+    if key is None and given.stiffness:
+        return SectionTable(**given.lists)  # type: ignore[arg-type]
     if key is None:
         return BeamTable(**given.lists)  # type: ignore[arg-type]
     path = str(getattr(given, key))
@@ -42,6 +45,8 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
         table = _contents(key, path, given.component or "", states((path, *given.further_files)))
     except ModelError as error:
         raise at_key(error, key) from None
+    if isinstance(table, SectionTable):
+        return table
     own: dict[str, Any] = {
         name: np.interp(table.position, given.position, values)
         for name, values in given.lists.items()
@@ -51,7 +56,7 @@ def beam_table_of(given: BeamProperties) -> BeamTable:
 
 
 @functools.lru_cache(maxsize=16)
-def _contents(key: str, path: str, component: str, state: object) -> BeamTable:
+def _contents(key: str, path: str, component: str, state: object) -> BeamTable | SectionTable:
     """Table of a file; the state of its files makes the cache read them again."""
     if key == "elastodyn":
         return read_elastodyn(path)

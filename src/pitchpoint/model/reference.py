@@ -59,6 +59,7 @@ WORDS = {
     "material": "name, or {youngs_modulus, poisson_ratio, density}",
     "gears": "list of names, or {NAME: axial position}",
     "matrix": "6 rows of 6 numbers in SI units",
+    "matrices": "list of matrices, each of 6 rows of 6 numbers in SI units",
     "orders": "{ORDER: [amplitude, phase]}",
     "coordinates": "{NAME: length or angle}",
     "displacements": "{COORDINATE: value}",

@@ -106,6 +106,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "speeds": {"type": "object", "additionalProperties": number},
         "gears": {"type": ["array", "object"]},
         "matrix": {"type": "array", "items": {"type": "array", "items": {"type": ["number", "string"]}}},
+        "matrices": {"type": "array", "items": {"type": "array"}},
         "orders": {"type": "object"},
         "material": {"type": ["string", "object"]},
         "law": {"type": ["number", "string", "object"]},

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.discon.installed import package_of
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
 from pitchpoint.model.component import HOOKS, Unread, as_written
@@ -186,6 +187,10 @@ class _Writer:
         """Rows of plain numbers."""
         return [list(row) for row in value]
 
+    def matrices(self, key: Key, value: Any) -> list[list[list[float]]]:
+        """Matrices as rows of plain numbers."""
+        return [self.matrix(key, rows) for rows in value]
+
     def strings(self, key: Key, value: Any) -> list[str]:
         """A list of names."""
         return list(value)
@@ -256,6 +261,10 @@ class _Writer:
     def file(self, key: Key, value: str) -> str:
         """Path relative to the model file."""
         return self.relative(value)
+
+    def library(self, key: Key, value: str) -> str:
+        """Name of the package of an installed library, else its path relative to the model file."""
+        return package_of(value) or self.relative(value)
 
     def relative(self, name: str) -> str:
         """Path relative to the directory of the model file."""
@@ -329,6 +338,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "points": _Writer.points,
     "tooth_profile": _Writer.nested,
     "matrix": _Writer.matrix,
+    "matrices": _Writer.matrices,
     "orders": _Writer.orders,
     "law": _Writer.law,
     "laws": _Writer.laws,
@@ -342,7 +352,7 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "center": _Writer.center,
     "ends": _Writer.strings,
     "file": _Writer.file,
-    "library": _Writer.file,
+    "library": _Writer.library,
     "records": _Writer.mapping,
     "record_signals": _Writer.mapping,
     "coordinates": _Writer.mapping,

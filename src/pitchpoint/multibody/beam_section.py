@@ -18,6 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.multibody.beam_coupling import Coupling, end_matrix
+
 Matrix = NDArray[np.float64]
 
 
@@ -123,6 +125,11 @@ class Beam:
         Young's modulus and shear modulus [Pa].
     rho
         Density [kg/m^3]; 0 for a massless beam.
+    coupling
+        Stiffness and damping of the deformations instead of E and G, for sections whose bending, torsion and
+        extension are coupled; None: that of the section.
+    shear
+        Shear parameter of the shapes of the mass, for an element with mass only; None: that of the section.
     """
 
     section: Section
@@ -130,6 +137,8 @@ class Beam:
     E: float
     G: float
     rho: float = 0.0
+    coupling: Coupling | None = None
+    shear: float | None = None
 
     @property
     def mass(self) -> float:
@@ -139,6 +148,10 @@ class Beam:
     def phi(self, plane: int) -> float:
         """Shear parameter 12 E I / (kappa A G L^2) for bending in direction 1 or 2 [-]."""
         s = self.section
+        if self.shear is not None:
+            return self.shear
+        if self.coupling is not None:
+            return self.coupling.phi(plane)
         second, kappa = (s.I_1, s.kappa_1) if plane == 1 else (s.I_2, s.kappa_2)
         if kappa == 0.0:
             return 0.0
@@ -147,6 +160,9 @@ class Beam:
     def stiffness(self) -> Matrix:
         """Stiffness matrix (12, 12) [N/m, N/rad, N m/rad]."""
         s, h = self.section, self.length
+        if self.coupling is not None:
+            ends = np.hstack([-end_matrix(h) @ _carried(h), end_matrix(h)])
+            return np.asarray(ends.T @ self.coupling.stiffness @ ends)
         K = np.zeros((12, 12))
         for plane, second in ((1, s.I_1), (2, s.I_2)):
             p = self.phi(plane)
@@ -207,6 +223,13 @@ class Beam:
         c, d = (4 + 5 * p + 10 * p**2) * h**2, (-1 - 5 * p + 5 * p**2) * h**2
         rows = [[a, b, -a, b], [0, c, -b, d], [0, 0, a, -b], [0, 0, 0, c]]
         return _full(rows) / (30.0 * h * (1 + p) ** 2)
+
+
+def _carried(length: float) -> Matrix:
+    """Displacement and rotation of the second end of a rigid element for those of the first, shape (6, 6)."""
+    out = np.eye(6)
+    out[0, 4], out[1, 3] = length, -length
+    return out
 
 
 def _full(rows: list[list[float]]) -> Matrix:

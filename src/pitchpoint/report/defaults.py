@@ -8,6 +8,7 @@ from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.components.beam import BESIDE_MATRICES, IN_FILE, MATRICES, OPTIONAL, Beam
 from pitchpoint.model.components.flank_contact import default_clamp
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.model.keys import defaults_of, keys_of
@@ -69,6 +70,8 @@ def _keys_without_effect(part: Any) -> set[str]:
         if found.axial_clearance is None:
             idle |= {"axial_clearance", "flange_stiffness"}
         return idle if found.clearance_class is not None else idle | {"clearance_class"}
+    if isinstance(part, Beam):
+        return _idle_of_a_beam(part)
     idle = (
         {"inertia_tensor"}
         if getattr(part, "inertia_tensor", None) is None
@@ -86,6 +89,21 @@ def _keys_without_effect(part: Any) -> set[str]:
     if getattr(part, "kind", "time") != "time":
         idle |= {"settle_time", "sample_rate", "step"}
     return idle
+
+
+def _idle_of_a_beam(part: Beam) -> set[str]:
+    """Lists of properties that its file or its section matrices contain, and the material of a section."""
+    given = part.properties
+    if given is None:
+        return set()
+    if given.beamdyn is not None or given.windio is not None:
+        idle = {*OPTIONAL, *MATRICES}
+    elif given.stiffness:
+        idle = set(OPTIONAL) - set(BESIDE_MATRICES)
+    else:
+        idle = {*MATRICES, *(IN_FILE if given.elastodyn is not None else ())}
+    damped = given.beamdyn is not None or bool(given.damping)
+    return {"material", *(["internal_damping"] if damped else []), *(f"properties.{name}" for name in idle)}
 
 
 def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import importlib.util
 import shutil
 import struct
 import subprocess
@@ -145,6 +146,26 @@ def test_warnings_are_notes(file: Path, capsys: pytest.CaptureFixture[str]) -> N
         assert run(variant(file, ("pi.in", f"{what}.in"))) == 0
         assert words in capsys.readouterr().out
     assert not processes_of_controllers()
+
+
+def test_library_of_an_installed_package(
+    file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`library: rosco` is the library in the folder lib of the package; the written model keeps the word."""
+    named = variant(file, ("libprobe.so", "rosco"))
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    assert run(named) == 2
+    assert "names the package rosco, which is not installed; install it with pip" in capsys.readouterr().err
+    monkeypatch.undo()
+    package = file.parent / "packages" / "rosco"
+    (package / "lib").mkdir(parents=True)
+    (package / "__init__.py").write_text("raise ImportError('not imported')", encoding="utf-8")
+    shutil.copy(file.parent / "libprobe.so", package / "lib" / "libdiscon.so")
+    monkeypatch.syspath_prepend(package.parent)
+    assert run(named) == 0
+    model = load_model(named, allow_code=True)
+    assert model.controllers["turbine"].library == str(package / "lib" / "libdiscon.so")
+    assert "library: rosco" in model.to_yaml()
 
 
 POINTS = [[k, k] for k in range(300)]

@@ -9,8 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from pitchpoint.core.errors import ModelError, PitchpointError
-from pitchpoint.geometry.section_matrix import section_properties, symmetric
-from pitchpoint.model.openfast.beamdyn import beam_table, read_beamdyn
+from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness, mass_lines, symmetric
+from pitchpoint.model.openfast.beamdyn import read_beamdyn
 from tests.support.beamdyn import TABLE, axis_of, matrices, write_beamdyn
 
 
@@ -26,99 +26,101 @@ def test_blade_of_the_nrel_5mw(primary):
     assert table.offset_1[-1] == pytest.approx(-2.0)
     assert table.twist[0] == pytest.approx(-np.radians(13.308))
     assert table.position.size == len(TABLE)
-    np.testing.assert_allclose(table.bending_1, TABLE[:, 4], rtol=1e-3)  # places have six digits
-    np.testing.assert_allclose(table.bending_2, TABLE[:, 3], rtol=1e-3)
-    np.testing.assert_allclose(table.mass * table.gyration**2, TABLE[:, 7], rtol=1e-3)
-    assert np.trapezoid(table.mass, table.position) * 61.5 == pytest.approx(16_845.0, rel=1e-3)
+    stiffness, mass = matrices()
+    np.testing.assert_allclose(table.stiffness, stiffness, rtol=1e-3)  # places have six digits
+    np.testing.assert_allclose(table.inertia, mass, rtol=1e-3)
+    assert table.damping.tolist() == [1e-3, 1e-3, 1e-3, 0.0014, 0.0022, 0.0022]
+    assert np.trapezoid(table.inertia[:, 0, 0], table.position) * 61.5 == pytest.approx(16_845.0, rel=1e-3)
+
+
+@pytest.mark.parametrize(("kind", "damped"), [("0 damp_type", False), ("True damp_flag", True)])
+def test_damping_can_be_switched_off(primary, kind, damped):
+    path = primary.with_name("Blade.dat")
+    path.write_text(path.read_text(encoding="utf-8").replace("1 damp_type", kind), encoding="utf-8")
+    assert read_beamdyn(primary).damping.any() == damped
+
+
+def test_all_terms_are_read_at_their_place(tmp_path):
+    """A full matrix with another number in each entry, and the turned ellipse of inertia of a section."""
+    stiffness, mass = matrices()
+    K = stiffness.copy()
+    scale = np.sqrt(np.einsum("ni,nj->nij", *2 * [np.einsum("nii->ni", K)]))
+    coupling = symmetric(1e-3 * np.arange(21.0))
+    np.fill_diagonal(coupling, 0.0)
+    K += coupling * scale
+    mass[:, 3, 4] = mass[:, 4, 3] = -0.1 * mass[:, 5, 5]
+    table = read_beamdyn(write_beamdyn(tmp_path, K, mass))
+    assert len(set(coupling[np.triu_indices(6, 1)])) == 15
+    np.testing.assert_allclose(table.stiffness, K, rtol=1e-3)
+    np.testing.assert_allclose(table.inertia, mass, rtol=1e-3)
 
 
 @settings(max_examples=60, deadline=None)
 @given(
-    one=st.floats(1e6, 1e10),
-    ratio=st.floats(1.1, 30.0),
-    turn=st.floats(-0.7, 0.7),
-    x=st.floats(-1.0, 1.0),
-    y=st.floats(-1.0, 1.0),
+    mass=st.floats(1.0, 1e3),
+    flat=st.floats(0.0, 1.0),
+    size=st.floats(1e-3, 1e2),
+    turn=st.floats(-1.5, 1.5),
+    place=st.tuples(st.floats(-2.0, 2.0), st.floats(-2.0, 2.0)),
 )
-def test_sections_give_back_their_properties(one, ratio, turn, x, y):
-    """Principal stiffnesses about an elastic centre, turned and moved to a reference point, and back."""
-    axial, two = 1e10, ratio * one
+def test_mass_lines_have_the_matrix_of_the_section(mass, flat, size, turn, place):
+    """Sum of the mass matrices of one or two lines: all entries, for any centre and principal axes."""
     c, s = np.cos(turn), np.sin(turn)
-    xx, yy, xy = one * c * c + two * s * s, one * s * s + two * c * c, (one - two) * c * s
-    K = np.diag([1e8, 3e8, axial, yy + axial * y * y, xx + axial * x * x, 2e8])
-    K[2, 3] = K[3, 2] = axial * y
-    K[2, 4] = K[4, 2] = -axial * x
-    K[3, 4] = K[4, 3] = -xy - axial * x * y
-    found = section_properties(K, np.diag([100.0, 100.0, 100.0, 5.0, 5.0, 10.0]))
-    assert found["bending_1"] == pytest.approx(one, rel=1e-6, abs=1e-5 * axial)
-    assert found["bending_2"] == pytest.approx(two, rel=1e-6, abs=1e-5 * axial)
-    assert found["twist"] == pytest.approx(turn, abs=1e-3)
-    back = np.array([[c, -s], [s, c]]) @ [found["elastic_1"], found["elastic_2"]]
-    assert back == pytest.approx([x, y], abs=1e-3)
+    axes = np.array([[c, -s], [s, c]])
+    own = mass * size * axes @ np.diag([1.0, 1.0 - flat]) @ axes.T  # moments about both axes
+    M = one_mass(mass, place) + np.pad(own, ((3, 1), (3, 1)))
+    M[5, 5] += np.trace(own)
+    check_inertia(M)
+    lines = mass_lines(M)
+    found = sum(
+        one_mass(part.mass, part.place) + part.mass * part.second * np.diag([0, 0, 0, 1, 1, 2])
+        for part in lines
+    )
+    np.testing.assert_allclose(found, M, atol=1e-6 * np.abs(M).max())
+    assert len(lines) == 1 or flat > 1e-7
 
 
-def test_torsion_is_that_about_the_shear_centre():
-    """Shear stiffness of 1e8 and 2e8 N at (0.2, 0.1): K_66 = G J + 1e8 0.1^2 + 2e8 0.2^2."""
-    K = np.diag([1e8, 2e8, 1e10, 1e9, 1e9, 5e7 + 1e8 * 0.01 + 2e8 * 0.04])
-    K[0, 5] = K[5, 0] = -1e8 * 0.1
-    K[1, 5] = K[5, 1] = 2e8 * 0.2
-    found = section_properties(K, np.eye(6))
-    assert found["torsion"] == pytest.approx(5e7)
-    assert (found["shear_center_1"], found["shear_center_2"]) == pytest.approx((0.2, 0.1))
+def one_mass(mass, place):
+    """Mass matrix of a point of a section."""
+    x, y = place
+    arm = np.eye(6)
+    arm[0, 5], arm[1, 5], arm[2, 3], arm[2, 4] = -y, x, y, -x
+    return arm.T @ np.diag([mass] * 3 + [0.0] * 3) @ arm
 
 
-def turned_matrix(turn, one=1e9, two=4e9):
-    """Stiffness of a section with turned axes, its elastic and shear centre 0.1 and 0.2 m along axis 1."""
-    c, s = np.cos(turn), np.sin(turn)
-    (x, y), (x_s, y_s) = (0.1 * c, 0.1 * s), (0.2 * c, 0.2 * s)
-    xx, yy, xy = one * c * c + two * s * s, one * s * s + two * c * c, (one - two) * c * s
-    axial = 1e10
-    K = np.diag([1e8, 1e8, axial, yy + axial * y * y, xx + axial * x * x, 2e8 + 1e8 * 0.2**2])
-    for (i, j), value in {
-        (2, 3): axial * y,
-        (2, 4): -axial * x,
-        (3, 4): -xy - axial * x * y,
-        (0, 5): -1e8 * y_s,
-        (1, 5): 1e8 * x_s,
-    }.items():
-        K[i, j] = K[j, i] = value
-    return K
+def changed(matrix, entries):
+    """Matrix with other entries."""
+    out = np.array(matrix, dtype=float)
+    for (i, j), value in entries.items():
+        out[i, j] = value
+    return out
 
 
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_axes_turn_continuously_along_a_blade(sign):
-    """Turn of the axes by 170°, through 45° and 135°; a round root and a nearly round section in between."""
-    turns = sign * np.radians([0.0, 20.0, 44.0, 46.0, 80.0, 100.0, 134.0, 136.0, 170.0])
-    found = [section_properties(turned_matrix(turn), np.eye(6)) for turn in turns]
-    found.insert(0, section_properties(turned_matrix(0.0, 4e9), np.eye(6)))
-    nearly = section_properties(turned_matrix(sign * np.radians(110.0), 4.001e9, 4e9), np.eye(6))
-    found.insert(5, nearly)
-    place = np.linspace(0.0, 1.0, len(found))
-    axis = np.column_stack([np.zeros((len(found), 2)), 10.0 * place])
-    table = beam_table(place, found, axis, np.zeros(len(found)), place)
-    own = np.ones(len(found), dtype=bool)
-    own[[0, 5]] = False
-    assert table.twist[own] == pytest.approx(turns, abs=1e-9)
-    assert table.twist[~own] == pytest.approx(sign * np.radians([0.0, 46.0]), abs=1e-9)
-    assert table.bending_1[own] == pytest.approx(np.full(9, 1e9))
-    assert table.bending_2[own] == pytest.approx(np.full(9, 4e9))
-    assert table.bending_1[~own] == pytest.approx([4e9, 4e9], rel=1e-3)
-    for name, wanted in (("elastic", 0.1), ("shear_center", 0.2)):
-        assert getattr(table, f"{name}_1")[own] == pytest.approx(np.full(9, wanted))
-        assert getattr(table, f"{name}_2")[own] == pytest.approx(np.zeros(9), abs=1e-9)
-        back = getattr(table, f"{name}_1")[5] + 1j * getattr(table, f"{name}_2")[5]
-        there = wanted * np.exp(1j * sign * np.radians(110.0 - 46.0))
-        assert back == pytest.approx(there)
-
-
-def test_matrices_that_are_no_section():
-    with pytest.raises(ValueError, match="not positive definite"):
-        section_properties(np.diag([1, 1, 1, 1, -1, 1]), np.eye(6))
-    with pytest.raises(ValueError, match="negative mass"):
-        section_properties(np.eye(6), -np.eye(6))
-    with pytest.raises(ValueError, match="not finite"):
-        section_properties(np.full((6, 6), np.nan), np.eye(6))
-    assert symmetric(range(21)).T.tolist() == symmetric(range(21)).tolist()
+@pytest.mark.parametrize(
+    ("check", "matrix", "words"),
+    [
+        (check_stiffness, np.diag([1, 1, 1, 1, -1, 1]), "is not positive definite"),
+        (check_stiffness, changed(np.eye(6), {(3, 5): 1.1, (5, 3): 1.1}), "is not positive definite"),
+        (
+            check_stiffness,
+            changed(np.eye(6), {(3, 5): 0.1}),
+            "not symmetric: the entries 46 and 64 are 0.1 and 0",
+        ),
+        (check_stiffness, np.full((6, 6), np.nan), "values that are not finite"),
+        (check_inertia, -np.eye(6), "has a negative mass"),
+        (check_inertia, np.diag([1, 1, 2, 1, 1, 2]), "has several masses: 1, 1, 2 kg/m"),
+        (
+            check_inertia,
+            changed(np.eye(6), {(3, 5): 0.1, (5, 3): 0.1}),
+            "has the entry 46, which a flat section",
+        ),
+        (check_inertia, changed(np.eye(6), {(2, 3): 0.1, (3, 2): 0.1}), "entries 16 and 34 are not opposite"),
+        (check_inertia, one_mass(1.0, (1.0, 0.0)) - np.diag([0, 0, 0, 0, 0, 0.5]), "has a negative moment"),
+    ],
+)
+def test_matrices_that_are_no_section(check, matrix, words):
+    with pytest.raises(ValueError, match=words):
+        check(matrix)
 
 
 WRONG = {
@@ -138,8 +140,18 @@ WRONG = {
     ("Blade.dat", "49 station_total"[3:]): ("stations", "station_total"),
     ("Blade.dat", "9.7294800000E+08 0.0"): (
         "-9.72948E+08 0.0",
-        "Blade.dat: station 1 (line 7): is not positive definite; correct the matrix",
+        "Blade.dat: station 1, stiffness (line 8): is not positive definite; correct the matrix",
     ),
+    ("Blade.dat", "1 damp_type"): (
+        "2 damp_type",
+        "damp_type (line 3): 2 is not supported (limit 0 or 1, by the stiffness); set it to 0, and give",
+    ),
+    ("Blade.dat", "damp_type"): ("type", "damp_type"),
+    ("Blade.dat", "1.0E-03 1.0E-03"): (
+        "1.0E-03 -1.0E-03",
+        "0.001 -0.001 0.001 0.0014 0.0022 0.0022 are out of range",
+    ),
+    ("Blade.dat", "mu1 mu2"): ("a1 a2", "mu1"),
     ("Blade.dat", "9.7294800000E+08"): ("9.7x", "'9.7x' is not a number"),
     ("Blade.dat", "9.7294800000E+09 0.0000000000E+00"): (
         "9.7294800000E+09",

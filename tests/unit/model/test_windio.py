@@ -71,31 +71,39 @@ def test_both_layouts_are_one_turbine(file):
             read_windio_beam(file(t, f"{component}{k}.yaml"), component)
             for k, t in enumerate((VERSION_1, VERSION_2))
         )
-        for name in (
-            "position",
-            "mass",
-            "bending_1",
-            "torsion",
-            "twist",
-            "elastic_2",
-            "center_1",
-            "gyration",
-        ):
+        names = {"blade": ("stiffness", "inertia", "twist"), "tower": ("mass", "bending_1", "gyration")}
+        for name in ("position", *names[component]):
             np.testing.assert_allclose(getattr(one, name), getattr(two, name), rtol=1e-9, atol=1e-12)
 
 
 def test_blade_as_a_beam(file):
-    """At the root the elastic centre is 0.1 m and the centre of mass 0.1 m behind the axis: bending edgewise
-    about it is 1e10 - 1e10 0.1^2 N m^2, the polar inertia 400 - 500 (0.1^2 + 0.02^2) kg m."""
+    """At the root the elastic centre and the centre of mass are 0.1 m behind the axis: K_34 = E A 0.1 m, and
+    the mass 500 kg/m has the moments of inertia 300, 100 and 400 kg m about the axis."""
     table = read_windio_beam(file(VERSION_1), "blade")
     assert table.length == 30.0
     assert table.offset_1[-1] == -1.0
     assert table.twist[0] == pytest.approx(-0.2)
-    assert table.elastic_2[0] == pytest.approx(0.1)
-    assert (table.center_1[0], table.center_2[0]) == pytest.approx((0.02, 0.1))
-    assert table.bending_2[0] == pytest.approx(9.9e9)
-    assert table.bending_1[0] == pytest.approx(4e9)
-    assert 500.0 * table.gyration[0] ** 2 == pytest.approx(400.0 - 500.0 * (0.1**2 + 0.02**2))
+    assert table.stiffness[0, 2, 3] == table.stiffness[0, 3, 2] == 1e9
+    assert np.diag(table.stiffness[0]).tolist() == [1e9, 1e9, 1e10, 1e10, 4e9, 1e9]
+    assert np.diag(table.inertia[0]).tolist() == [500.0, 500.0, 500.0, 300.0, 100.0, 400.0]
+    assert table.inertia[0, 0, 5] == table.inertia[0, 5, 0] == -50.0
+    assert not table.damping.any()
+
+
+def test_damping_of_the_second_version(file):
+    more = "      elastic_properties:\n"
+    factors = "[0.003, 0.002, 0.001, 0.002, 0.003, 0.001]"
+    text = VERSION_2.replace(more, f"{more}        structural_damping: {{mu: {factors}}}\n", 1)
+    assert read_windio_beam(file(text), "blade").damping.tolist() == [
+        0.003,
+        0.002,
+        0.001,
+        0.002,
+        0.003,
+        0.001,
+    ]
+    with pytest.raises(ModelError, match=r"structural_damping.mu .*: 0.003, -1 is out of range .*six values"):
+        read_windio_beam(file(text.replace(factors, "[0.003, -1]"), "wrong.yaml"), "blade")
 
 
 def test_tower_as_a_beam(file):
@@ -270,7 +278,11 @@ WRONG_BEAMS = {
     "blade": {
         "[1e9, 0, 0, 0, 0, 0, 1e9": (
             "[-1e9, 0, 0, 0, 0, 0, 1e9",
-            "station 1 of the grid is not positive def",
+            "at station 1 of the grid the stiffness matrix is not positive definite",
+        ),
+        "[500, 0, 0, 0, 0, -50": (
+            "[500, 0, 0, 0, 0, 50",
+            "the mass matrix has two centres of mass: the entries 16",
         ),
         "4e9, 0, 1e9]": ("4e9, 0]", "20 is the number of values (limit 21)"),
         "stiff_matrix:": ("stif_matrix:", "did you mean stif_matrix?"),

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -10,6 +13,8 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.openfast.elastodyn import read_elastodyn
+from pitchpoint.model.remarks.collect import remarks_of
+from pitchpoint.report.defaults import defaults
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
@@ -139,10 +144,110 @@ def test_tables_that_are_no_beam(given):
 
 
 def test_centres_that_differ_by_rounding_are_one():
-    """One element, not one for the axial stiffness beside it; 0.1 mm is no rounding."""
-    for distance, words in ((1e-15, ["", ".mass"]), (1e-4, ["", ".axial", ".mass"])):
-        more = f", shear_center_1: [0.1, 0.1], elastic_1: [{0.1 + distance!r}, {0.1 + distance!r}]"
-        pieces = beam_pieces(mast(PLAIN + more).model, "mast", 2.0)
-        assert [word for word, *_ in pieces[0].parts] == words
+    """A shear centre at the axis except for rounding makes no coupled element; 0.1 mm does."""
+    for distance, coupled in ((1e-15, 0), (1e-4, 1)):
+        more = f", gyration: [0.1, 0.1], shear_center_1: [{distance!r}, {distance!r}]"
+        system = mast(PLAIN + more)
+        pieces = beam_pieces(system.model, "mast", 2.0)
+        assert [word for word, *_ in pieces[0].parts] == ["", ".mass"]
+        assert system.records["beam"]["coupled"].max() == coupled
     centre = ", center_1: [1e-15, 1e-15]"
     assert len(beam_pieces(mast(PLAIN + centre).model, "mast", 2.0)[0].parts) == 1
+
+
+K = np.diag([1e5, 1e5, 1e5, 80.0, 20.0, 5.0])
+M = np.diag([3.0, 3.0, 3.0, 0.02, 0.01, 0.03])
+SAME = f"position: [0, 1], stiffness: {2 * [K.tolist()]}, inertia: {2 * [M.tolist()]}"
+
+
+def test_section_matrices_are_the_lists():
+    """Diagonal matrices as lists of the same section: deflection under forces and a moment, but for products
+    of the twist of 4e-4 rad."""
+    load = "loads: {push: {body: tip, force: [1e-3 N, 4e-3 N, 0], moment: [0, 0, 1e-3 N m]}}\n"
+    lists = f"{PLAIN}, torsion: [5, 5], axial: [1e5, 1e5], shear_1: [1e5, 1e5], shear_2: [1e5, 1e5]"
+    np.testing.assert_allclose(tip_of(mast(SAME, more=load)), tip_of(mast(lists, more=load)), rtol=1e-5)
+
+
+def test_offsets_in_matrices_are_the_centres_of_lists():
+    """Elastic centre (0.1, -0.2) m and shear centre (-0.3, 0.1) m of lists, and their terms of the matrix."""
+    (x, y), (u, v) = (0.1, -0.2), (-0.3, 0.1)
+    lists = f"{PLAIN}, torsion: [5, 5], axial: [1e5, 1e5], shear_1: [1e5, 1e5], shear_2: [2e5, 2e5]"
+    for name, (one, two) in {"elastic": (x, y), "shear_center": (u, v)}.items():
+        lists += f", {name}_1: [{one}, {one}], {name}_2: [{two}, {two}]"
+    own = np.diag([1e5, 2e5, 1e5, 80.0 + 1e5 * y * y, 20.0 + 1e5 * x * x, 5.0 + 1e5 * v * v + 2e5 * u * u])
+    for (i, j), value in {
+        (2, 3): 1e5 * y,
+        (2, 4): -1e5 * x,
+        (3, 4): -1e5 * x * y,
+        (0, 5): -1e5 * v,
+        (1, 5): 2e5 * u,
+    }.items():
+        own[i, j] = own[j, i] = value
+    found = [
+        mast(text, 2).records["beam"][0]
+        for text in (lists, SAME.replace(str(2 * [K.tolist()]), str(2 * [own.tolist()])))
+    ]
+    whole = [np.diag([b["k_u"], b["k_t"], b["k_d"], b["k_s"], b["k_d"], b["k_s"]]) + b["Q"] for b in found]
+    np.testing.assert_allclose(whole[0], whole[1], atol=1e-9 * np.abs(whole[1]).max())
+
+
+def test_defaults_are_those_in_effect():
+    """Section matrices leave no lists of stiffnesses; lists leave no matrices."""
+    for properties, shown, idle in (
+        (SAME, {"twist", "offset_1", "damping"}, {"torsion", "axial", "gyration"}),
+        (PLAIN, {"twist", "torsion", "gyration"}, {"damping"}),
+    ):
+        found = {key for key, _ in defaults(mast(properties).model)}
+        assert {f"beams.mast.properties.{name}" for name in shown} <= found
+        assert not {f"beams.mast.properties.{name}" for name in idle} & found
+
+
+def with_entry(i, j, value):
+    """Properties with another entry of the second stiffness matrix."""
+    other = K.copy()
+    other[i, j] = value
+    return SAME.replace(str(2 * [K.tolist()]), str([K.tolist(), other.tolist()]))
+
+
+WRONG_MATRICES = {
+    "not symmetric": (with_entry(3, 5, 1.0), "stiffness[1]", "is not symmetric"),
+    "not definite": (with_entry(3, 3, 0.0), "stiffness[1]", "is not positive definite"),
+    "negative": (with_entry(4, 4, -20.0), "stiffness[1]", "is not positive"),
+    "mass": (SAME.replace("0.03]", "-0.03]"), "inertia", "is not positive"),
+    "one": (SAME.replace(f", {M.tolist()}]", "]"), "inertia", "1 is the number of matrices (limit 2 as of"),
+    "both": (f"{SAME}, mass: [3, 3]", "mass", "is in the section matrices too; remove it, or stiffness"),
+    "alone": (SAME[: SAME.index(", inertia")], "stiffness", "inertia"),
+    "place": (SAME.replace("[0, 1]", "[0, 0.5]"), "position", "is not a list of increasing places"),
+    "five": (f"{SAME}, damping: [1, 1, 1, 1, 1]", "damping", "is out of range (limit six values >= 0)"),
+}
+
+
+@pytest.mark.parametrize("word", WRONG_MATRICES)
+def test_wrong_section_matrices_are_told(word):
+    properties, place, words = WRONG_MATRICES[word]
+    with pytest.raises(ModelError) as error:
+        mast(properties)
+    told = [str(p) for p in error.value.problems]
+    assert any(place in each and words in each for each in told), told
+    assert all(p.line for p in error.value.problems)
+
+
+def test_a_section_that_is_not_flat_is_noted():
+    """Entry 66 of 0.06 beside 0.02 + 0.01: 50 %."""
+    text = TEXT.replace("PROPERTIES", SAME).replace("PIECES", "4")
+    notes = [str(note) for note in remarks_of(loads_model(text.replace("0.03]", "0.06]")))]
+    assert any("beams.mast.properties" in note and "by up to 50 %" in note for note in notes), notes
+    assert not any("entry 66" in str(note) for note in remarks_of(loads_model(text)))
+
+
+def test_section_matrices_of_the_page():
+    """docs/howto/wind_turbine.md: a force bends the mast to one side and twists it, L = 10 m."""
+    page = (Path(__file__).parents[3] / "docs" / "howto" / "wind_turbine.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```yaml\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
+    (block,) = (text for text in blocks if "&stiff" in text)
+    bodies = TEXT[: TEXT.index("beams:")].replace("tip:", "top:").replace("2 m", "10 m")
+    system = compile_model(loads_model(f"{bodies}{block}loads: {{pull: {{body: top, force: [0, 1, 0]}}}}\n"))
+    rest = find_equilibrium(system).state
+    moved = [rest.q[system.layout.coordinate(f"top.{c}")] for c in ("y", "spin")]
+    S = np.linalg.inv([[4e9, 5e8], [5e8, 6e8]])
+    assert moved == pytest.approx([S[0, 0] * 1000 / 3 + 10 / 2e8, -S[0, 1] * 50], rel=1e-6)

@@ -11,7 +11,8 @@ less its component along e. With the axial force N, the energy is
 where u is the elongation of the bent axis, so that tension stiffens bending within one element too; a
 circular arc is exact. The spin angle of a round section does not enter; the twist is the difference of the
 spin angles (counted over whole turns) and of the non-spinning frames, along the shortest rotation from t_i to
-t_j. Sections of unequal stiffness add the energy of the slopes p . e of their first axes p. Damping acts on
+t_j. Sections of unequal stiffness add the energy of the slopes p . e of their first axes p; coupled sections
+have a quadratic form of elongation, twist and bending instead (`coupled`). Damping acts on
 the rates seen from axes that follow the chord and spin with the shaft (internal damping), so it destabilises
 a shaft that spins faster than it whirls.
 
@@ -25,10 +26,11 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
+from pitchpoint.elements.beams.coupled import coupled_chord, coupled_forces, coupled_moment
+from pitchpoint.elements.beams.record import PI, PJ, QI, TI, TJ, XI, XJ, E
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, row, set_row, times, triple
 
 TWO_PI = 6.283185307179586
-XI, XJ, E, TI, TJ, PI, PJ = 0, 1, 2, 3, 4, 5, 6
 
 
 @kernel
@@ -55,7 +57,10 @@ def node(b, side, f, axes, p, B):
     set_row(b["w2"], XI + side, add(triple(f["ac"], 0), add(cross(e, arm), cross(o, swept))))
     _fix(b, TI + side, into_world(axes, (B[0, 2], B[1, 2], B[2, 2])), o, e)
     _fix(b, PI + side, into_world(axes, (B[0, 0], B[1, 0], B[2, 0])), o, e)
-    return into_world(axes, (B[0, 1], B[1, 1], B[2, 1]))
+    second = into_world(axes, (B[0, 1], B[1, 1], B[2, 1]))
+    if b["coupled"] != 0:
+        _fix(b, QI + side, second, o, e)
+    return second
 
 
 @kernel
@@ -143,15 +148,22 @@ def _strain(b):
     S = row(b["S"], 0)
     length = b["length"]
     eta = b["eta"]
+    half = 0.5 * b["n_s"]
     # a^2 from sin^2 a, accurate for small angles; `arc` is a / sin a
     w = dot(row(b["w"], TI), row(b["w"], TJ))
     square = b["arc"] * b["arc"] * (1.0 - w * w)
-    u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / 40.0)
-    u1 = b["ell1"] + length * (b["arc"] * dot(D, row(b["D"], 1)) / 12.0 + dot(S, row(b["S"], 1)) / 20.0)
+    u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / b["n_s"])
+    u1 = b["ell1"] + length * (b["arc"] * dot(D, row(b["D"], 1)) / 12.0 + dot(S, row(b["S"], 1)) / half)
     N = b["k_u"] * (u + eta * u1)
+    if b["coupled"] != 0:
+        b["y"][0, 0] = u
+        b["y"][1, 0] = u1
+        coupled_forces(b)
+        N += b["g"][0, 0]
+        b["torque"] += b["g"][0, 1]
     b["axial"] = N
     fd = times((b["k_d"] + N * length / 12.0) * b["arc"], D)
-    fs = times(b["k_s"] + N * length / 20.0, S)
+    fs = times(b["k_s"] + N * length / half, S)
     fd = add(fd, times(eta * b["k_d"], row(b["D"], 2)))
     fs = add(fs, times(eta * b["k_s"], row(b["S"], 2)))
     c = add(cross(D, fd), cross(S, fs))
@@ -184,8 +196,12 @@ def _elastic(b):
         G = add(G, times(h, first))
         mu = cross(row(b["w"], TI + k), add(fs, times(sign, fd)))
         mu = add(mu, cross(first, times(h, e)))
+        if b["coupled"] != 0:
+            mu = add(mu, coupled_moment(b, k))
         mu = less(mu, times(0.5 * dot(c, e), e))
         set_row(b["mu"], k, add(mu, times(sign * b["torque"], triple(b["m"], 0))))
+    if b["coupled"] != 0:
+        G = add(G, coupled_chord(b))
     for r in range(3):
         b["G"][r] = G[r]
 
@@ -199,6 +215,8 @@ def _twisted(b, angle):
     m = times(1.0 / (1.0 + dot(ti, tj)), add(ti, tj))
     rate = dot(m, less(row(b["omega"], 1), row(b["omega"], 0)))
     b["torque"] = b["k_t"] * (angle - b["twist"] + b["eta"] * rate)
+    b["y"][0, 1] = angle - b["twist"]
+    b["y"][1, 1] = rate
     for r in range(3):
         b["m"][r] = m[r]
 

@@ -6,14 +6,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pitchpoint.multibody.beam_coupling import Coupling
 from pitchpoint.multibody.beam_section import Beam
 
 _RULE = np.polynomial.legendre.leggauss(4)
 """Gauss points and weights of the mass matrix, exact."""
 
 #: The vectors that describe a beam: positions of both nodes, direction of the chord, normals of both end
-#: sections, and the first transverse axes of both.
-XI, XJ, E, TI, TJ, PI, PJ = range(7)
+#: sections, their first and, for coupled sections, their second axes.
+XI, XJ, E, TI, TJ, PI, PJ, QI, QJ = range(9)
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -25,7 +26,11 @@ RECORD = np.dtype(
         ("k_s", "f8"),  # moment of either end per sum of both slopes against the chord [N m/rad]
         ("c_a", "f8"),  # excess bending stiffness towards axis 1: moment per slope of the same end [N m/rad]
         ("c_b", "f8"),  # and per slope of the other end
+        ("n_s", "f8"),  # length times square of the sum of both slopes over the elongation by it [1]
         ("eta", "f8"),  # damping over stiffness [s]
+        ("coupled", "i8"),  # 1: the next two matrices are not zero
+        ("Q", "f8", (6, 6)),  # further stiffness of the deformations y [N/m, N, N m]
+        ("R", "f8", (6, 6)),  # further damping of their rates [N s/m, N s, N m s]
         ("twist", "f8"),  # angle of end j relative to end i without torque [rad]
         ("mass", "f8"),  # [kg]; 0: the beam has no inertia
         ("M", "f8", (5, 5)),  # mass matrix of XI..TJ, energy 1/2 sum M_kl w_k' . w_l' [kg, kg m, kg m^2]
@@ -39,12 +44,13 @@ RECORD = np.dtype(
     ]
     # scratch: written and read within one call
     + [
-        ("w", "f8", (7, 3)),  # the vectors, their first and second time derivatives
-        ("w1", "f8", (7, 3)),
-        ("w2", "f8", (7, 3)),
-        ("dw", "f8", (7, 3)),  # their directional derivatives for one motion
-        ("dw1", "f8", (7, 3)),
-        ("dw2", "f8", (7, 3)),
+        ("w", "f8", (9, 3)),  # the vectors, their first and second time derivatives
+        ("w1", "f8", (9, 3)),
+        ("w2", "f8", (9, 3)),
+        ("dw", "f8", (9, 3)),  # their directional derivatives for one motion
+        ("dw1", "f8", (9, 3)),
+        ("dw2", "f8", (9, 3)),
+        ("y", "f8", (4, 6)),  # deformations of coupled sections, their rates, and the changes of both
         ("inert", "f8", (5, 3)),  # inertia force of each vector
         ("d_inert", "f8", (5, 3)),
         ("arm", "f8", (2, 3)),  # nodes from the origins of their bodies
@@ -63,6 +69,7 @@ RECORD = np.dtype(
         ("cos", "f8"),  # sum of the cosines of both slopes and its rate
         ("cos1", "f8"),
         ("h", "f8", 2),  # end moments of the excess stiffness for bending towards axis 1 [N m]
+        ("g", "f8", (2, 6)),  # forces of the deformations y by Q and R, and their changes
         ("m", "f8", 3),  # gradient of the twist with respect to a rotation of the second end
         ("c", "f8", 3),  # moment of the dampers; its component along the chord acts on the ends
         ("G", "f8", 3),  # generalised force of the chord direction [N m]
@@ -134,15 +141,38 @@ def beam_row(
     r["B_i"], r["B_j"] = axes if axes is not None else (np.eye(3), np.eye(3))
     r["length"], r["eta"], r["twist"], r["gravity"] = h, eta, twist, gravity
     r["k_u"], r["k_t"] = beam.E * s.A / h, beam.G * s.J / h
+    r["n_s"] = 40.0
     own, other = _bending(beam, 2)
     r["k_d"], r["k_s"] = 0.5 * (own - other), 0.5 * (own + other)
     if not s.round:
         one = _bending(beam, 1)
         r["c_a"], r["c_b"] = one[0] - own, one[1] - other
+    if beam.coupling is not None:
+        _couple(r, beam.coupling)
     r["mass"] = beam.mass
     if beam.mass > 0.0:
         r["M"], r["gyro"], r["polar"] = _inertia(beam)
     return row
+
+
+def _couple(r: np.void, part: Coupling) -> None:
+    """Set the stiffness of an element with coupled sections: that of a round section, with the bending
+    stiffness of the softer direction, and the rest.
+
+    With the share b = 1/(1 + phi) of bending in the sum s of both slopes, the integral of the elongation
+    theta w' - theta^2/2 by the rotation theta of the sections and the slope w' of the axis is
+    (-1 + 2 b - 0.8 b^2)/8 L s^2; without shear deflection L s^2/40.
+    """
+    K, soft = part.stiffness, np.linalg.inv(part.stiffness)
+    k = max((2, 4), key=lambda k: soft[k, k])
+    base = np.array([K[0, 0], K[1, 1], *(2 * (K[k, k], K[k + 1, k + 1]))])
+    r["coupled"], r["k_u"], r["k_t"], r["k_d"], r["k_s"] = 1, *base[:4]
+    r["c_a"] = r["c_b"] = 0.0
+    b = 1.0 / (1.0 + part.phi(k // 2))
+    elongation = -0.125 + 0.25 * b - 0.1 * b * b
+    r["n_s"] = 1.0 / elongation if elongation != 0.0 else np.inf
+    r["Q"] = K - np.diag(base)
+    r["R"] = part.damping + r["eta"] * r["Q"]
 
 
 def _bending(beam: Beam, plane: int) -> tuple[float, float]:

@@ -8,7 +8,8 @@ is linear in them, so one pass gives one column of ck K + cd D + cm M.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.beams.forces import PI, PJ, TI, TJ, XI, XJ, E
+from pitchpoint.elements.beams.coupled import coupled_changes, coupled_chord_change, coupled_moment_change
+from pitchpoint.elements.beams.record import PI, PJ, QI, TI, TJ, XI, XJ, E
 from pitchpoint.multibody.vectors import add, cross, dot, less, row, set_row, times, triple, unit
 
 
@@ -58,6 +59,9 @@ def _move(b, side, c, cm, cd, ck):
     _no_motion(b, XI + other)
     _no_motion(b, TI + other)
     _no_motion(b, PI + other)
+    if b["coupled"] != 0:
+        _fixed(b, QI + side, o, e, cm, cd, ck, turn)
+        _no_motion(b, QI + other)
     set_row(b["d_theta"], side, times(ck, turn))
     set_row(b["d_omega"], side, times(cd, turn))
     set_row(b["d_alpha"], side, times(cm, turn))
@@ -164,6 +168,8 @@ def _twist(b):
     turn = less(row(b["d_theta"], 1), row(b["d_theta"], 0))
     rate = dot(dm, less(row(b["omega"], 1), row(b["omega"], 0)))
     rate += dot(m, less(row(b["d_omega"], 1), row(b["d_omega"], 0)))
+    b["y"][2, 1] = dot(m, turn)
+    b["y"][3, 1] = rate
     return b["k_t"] * (dot(m, turn) + b["eta"] * rate), dm
 
 
@@ -201,18 +207,24 @@ def _bend_forces(b, d_ell, d_ell1, ds):
     y = row(b["S"], 0)
     length = b["length"]
     eta = b["eta"]
+    half = 0.5 * b["n_s"]
     arc = b["arc"]
     dw = dot(row(b["dw"], TI), row(b["w"], TJ)) + dot(row(b["w"], TI), row(b["dw"], TJ))
     darc = b["arc1"] * dw
-    u = d_ell + length * (dot(y, S) / 20.0 - arc * dw / 12.0)
+    u = d_ell + length * (dot(y, S) / half - arc * dw / 12.0)
     x1 = row(b["D"], 1)
     rate = arc * (dot(D, x1) + dot(x, D1)) + darc * dot(x, x1)
-    rate = d_ell1 + length * (rate / 12.0 + (dot(S, row(b["S"], 1)) + dot(y, S1)) / 20.0)
+    rate = d_ell1 + length * (rate / 12.0 + (dot(S, row(b["S"], 1)) + dot(y, S1)) / half)
     dN = b["k_u"] * (u + eta * rate)
+    if b["coupled"] != 0:
+        b["y"][2, 0] = u
+        b["y"][3, 0] = rate
+        coupled_changes(b)
+        dN += b["g"][1, 0]
     stiff = b["k_d"] + b["axial"] * length / 12.0
     fd = add(times(stiff * darc + dN * length / 12.0 * arc, x), times(stiff * arc, D))
     fd = add(fd, times(eta * b["k_d"], D2))
-    fs = add(times(dN * length / 20.0, y), times(b["k_s"] + b["axial"] * length / 20.0, S))
+    fs = add(times(dN * length / half, y), times(b["k_s"] + b["axial"] * length / half, S))
     fs = add(fs, times(eta * b["k_s"], S2))
     c = add(cross(D, triple(b["f_d"], 0)), cross(x, fd))
     c = add(c, add(cross(S, triple(b["f_s"], 0)), cross(y, fs)))
@@ -236,6 +248,8 @@ def _end(b, k, df, dh, along, along_c, torque, dm):
         df = add(df, row(b["d_inert"], TI + k))
     mu = add(cross(dt, f), cross(t, df))
     mu = add(mu, add(cross(dp, times(h, e)), cross(p, add(times(dh, e), times(h, de)))))
+    if b["coupled"] != 0:
+        mu = add(mu, coupled_moment_change(b, k))
     mu = less(mu, add(times(0.5 * along_c, e), times(0.5 * along, de)))
     mu = add(mu, times(sign, add(times(torque, triple(b["m"], 0)), times(b["torque"], dm))))
     if b["mass"] > 0.0:
@@ -259,6 +273,7 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     _move(b, side, c, cm, cd, ck)
     d_ell, d_ell1 = _chord(b)
     ds = _spin(b)
+    torque, dm = _twist(b)
     dN, fd, fs, dc, dcos = _bend_forces(b, d_ell, d_ell1, ds)
     e = row(b["w"], E)
     de = row(b["dw"], E)
@@ -267,10 +282,14 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     y1 = _first_axis(b, 1)
     h0 = b["c_a"] * y0 + b["c_b"] * y1
     h1 = b["c_a"] * y1 + b["c_b"] * y0
+    if b["coupled"] != 0:
+        torque += b["g"][1, 1]
     dG = add(times(b["cos"], fs), times(dcos, triple(b["f_s"], 0)))
     dG = times(-1.0, add(dG, add(cross(dc, e), cross(cv, de))))
     dG = add(dG, add(times(h0, row(b["w"], PI)), times(b["h"][0], row(b["dw"], PI))))
     dG = add(dG, add(times(h1, row(b["w"], PJ)), times(b["h"][1], row(b["dw"], PJ))))
+    if b["coupled"] != 0:
+        dG = add(dG, coupled_chord_change(b))
     if b["mass"] > 0.0:
         _inertial(b, ds)
         dG = add(dG, row(b["d_inert"], E))
@@ -279,7 +298,6 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
     turn = less(dG, add(times(dot(G, e), de), times(dot(dG, e) + dot(G, de), e)))
     turn = less(turn, times(d_ell / b["ell"], across))
     V = add(add(times(dN, e), times(b["axial"], de)), times(1.0 / b["ell"], turn))
-    torque, dm = _twist(b)
     along = dot(cv, e)
     along_c = dot(dc, e) + dot(cv, de)
     mu_i = _end(b, 0, less(fs, fd), h0, along, along_c, torque, dm)

@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.core.errors import ModelError
 from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.components.beam import FILES, IN_FILE, SHAPES
+from pitchpoint.model.components.beam import BESIDE_MATRICES, FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -97,8 +97,16 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
             report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
         if files[0] == "elastodyn" and given and ("position" in given) != (len(given) > 1):
             report.problem(at, "has lists and positions that do not belong together", remedy="give both")
+    elif part.stiffness:
+        if missing := [name for name in ("position", "inertia") if name not in given]:
+            report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists with stiffness")
+            return
+        for name in set(given) - set(BESIDE_MATRICES):
+            report.problem((*at, name), "is in the section matrices too", remedy="remove it, or stiffness")
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
-        report.problem(at, f"has no {', '.join(missing)}", remedy=f"give these lists, or {', '.join(FILES)}")
+        report.problem(
+            at, f"has no {', '.join(missing)}", remedy=f"give these lists, or stiffness, {', '.join(FILES)}"
+        )
         return
     if any((*at, name) in report.tainted for name in (*FILES, *given)):
         return
@@ -106,13 +114,14 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
         beam_table_of(part)
     except ModelError as error:
         for p in error.problems:
-            key = p.where.partition("[")[0]
+            key, _, entry = p.where.partition("[")
             file = str(getattr(part, key)) if key in FILES else ""
             if file and (file, p.text) in reported:
                 report.taint((*at, key))
                 continue
             reported.add((file, p.text))
-            report.problem((*at, key), p.text, value=p.value, limit=p.limit, remedy=p.remedy)
+            place = (*at, key, int(entry[:-1])) if entry[:-1].isdigit() else (*at, key)
+            report.problem(place, p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:

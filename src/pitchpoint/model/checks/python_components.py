@@ -63,7 +63,17 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
             report.value(key, value, place)  # a file that was read is relative to the working directory
     elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
         _of_joints(key, value, place, report)
-    elif key.kind in ("quantities", "names", "ends", "words", "matrix", "grid", "speeds", "gears"):
+    elif key.kind in (
+        "quantities",
+        "names",
+        "ends",
+        "words",
+        "matrix",
+        "matrices",
+        "grid",
+        "speeds",
+        "gears",
+    ):
         if not isinstance(value, list | tuple | Mapping):
             report.problem(place, "is neither a tuple nor a mapping", value=shown(value))
         elif not (key.kind == "quantities" and any(isinstance(v, str) for v in value)):

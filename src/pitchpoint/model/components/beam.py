@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.component import Component
+from pitchpoint.model.components.six import Matrix6
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -169,6 +170,32 @@ class BeamProperties(Component):
         display="no shear deflection",
         later=True,
     )
+    stiffness: tuple[Matrix6, ...] = key(
+        "matrices",
+        "instead of stiffnesses and centres: stiffness matrix of the section at each place, in SI units. "
+        "Forces along the twisted axes 1 and 2 and the beam, then moments about them, for the strains in this"
+        " order",
+        (),
+        needs="inertia",
+        later=True,
+    )
+    inertia: tuple[Matrix6, ...] = key(
+        "matrices",
+        "with stiffness, instead of mass, centre and radius of gyration: mass matrix of the section at each "
+        "place, in the same order",
+        (),
+        needs="stiffness",
+        later=True,
+    )
+    damping: tuple[float, ...] = quantities(
+        "time",
+        "with stiffness: internal damping over stiffness for each of the six strains",
+        (),
+        minimum=0.0,
+        needs="stiffness",
+        display="0",
+        later=True,
+    )
     offset_1: tuple[float, ...] = quantities(
         "length",
         "prebend: position of the curved axis of the beam from the line between its ends, along axis 1 "
@@ -191,9 +218,9 @@ class BeamProperties(Component):
         return beamdyn_files(self.beamdyn)
 
     @property
-    def lists(self) -> dict[str, tuple[float, ...]]:
+    def lists(self) -> dict[str, tuple[Any, ...]]:
         """The lists that are given, by key."""
-        names = ("position", "mass", "bending_1", "bending_2", *OPTIONAL)
+        names = ("position", "mass", "bending_1", "bending_2", *OPTIONAL, *MATRICES)
         return {name: values for name in names if (values := getattr(self, name))}
 
 
@@ -202,6 +229,10 @@ OPTIONAL = (
     *("shear_center_1", "shear_center_2", "shear_1", "shear_2", "offset_1", "offset_2"),
 )
 """Lists of `BeamProperties` that have defaults."""
+MATRICES = ("stiffness", "inertia", "damping")
+"""Section matrices of `BeamProperties`, and their damping."""
+BESIDE_MATRICES = ("position", "twist", "offset_1", "offset_2", *MATRICES)
+"""Lists that a beam with section matrices can have."""
 FILES = ("elastodyn", "beamdyn", "windio")
 """Files that replace lists of `BeamProperties`."""
 IN_FILE = ("mass", "bending_1", "bending_2", "twist")
@@ -246,7 +277,7 @@ class Beam(Component):
     internal_damping: float = quantity(
         "time",
         "internal damping over stiffness, in axes that rotate with the beam: the damping ratio of a mode is "
-        "half of it times the angular frequency",
+        "half of it times the angular frequency. It replaces the damping of section matrices",
         0.0,
         minimum=0.0,
     )

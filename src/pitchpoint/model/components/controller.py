@@ -56,7 +56,7 @@ class DisconController(Component):
     """Controller library of a wind turbine with the interface of Bladed, in a process of its own."""
 
     form: ClassVar[str] = "discon"
-    library: str = key("library", "shared library for this system, .so, .dll or .dylib")
+    library: str = key("library", "shared library for this system, .so, .dll or .dylib, or rosco")
     procedure: str = text("name of the procedure in the library", "DISCON")
     input_file: str | None = key(
         "file", "input file of the library; its folder is the working directory of the library", None

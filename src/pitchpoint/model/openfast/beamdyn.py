@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import FileLine, ModelError
-from pitchpoint.geometry.beam_table import BeamTable
-from pitchpoint.geometry.section_matrix import continued, section_properties
+from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness
+from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
 
 FloatArray = NDArray[np.float64]
@@ -22,8 +22,8 @@ _DIGITS = 6
 """Digits of places in files; stations and key points at one place are one."""
 
 
-def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
-    """Beam properties of a blade from BeamDyn's primary file and the blade file that it names.
+def read_beamdyn(path: str | os.PathLike[str]) -> SectionTable:
+    """Section matrices of a blade from BeamDyn's primary file and the blade file that it names.
 
     Parameters
     ----------
@@ -32,9 +32,11 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
 
     Returns
     -------
-    BeamTable
-        Axis 1 is flapwise without twist, downwind; the line of the beam is the z axis of the root. Not used:
-        damping, and the coupling of bending and torsion.
+    SectionTable
+        Axis 1 is flapwise without twist, downwind; the line of the beam is the z axis of the root. With
+        damping factors BeamDyn has the damping matrix mu_i K_ij of a section; the table has
+        sqrt(mu_i mu_j) K_ij, which is the same without coupling or with equal factors, and dissipates for any
+        motion.
 
     Raises
     ------
@@ -50,12 +52,15 @@ def read_beamdyn(path: str | os.PathLike[str]) -> BeamTable:
     assert named is not None and points is not None
     name = named.tokens[0]
     try:
-        place, sections = _stations(read_input(beside(Path(path), name)))
+        blade = read_input(beside(Path(path), name))
+        damping = _damping(blade)
+        place, stiffness, inertia = _stations(blade)
     except ModelError as error:
         at = FileLine(named.number, text.path.name)
         raise ModelError(in_file(error, name, at), str(text.path)) from None
     arc = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(points[:, :3], axis=0), axis=1))]
-    return beam_table(place, sections, points[:, :3], -np.radians(points[:, 3]), arc)
+    matrices = {"stiffness": stiffness, "inertia": inertia, "damping": damping}
+    return section_table(place, matrices, points[:, :3], -np.radians(points[:, 3]), arc)
 
 
 def beamdyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
@@ -67,21 +72,21 @@ def beamdyn_files(path: str | os.PathLike[str]) -> tuple[str, ...]:
     return () if named is None else (str(beside(Path(path), named.tokens[0])),)
 
 
-def beam_table(
+def section_table(
     place: FloatArray,
-    sections: list[dict[str, float]],
+    matrices: dict[str, FloatArray],
     axis: FloatArray,
     twist: FloatArray,
     at: FloatArray,
-) -> BeamTable:
-    """Properties over the length of a blade from those of its sections and its curved axis.
+) -> SectionTable:
+    """Section matrices over the length of a blade from those of its stations and its curved axis.
 
     Parameters
     ----------
     place
-        Stations of the sections as shares of the length, from 0 to 1, shape (n,).
-    sections
-        Properties at these stations, of `section_properties`; their axes are made continuous.
+        Stations as shares of the length, from 0 to 1, shape (n,).
+    matrices
+        Stiffness and inertia at these stations, shape (n, 6, 6), and damping, shape (6,).
     axis
         Points of the curved axis, shape (m, 3) [m]; z increases.
     twist
@@ -91,23 +96,35 @@ def beam_table(
 
     Examples
     --------
-    >>> one = section_properties(np.eye(6), np.eye(6))
+    >>> both = np.stack([np.eye(6), np.eye(6)])
     >>> axis = np.array([[0.0, 0, 0], [0.1, 0, 5.0], [0.4, 0, 10.0]])
-    >>> table = beam_table(np.array([0.0, 1.0]), [one, one], axis, np.zeros(3), axis[:, 2])
+    >>> given = {"stiffness": both, "inertia": both, "damping": np.zeros(6)}
+    >>> table = section_table(np.array([0.0, 1.0]), given, axis, np.zeros(3), axis[:, 2])
     >>> table.length, table.offset_1.tolist(), table.position.tolist()
     (10.0, [0.0, 0.1, 0.4], [0.0, 0.5, 1.0])
     """
-    sections = continued(sections)
     share = (at - at[0]) / (at[-1] - at[0])
     every = np.union1d(place.round(_DIGITS), share.round(_DIGITS))
     z = np.interp(every, share, axis[:, 2])
-    line = {f"offset_{k + 1}": np.interp(every, share, axis[:, k]) for k in range(2)}
-    columns = {name: np.interp(every, place, [section[name] for section in sections]) for name in sections[0]}
-    columns["twist"] = columns["twist"] + np.interp(every, share, twist)
     length = float(axis[-1, 2] - axis[0, 2])
     position = (z - z[0]) / length
     position[0], position[-1] = 0.0, 1.0
-    return BeamTable(position=position, length=length, **columns, **line)
+    return SectionTable(
+        position=position,
+        stiffness=between(place, matrices["stiffness"], every),
+        inertia=between(place, matrices["inertia"], every),
+        damping=matrices["damping"],
+        twist=np.interp(every, share, twist),
+        offset_1=np.interp(every, share, axis[:, 0]),
+        offset_2=np.interp(every, share, axis[:, 1]),
+        length=length,
+    )
+
+
+def between(grid: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
+    """Matrices at other places, linear between those of a grid, shape (n, 6, 6) to (m, 6, 6)."""
+    flat = values.reshape(grid.size, -1)
+    return np.stack([np.interp(at, grid, column) for column in flat.T], axis=1).reshape(-1, 6, 6)
 
 
 def _key_points(text: InputText) -> FloatArray | None:
@@ -128,8 +145,37 @@ def _key_points(text: InputText) -> FloatArray | None:
     return rows
 
 
-def _stations(text: InputText) -> tuple[FloatArray, list[dict[str, float]]]:
-    """Places from 0 to 1 of the stations of a blade file, and the properties there."""
+def _damping(text: InputText) -> FloatArray:
+    """Damping over stiffness of the six strains [s]; zero without damping."""
+    line = text.find("damp_type", "damp_flag")
+    if line is None:
+        text.problem("damp_type", "is missing", None, None, remedy="give a blade file of BeamDyn")
+        text.stop()
+    assert line is not None
+    kind = line.tokens[0].strip("\"'").lower()
+    if kind in ("0", "f", "false"):
+        return np.zeros(6)
+    if kind not in ("1", "t", "true"):
+        remedy = "set it to 0, and give internal_damping of the beam"
+        text.problem("damp_type", "is not supported", kind, "0 or 1, by the stiffness", line.number, remedy)
+        text.stop()
+    title = next((ln for ln in text.lines if ln.tokens[0].lower() == "mu1"), None)
+    if title is None:
+        text.problem("mu1", "is not the title of a column", None, None, line.number)
+        text.stop()
+    assert title is not None
+    rows = text.rows(title, 1, 6, "damping factors")
+    text.stop()
+    found = np.array(rows, dtype=float).ravel()
+    if not ((found >= 0.0) & np.isfinite(found)).all():
+        shown = " ".join(f"{x:g}" for x in found)
+        text.problem("mu1 to mu6", "are out of range", shown, ">= 0", title.number)
+        text.stop()
+    return found
+
+
+def _stations(text: InputText) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Places from 0 to 1 of the stations of a blade file, stiffness and mass matrices there."""
     text.require("a blade file of BeamDyn", ("station_total",), "give a blade file of BeamDyn")
     count = text.count("station_total")
     if not 2 <= count <= _MOST_STATIONS:
@@ -149,7 +195,7 @@ def _stations(text: InputText) -> tuple[FloatArray, list[dict[str, float]]]:
             "stations", "is the number of complete stations", str(len(lines) // _ROWS), f"{count} as stated"
         )
     text.stop()
-    place, found = np.zeros(count), []
+    place, found = np.zeros(count), np.zeros((2, count, 6, 6))
     for k in range(count):
         own = lines[_ROWS * k : _ROWS * (k + 1)]
         name = f"station {k + 1}"
@@ -160,14 +206,17 @@ def _stations(text: InputText) -> tuple[FloatArray, list[dict[str, float]]]:
         ]
         if text.problems:
             continue
-        try:
-            found.append(section_properties(rows[:6], rows[6:]))
-        except ValueError as error:
-            text.problem(name, str(error), None, None, own[0].number, "correct the matrix")
+        found[:, k] = rows[:6], rows[6:]
+        for part, check, first in (("stiffness", check_stiffness, 0), ("mass", check_inertia, 6)):
+            try:
+                check(rows[first : first + 6])
+            except ValueError as error:
+                at = own[1 + first].number
+                text.problem(f"{name}, {part}", str(error), None, None, at, "correct the matrix")
     if not text.problems and (place[0] != 0.0 or place[-1] != 1.0 or (np.diff(place) <= 0.0).any()):
         text.problem("stations", "are not increasing places", f"{place[0]:g} to {place[-1]:g}", "0 to 1")
     text.stop()
-    return place, found
+    return place, found[0], found[1]
 
 
 def _numbers_at_the_end(text: InputText) -> list[Line]:

@@ -71,6 +71,11 @@ def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return rows
 
 
+def matrices(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a list of symmetric 6x6 matrices of SI numbers."""
+    return reader.sequence(key, data, path, lambda k, entry, at: matrix(reader, k, entry, at))
+
+
 def _least_eigenvalue(rows: Sequence[Sequence[float]]) -> float:
     """Smallest eigenvalue of a symmetric matrix with its diagonal scaled to 1: it mixes N/m and N m/rad."""
     import numpy as np

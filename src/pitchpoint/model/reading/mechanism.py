@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.discon.installed import PACKAGES, installed_library
 from pitchpoint.core.nearest import similar_file
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import Constant, TableLaw
@@ -69,8 +70,14 @@ def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def library(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read the name of a library; reports a problem unless code is allowed."""
-    found = file(reader, key, data, path)
+    """Read the name of a library, or of its package; reports a problem unless code is allowed."""
+    if isinstance(data, str) and data in PACKAGES:
+        found: Any = str(installed_library(data) or "")
+        if not found:
+            remedy = "install it with pip install 'pitchpoint[wind]', or give the file of a library"
+            return reader.problem(path, f"names the package {data}, which is not installed", remedy=remedy)
+    else:
+        found = file(reader, key, data, path)
     if found is not BAD and not reader.allow_code:
         return reader.problem(
             path,

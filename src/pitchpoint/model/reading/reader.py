@@ -370,6 +370,7 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "points": data_files.points,
     "tooth_profile": data_files.tooth_profile,
     "matrix": forms.matrix,
+    "matrices": forms.matrices,
     "orders": forms.orders,
     "law": laws.law,
     "laws": laws.laws,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Remarks on beams: a jump in speed at the start, sections of files that no material has."""
+"""Remarks on beams: a jump in speed at the start, and mass matrices of sections that are not flat."""
 
 from __future__ import annotations
 
@@ -9,20 +9,19 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.formula.formula import Formula
+from pitchpoint.geometry.section_matrix import polar_error
+from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.beam_tables import beam_table_of
-from pitchpoint.model.components.beam import FILES
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, TableLaw
-from pitchpoint.model.frames import GROUND, beam_length, carrier_of
+from pitchpoint.model.frames import GROUND, carrier_of
 from pitchpoint.model.mechanism import Seat, coordinate
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
 
-SLOWEST_SOUND, FASTEST_SOUND = 500.0, 13_000.0
-"""Speeds of sound in bars: below that of lead, above that of carbon fibres and beryllium [m/s]."""
-THICK = 0.1
-"""Radius of gyration over the length that no slender beam has."""
+NOT_FLAT = 0.01
+"""Error of the polar moment of inertia of a section that is attributed to rounding."""
 SHORT = 1e-6
 """Step of the difference quotient of a prescribed angle [s]."""
 SLOW = 1e-6
@@ -54,42 +53,25 @@ def ends_left_behind(model: Model) -> tuple[Message, ...]:
     return tuple(found)
 
 
-def implausible_sections(model: Model) -> tuple[Message, ...]:
-    """A remark for every file whose mass and stiffness contradict each other, as in other units.
-
-    The square root of the axial stiffness over the mass is the speed of sound in the bar. That of the bending
-    stiffness over the mass is this speed times the radius of gyration of the section, which is small compared
-    with the length.
-    """
-    found: dict[str, Message] = {}
+def sections_not_flat(model: Model) -> tuple[Message, ...]:
+    """A remark for every beam whose mass matrices have a polar moment of inertia that is not the sum of both
+    others."""
+    found = []
     for name, beam in model.beams.items():
-        if (
-            beam.properties is None
-            or (key := next((k for k in FILES if getattr(beam.properties, k)), None)) is None
-        ):
+        if beam.properties is None:
             continue
-        table, length = beam_table_of(beam.properties), beam_length(model, beam)
-        file = str(getattr(beam.properties, key))
-        heavy = table.mass > 0.0
-        if file in found or not heavy.any() or not length:
-            continue
-        text = ""
-        if table.axial.size and "axial" not in beam.properties.lists:
-            sound = np.sqrt(table.axial[heavy] / table.mass[heavy])
-            worst = sound.max() if sound.max() > FASTEST_SOUND else sound.min()
-            if not SLOWEST_SOUND <= worst <= FASTEST_SOUND:
-                limit = f"{SLOWEST_SOUND:g} to {FASTEST_SOUND:g} m/s"
-                text = f"axial stiffness and mass give a speed of sound of {worst:.3g} m/s (limit {limit})"
-        bending = np.maximum(table.bending_1, table.bending_2)[heavy]
-        radius = float(np.sqrt(bending / table.mass[heavy]).max()) / FASTEST_SOUND
-        if not text and radius > THICK * length:
-            text = (
-                f"bending stiffness and mass require a radius of gyration of the section of {radius:.3g} m "
-                f"even for the stiffest material (limit {THICK * length:.3g} m, a tenth of the length)"
+        table = beam_table_of(beam.properties)
+        if isinstance(table, SectionTable) and (error := max(map(polar_error, table.inertia))) > NOT_FLAT:
+            found.append(
+                remark(
+                    f"beams.{name}.properties",
+                    f"the entry 66 of the mass matrices differs from the sum of 44 and 55 by up to "
+                    f"{100 * error:.3g} %; 44, 45 and 55 give only their difference and its direction",
+                    "correct the matrices if their entries are of one section",
+                    model.line(("beams", name)),
+                )
             )
-        if text:
-            found[file] = remark(f"beams.{name}.properties.{key}", text, "check units: N, N m^2 and kg/m")
-    return tuple(found.values())
+    return tuple(found)
 
 
 def _turns(model: Model, scenario: Scenario, body: str) -> bool:

@@ -17,7 +17,8 @@ from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
-from pitchpoint.model.remarks.beams import ends_left_behind, implausible_sections
+from pitchpoint.model.remarks.beam_sections import implausible_sections
+from pitchpoint.model.remarks.beams import ends_left_behind, sections_not_flat
 from pitchpoint.model.remarks.bores import bores_off_their_shafts, gears_thinner_than_their_shafts
 from pitchpoint.model.remarks.clutches import couplings_without_torque, idle_clutches
 from pitchpoint.model.remarks.file import (
@@ -260,6 +261,7 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
         flat_grooves,
         places_left_open,
         ends_left_behind,
+        sections_not_flat,
         keys_without_effect,
         idle_clutches,
         inaccurate_tables,

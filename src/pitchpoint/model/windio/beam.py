@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.nearest import hint
 from pitchpoint.geometry.beam_table import BeamTable
-from pitchpoint.geometry.section_matrix import section_properties, symmetric
-from pitchpoint.model.openfast.beamdyn import beam_table
+from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness, symmetric
+from pitchpoint.geometry.section_table import SectionTable
+from pitchpoint.model.openfast.beamdyn import between, section_table
 from pitchpoint.model.windio.blade import check_length, reference_axis
 from pitchpoint.model.windio.ontology import Ontology, read_ontology, smooth
 
@@ -23,12 +24,12 @@ _BETWEEN = 8
 _ENTRIES = [f"K{i + 1}{j + 1}" for i in range(6) for j in range(i, 6)]
 
 
-def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable:
+def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable | SectionTable:
     """Beam properties of the blade or the tower of a turbine in the ontology windIO, version 1 or 2.
 
-    A blade has the matrices of its elastic properties (`six_x_six` of version 1). A tower has the tube of its
-    outer diameter, wall thickness and material, with the outfitting factor in its mass. Axis 1 is flapwise
-    without twist, or fore-aft. Not used: damping, and the coupling of bending and torsion.
+    A blade has the matrices of its elastic properties (`six_x_six` of version 1) and the damping factors of
+    version 2. A tower has the tube of its outer diameter, wall thickness and material, with the outfitting
+    factor in its mass. Axis 1 is flapwise without twist, or fore-aft.
 
     Parameters
     ----------
@@ -53,35 +54,51 @@ def read_windio_beam(path: str | os.PathLike[str], component: str) -> BeamTable:
         raise ModelError([p.changed(file=file.path.name) for p in error.problems], str(path)) from None
 
 
-def _blade(file: Ontology) -> BeamTable:
+def _blade(file: Ontology) -> SectionTable:
     blade: tuple[str, ...] = ("components", "blade")
+    damping = np.zeros(6)
     if file.version == 2:
         at = (*blade, "structure", "elastic_properties")
         place, stiffness = _entries(file, (*at, "stiffness_matrix"))
         mass = _masses(file, (*at, "inertia_matrix"), place)
+        if file.has(*at, "structural_damping"):
+            damping = _damping(file, (*at, "structural_damping", "mu"))
         shape: tuple[str, ...] = (*blade, "outer_shape")
     else:
         at = (*blade, "elastic_properties_mb", "six_x_six")
         place, stiffness = _rows(file, (*at, "stiff_matrix"))
-        mass = _between(place, *_rows(file, (*at, "inertia_matrix")))
+        mass = between(*_rows(file, (*at, "inertia_matrix")), place)
         shape = blade = at
     twist = file.curve(*shape, "twist")
     axis = reference_axis(file, blade)
     file.stop()
     file.check_angle(twist[1], *shape, "twist", "values")
     check_length(file, blade, float(axis[2][-1] - axis[2][0]))
-    sections = []
-    for k, (one, two) in enumerate(zip(stiffness, mass, strict=True)):
-        try:
-            sections.append(section_properties(one, two))
-        except ValueError as error:
-            file.problem(at, f"at station {k + 1} of the grid {error}")
+    for k, both in enumerate(zip(stiffness, mass, strict=True)):
+        for matrix, check, word in zip(
+            both, (check_stiffness, check_inertia), ("stiffness", "mass"), strict=True
+        ):
+            try:
+                check(matrix)
+            except ValueError as error:
+                file.problem(at, f"at station {k + 1} of the grid the {word} matrix {error}")
     file.stop()
     if place[0] != 0.0 or place[-1] != 1.0:
         file.problem(at, "is the range of the grid", f"{place[0]:g} to {place[-1]:g}", "0 to 1")
     file.stop()
     grid = _grid(file, blade)
-    return beam_table(place, sections, axis.T, -np.asarray(file.angle(smooth(twist, grid))), grid)
+    matrices = {"stiffness": stiffness, "inertia": mass, "damping": damping}
+    return section_table(place, matrices, axis.T, -np.asarray(file.angle(smooth(twist, grid))), grid)
+
+
+def _damping(file: Ontology, at: tuple[str, ...]) -> FloatArray:
+    """Damping over stiffness of the six strains [s]."""
+    found = file.numbers(*at)
+    file.stop()
+    if found.size != 6 or not (found >= 0.0).all():
+        file.problem(at, "is out of range", ", ".join(f"{x:g}" for x in found), "six values >= 0")
+        file.stop()
+    return found
 
 
 def _grid(file: Ontology, blade: tuple[str, ...]) -> FloatArray:
@@ -125,23 +142,23 @@ def _entries(file: Ontology, at: tuple[str, ...]) -> tuple[FloatArray, FloatArra
 
 def _masses(file: Ontology, at: tuple[str, ...], place: FloatArray) -> FloatArray:
     """Mass matrices, shape (n, 6, 6), at given places."""
-    names = ("mass", "cm_x", "cm_y", "i_plr")
+    names = ("mass", "cm_x", "cm_y", "i_edge", "i_flap", "i_cp", "i_plr")
     curves = {name: file.curve(*at, values=name) for name in names}
     file.stop()
-    m, x, y, polar = (np.interp(place, *curves[name]) for name in names)
+    m, x, y, edge, flap, product, polar = (np.interp(place, *curves[name]) for name in names)
     out = np.zeros((place.size, 6, 6))
     for k in range(3):
         out[:, k, k] = m
-    out[:, 0, 5] = out[:, 5, 0] = -m * y
-    out[:, 1, 5] = out[:, 5, 1] = m * x
-    out[:, 5, 5] = polar
+    for (i, j), value in {
+        (0, 5): -m * y,
+        (1, 5): m * x,
+        (2, 3): m * y,
+        (2, 4): -m * x,
+        (3, 4): -product,
+    }.items():
+        out[:, i, j] = out[:, j, i] = value
+    out[:, 3, 3], out[:, 4, 4], out[:, 5, 5] = edge, flap, polar
     return out
-
-
-def _between(at: FloatArray, grid: FloatArray, values: FloatArray) -> FloatArray:
-    """Matrices at other places, linear between those of a grid."""
-    flat = values.reshape(grid.size, -1)
-    return np.stack([np.interp(at, grid, column) for column in flat.T], axis=1).reshape(-1, 6, 6)
 
 
 def _tower(file: Ontology) -> BeamTable:

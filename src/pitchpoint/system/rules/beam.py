@@ -39,15 +39,15 @@ def beam_stations(model: Model) -> dict[int, Body]:
         pieces = beam_pieces(model, name, length)
         parent = end_of(model, carrying_end(model, part.ends[0]))[0]
         for k, (number, share) in enumerate(part.stations.items()):
-            beam = pieces[k].mass or pieces[k].beam
+            mass = BARE * pieces[k].mass
             found[first[name] + k] = Body(
                 name=f"{name}.{number}",
                 motion=FLOATING,
                 parent=parent,
                 position=tuple(root + axes[:, 2] * share * length),
                 axes=axes,
-                mass=BARE * beam.mass,
-                inertia=BARE * beam.mass * beam.length**2 * np.eye(3),
+                mass=mass,
+                inertia=mass * pieces[k].beam.length ** 2 * np.eye(3),
             )
     return found
 

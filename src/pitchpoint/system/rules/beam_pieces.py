@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elements of a beam: one section for all, or the mean properties of a table, with offset axes and masses."""
+"""Elements of a beam: one section for all, or those of a table of properties or of section matrices."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.geometry.section_matrix import mass_lines
+from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.multibody.beam_coupling import coupling, parallel_compliance
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
 
 if TYPE_CHECKING:
@@ -20,15 +23,14 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
-THIN = 1e-12
-"""Area of an element whose axial stiffness is apart, relative to that of the section."""
 SAME = 1e-6
 """Distance of two centres that are one, over the larger radius of gyration of the section."""
+_NOTHING = Section(A=0.0, I_1=0.0, I_2=0.0, J=0.0, kappa_1=0.0, kappa_2=0.0)
 
 
 @dataclass(frozen=True)
 class Piece:
-    """One element of a beam.
+    """One element of a beam, and elements for a separate mass.
 
     Parameters
     ----------
@@ -38,40 +40,32 @@ class Piece:
         Section axes 1, 2 and beam axis as columns, in the axes of the beam.
     ends
         Offsets of the curved axis of the beam at both ends from the line between its ends [m].
-    line
-        Shear centre along the axes 1 and 2 [m], where the element is.
-    axial
-        Element with the axial stiffness alone, at the elastic centre; None if it is that of `beam`.
-    elastic
-        Elastic centre along the axes 1 and 2 [m].
-    mass
-        Element with the mass alone; None if it is that of `beam`.
-    center
-        Centre of mass along the axes 1 and 2 [m].
+    masses
+        Elements with the mass alone, and their places along the axes 1 and 2 [m]; empty if the mass is that
+        of `beam`.
     """
 
     beam: Beam
     axes: Array = field(default_factory=lambda: np.eye(3))
     ends: Array = field(default_factory=lambda: np.zeros((2, 3)))
-    line: tuple[float, float] = (0.0, 0.0)
-    axial: Beam | None = None
-    elastic: tuple[float, float] = (0.0, 0.0)
-    mass: Beam | None = None
-    center: tuple[float, float] = (0.0, 0.0)
+    masses: tuple[tuple[Beam, tuple[float, float]], ...] = ()
 
     @property
     def parts(self) -> list[tuple[str, Beam, Array]]:
-        """Elements by the end of their name, and the offsets of both nodes: one, or several lines."""
-        every = (
-            ("", self.beam, self.line),
-            (".axial", self.axial, self.elastic),
-            (".mass", self.mass, self.center),
-        )
+        """Elements by the end of their name, and the offsets of both nodes."""
+        words = (".mass", ".mass_2")
         return [
-            (word, beam, self.ends + self.axes @ np.array([*place, 0.0]))
-            for word, beam, place in every
-            if beam is not None
+            ("", self.beam, self.ends),
+            *(
+                (word, beam, self.ends + self.axes @ np.array([*place, 0.0]))
+                for word, (beam, place) in zip(words, self.masses, strict=False)
+            ),
         ]
+
+    @property
+    def mass(self) -> float:
+        """Mass [kg]."""
+        return self.beam.mass + sum(beam.mass for beam, _ in self.masses)
 
 
 def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
@@ -99,12 +93,18 @@ def beam_pieces(model: Model, name: str, length: float) -> list[Piece]:
         return [Piece(beam)] * part.pieces
     table = beam_table_of(part.properties)
     ends = np.linspace(0.0, 1.0, part.pieces + 1)
-    line = np.column_stack([table.offset(ends), length * ends])
-    places = np.column_stack([table.offset(ends), np.zeros(ends.size)])
-    return [
-        _tapered(table.mean(a, b, length), line[k + 1] - line[k], places[k : k + 2])
-        for k, (a, b) in enumerate(itertools.pairwise(ends))
-    ]
+    offset = table.offset(ends)
+    line = np.column_stack([offset, length * ends])
+    places = np.column_stack([offset, np.zeros(ends.size)])
+    found = []
+    for k, (a, b) in enumerate(itertools.pairwise(ends)):
+        way, own = line[k + 1] - line[k], places[k : k + 2]
+        if isinstance(table, SectionTable):
+            damping = np.zeros(6) if part.internal_damping else table.damping
+            found.append(_coupled(table, (a, b), damping, way, own))
+        else:
+            found.append(_tapered(table.mean(a, b, length), way, own))
+    return found
 
 
 def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
@@ -115,15 +115,13 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
         (mean[f"{word}_1"], mean[f"{word}_2"]) for word in ("shear_center", "elastic", "center")
     )
     size = SAME * math.sqrt(max(mean["bending_1"], mean["bending_2"]) / stiff)
-    apart = math.dist(line, elastic) > size
-    area = THIN if apart else 1.0
     section = Section(
-        A=area,
+        A=1.0,
         I_1=mean["bending_1"] / stiff,
         I_2=mean["bending_2"] / stiff,
         J=mean["torsion"] / stiff,
-        kappa_1=mean["shear_1"] / (area * stiff),
-        kappa_2=mean["shear_2"] / (area * stiff),
+        kappa_1=mean["shear_1"] / stiff,
+        kappa_2=mean["shear_2"] / stiff,
     )
     beam = Beam(section=section, length=length, E=stiff, G=stiff, rho=mean["mass"])
     axes = _along(way / length) @ about_z(mean["twist"])
@@ -131,17 +129,41 @@ def _tapered(mean: Mapping[str, float], way: Array, ends: Array) -> Piece:
     if max(math.hypot(*place) for place in (line, elastic, center)) <= size and gyration == 0.0:
         return Piece(beam, axes, ends)
     second = (section.I_1, section.I_2) if gyration == 0.0 else (0.5 * gyration**2,) * 2
-    whole = Section(A=1.0, I_1=second[0], I_2=second[1], J=0.0, kappa_1=0.0, kappa_2=0.0)
-    return Piece(
-        replace(beam, rho=0.0),
-        axes,
-        ends,
-        line,
-        Beam(section=replace(whole, I_1=0.0, I_2=0.0), length=length, E=stiff, G=0.0) if apart else None,
-        elastic,
-        Beam(section=whole, length=length, E=0.0, G=0.0, rho=mean["mass"]),
-        center,
+    part = None
+    if max(math.hypot(*place) for place in (line, elastic)) > size:
+        compliance = parallel_compliance(
+            centre=elastic,
+            shear_centre=line,
+            bending=(mean["bending_1"], mean["bending_2"]),
+            shear=(mean["shear_1"], mean["shear_2"]),
+            axial=stiff,
+            torsion=mean["torsion"],
+        )
+        part = coupling(compliance, length)
+    stiffness = replace(beam, rho=0.0, coupling=part)
+    return Piece(stiffness, axes, ends, ((_mass_beam(mean["mass"], second, stiffness), center),))
+
+
+def _coupled(
+    table: SectionTable, piece: tuple[float, float], damping: Array, way: Array, ends: Array
+) -> Piece:
+    """Element with the section matrices of a piece along a way."""
+    length, mean = float(np.linalg.norm(way)), table.mean(*piece)
+    factor, soft = np.sqrt(damping), np.linalg.inv(mean["stiffness"])
+    lost = soft @ (factor[:, None] * mean["stiffness"] * factor) @ soft
+    beam = Beam(section=_NOTHING, length=length, E=0.0, G=0.0, coupling=coupling(soft, length, lost))
+    masses = tuple(
+        (_mass_beam(part.mass, (part.second, part.second), beam), part.place)
+        for part in mass_lines(mean["inertia"])
     )
+    return Piece(beam, _along(way / length) @ about_z(float(mean["twist"])), ends, masses)
+
+
+def _mass_beam(mass: float, second: tuple[float, float], beam: Beam) -> Beam:
+    """Element with the mass per length and its moments of inertia over the mass, for an element without."""
+    section = replace(_NOTHING, A=1.0, I_1=second[0], I_2=second[1])
+    phi = None if beam.coupling is None else 0.5 * (beam.phi(1) + beam.phi(2))
+    return Beam(section=section, length=beam.length, E=0.0, G=0.0, rho=mass, shear=phi)
 
 
 def about_z(angle: float) -> Array:
