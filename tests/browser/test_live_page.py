@@ -161,10 +161,44 @@ def test_sliders_of_the_five_numbers(helical: tuple[str, object], open_page: Ope
     torque.press("Enter")
     page.get_by_role("button", name="Reset").click()
     assert float(page.get_by_label("loads.brake.torque", exact=True).input_value()) == pytest.approx(480.0)
-    distance = page.get_by_label("meshes.stage.center_distance", exact=True)
-    distance.fill("150")
-    distance.press("Enter")
-    assert float(distance.input_value()) == pytest.approx(132.262, abs=1e-3)
+    for label, value, limit, words in (
+        ("meshes.stage.center_distance", "150", 132.262, "150 mm is above the range: set to 132.262 mm"),
+        ("meshes.stage.damping.ratio", "-1", 0.0, "-1 is below the range: set to 0"),  # of the model file
+        ("meshes.stage.backlash.normal", "0.3", 0.3, ""),  # beyond the end of the slider
+    ):
+        box = page.get_by_label(label, exact=True)
+        box.fill(value)
+        box.press("Enter")
+        assert float(box.input_value()) == pytest.approx(limit, abs=1e-3)
+        assert box.locator("xpath=ancestor::*[@class='control']").locator(".note").inner_text() == words
+
+
+def test_the_legend_names_the_flanks_that_come_into_contact(
+    helical: tuple[str, object], open_page: OpenPage
+) -> None:
+    page = open_page(helical[0], size=(1600, 900))
+    until(page, "pitchpointViewer.state() !== null && live.run.steps > 0")
+    words = "document.querySelector('.ppv-states').textContent"
+    assert page.evaluate(words) == "front flank"
+    for label, value in (("loads.drive.torque", "-100"), ("loads.brake.torque", "-240")):
+        box = page.get_by_label(label, exact=True)
+        box.fill(value)
+        box.press("Enter")
+    until(page, f"{words} === 'front flankback flankno contact'")
+
+
+def test_ticks_are_round(helical: tuple[str, object], open_page: OpenPage) -> None:
+    """At most the given number of ticks, but two at least."""
+    page = open_page(helical[0])
+    for arguments, found, places in (
+        ("0.3, 52.1, 5", [20.0, 40.0], 0),
+        ("1.476, 1.526, 3", [1.48, 1.5, 1.52], 2),
+        ("-14468, 2796, 8", [-10000.0, -5000.0, 0.0], 0),
+        ("2706, 2799, 2", [2720.0, 2740.0, 2760.0, 2780.0], 0),
+    ):
+        ticks = page.evaluate(f"live.ticks({arguments})")
+        np.testing.assert_allclose(ticks["found"], found, rtol=1e-12)
+        assert ticks["places"] == places
 
 
 def test_ten_thousand_steps_to_rounding(helical: tuple[str, object], open_page: OpenPage) -> None:

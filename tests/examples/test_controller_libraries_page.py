@@ -74,9 +74,11 @@ def test_grid_fault(results: Path) -> None:
 
 
 def test_emergency_stop(results: Path) -> None:
-    t, speed, air, friction, pitch = read(
-        results, "emergency_stop", "speed[rotor]", "signal[air]", "signal[brake_torque]", "signal[pitch]"
-    )
+    names = ("speed[rotor]", "signal[air]", "signal[brake_torque]", "signal[pitch]", "signal[torque_demand]")
+    t, speed, air, friction, pitch, demand = read(results, "emergency_stop", *names)
+    assert np.all((demand >= 0.0) & (demand <= 47402.9 * (1.0 + 1e-7)))  # float32
+    slow = 97.0 * speed[:-1] < 70.0  # at the call before
+    assert slow.any() and not demand[1:][slow].any()
     assert f"rises to {speed.max() / RPM:.1f} rpm" in WORDS
     # the pitch drive at its largest rate; a step after a jump of the demand has an error of second order
     change, most = np.diff(pitch), math.radians(8.0) * 0.0125

@@ -79,14 +79,14 @@ class Unit:
                 args = (b"one", token, b"", no, no, no, no, None, SIZE(0), None, logger, None)
                 made = self.function("InstantiateCoSimulation", ct.c_void_p)(*args)
         self.loggers.append(logger)  # instances refer to it
-        return Instance(self, made) if made else None
+        return Instance(self, made, exchange) if made else None
 
 
 class Instance:
     """An instance of a unit."""
 
-    def __init__(self, unit, pointer):
-        self.unit, self.pointer = unit, ct.c_void_p(pointer)
+    def __init__(self, unit, pointer, exchange):
+        self.unit, self.pointer, self.exchange = unit, ct.c_void_p(pointer), exchange
 
     def call(self, name, *args):
         """Status of a function."""
@@ -108,6 +108,8 @@ class Instance:
         if values:
             assert self.set(values) == 0
         assert self.call("ExitInitializationMode") == 0
+        if self.exchange:
+            assert self.call("EnterContinuousTimeMode") == 0
         return self
 
     def get(self, references):

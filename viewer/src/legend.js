@@ -38,18 +38,9 @@ export class Legend {
       ...this.columns.map((part) => el("th", { scope: "col", className: `ppv-${part}` }, el("i"), part)),
     );
     this.states = el("div", { className: "ppv-states" });
-    if (arrows.some((arrow) => arrow.state)) {
-      const seen = new Set(
-        arrows
-          .flatMap((arrow) => [...(arrow.state?.data ?? [])])
-          .map((state) => (state === 255 ? -1 : state)),
-      );
-      for (const { word, colour } of [1, -1, 2, 0]
-        .filter((state) => seen.has(state))
-        .map((state) => STATES[state])) {
-        this.states.append(el("span", {}, el("i", { style: `background:${colour}` }), word));
-      }
-    }
+    this.seen = new Set();
+    for (const arrow of arrows) for (const state of arrow.state?.data ?? []) this.seen.add(state === 255 ? -1 : state);
+    this.#explain();
     this.element = el(
       "div",
       { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Current forces" },
@@ -57,6 +48,15 @@ export class Legend {
       this.states,
     );
     this.element.hidden = !arrows.length;
+  }
+
+  /** Words and colours of the contact states that occur. */
+  #explain() {
+    this.states.replaceChildren(
+      ...[1, -1, 2, 0]
+        .filter((state) => this.seen.has(state))
+        .map((state) => el("span", {}, el("i", { style: `background:${STATES[state].colour}` }), STATES[state].word)),
+    );
   }
 
   /**
@@ -119,6 +119,11 @@ export class Legend {
         if (cells[c].textContent !== text) cells[c].textContent = text;
       });
       if (state && this.rows[k].announced !== each.state) {
+        // a model that runs in the page may reach states that it did not start with
+        if (each.state in STATES && !this.seen.has(each.state)) {
+          this.seen.add(each.state);
+          this.#explain();
+        }
         const { word, colour } = STATES[each.state] ?? STATES[0];
         this.rows[k].announced = each.state;
         state.style.background = colour;

@@ -53,7 +53,7 @@ def dataset(
     from pitchpoint.core.kernel import expect
     from pitchpoint.io.dataset_store import DatasetFolder
     from pitchpoint.io.yaml_plan import load_plan
-    from pitchpoint.solvers.time import loop_of
+    from pitchpoint.solvers.fixed_steps import loop_of
     from pitchpoint.sweep.dataset import key_maker
 
     plan, model = checked(load_plan(file, allow_code), allow_code, quiet)

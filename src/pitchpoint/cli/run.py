@@ -206,8 +206,9 @@ def compute(
     from pitchpoint.core.status import INTERRUPTED, OK
     from pitchpoint.io.writing import Channel, ResultWriter
     from pitchpoint.report.bearing_loads import loads_above_ratings
+    from pitchpoint.solvers.fixed_steps import loop_of
     from pitchpoint.solvers.sample_notes import sample_notes
-    from pitchpoint.solvers.time import loop_of, run_time
+    from pitchpoint.solvers.time import run_time
     from pitchpoint.system.channel_choice import chosen_channels
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import loads_in

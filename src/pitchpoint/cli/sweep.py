@@ -85,7 +85,7 @@ def compute(
     from pitchpoint.core.kernel import expect
     from pitchpoint.core.status import OK
     from pitchpoint.io.sweep_store import SweepWriter
-    from pitchpoint.solvers.time import loop_of
+    from pitchpoint.solvers.fixed_steps import loop_of
     from pitchpoint.sweep.speed import plan_sweep, run_sweep
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import factor_quantities

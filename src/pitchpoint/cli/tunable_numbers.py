@@ -69,6 +69,8 @@ def show_settable(run: ExportedRun, tunable: Sequence[Place]) -> None:
 
 def _meaning(place: Place) -> str:
     """Description of an input or parameter, with its range if it has one."""
-    if place.most == math.inf:
+    least, most = (f"{limit:.6g}" if math.isfinite(limit) else "" for limit in (place.least, place.most))
+    if not least and not most:
         return place.text
-    return f"{place.text}, {place.least:.6g} to {place.most:.6g} {place.unit}"
+    words = f"{least} to {most}" if least and most else f">= {least}" if least else f"<= {most}"
+    return f"{place.text}, {words} {place.unit}"

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.geometry.rotor.polar_range import extrapolate_polar, range_problem
 from pitchpoint.model.components.blade import LISTS
+from pitchpoint.model.files import read_once
 from pitchpoint.model.openfast.airfoil import read_airfoil
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ def _polar(name: str, table: BladePolar) -> Polar:
         if given:
             key = next(iter(given))
             raise ModelError([Message(key, "is given together with file", remedy="give one of them")])
-        polar = _file(table.file, Path(table.file).stat().st_mtime_ns)
+        polar = _file(table.file)
     else:
         if missing := [key for key in LISTS[:3] if key not in given]:
             text = f"has no {', '.join(missing)}"
@@ -134,8 +134,9 @@ def _polar(name: str, table: BladePolar) -> Polar:
     return polar
 
 
-@functools.lru_cache(maxsize=64)
-def _file(path: str, stamp: int) -> Polar:
+@read_once(64)
+def _file(path: str) -> Polar:
+    """Polar of a file."""
     try:
         return read_airfoil(path)
     except ModelError as error:

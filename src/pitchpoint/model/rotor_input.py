@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -11,12 +10,14 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.geometry.rotor.blade import Rotor
 from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.model.blade_stations import blade_of
-from pitchpoint.model.files import at_key, states
-from pitchpoint.model.openfast.aerodyn import AeroDynInput, read_aerodyn
-from pitchpoint.model.windio.rotor import WindIORotor, read_windio_blades
+from pitchpoint.model.files import at_key, read_once
+from pitchpoint.model.openfast.aerodyn import read_aerodyn
+from pitchpoint.model.windio.rotor import read_windio_blades
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
+
+_aerodyn, _ontology = read_once(8)(read_aerodyn), read_once(8)(read_windio_blades)
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ def rotor_input(part: WindRotor) -> RotorInput:
     else:
         assert part.aerodyn is not None and part.hub_radius is not None
         try:
-            given = _aerodyn(part.aerodyn, states((part.aerodyn, *part.further_files)))
+            given = _aerodyn(part.aerodyn, part.further_files)
         except ModelError as error:
             raise at_key(error, "aerodyn") from None
         found = RotorInput(_rotor(part, Rotor(blade=given.blade, hub_radius=part.hub_radius)), given.flow)
@@ -76,7 +77,7 @@ def _rotor(part: WindRotor, rotor: Rotor) -> Rotor:
 def _windio(part: WindRotor) -> RotorInput:
     assert part.windio is not None
     try:
-        given = _ontology(part.windio, states((part.windio,)))
+        given = _ontology(part.windio)
     except ModelError as error:
         raise at_key(error, "windio") from None
     if given.rotor.blades != part.blades:
@@ -90,13 +91,3 @@ def _windio(part: WindRotor) -> RotorInput:
             raise ModelError([Message("tower_flow", text, remedy="give tower_flow: false")])
         flow = RotorFlow(tower=given.tower, sectors=TOWER_SECTORS)
     return RotorInput(_rotor(part, given.rotor), flow, given.notes)
-
-
-@functools.lru_cache(maxsize=8)
-def _aerodyn(path: str, state: object) -> AeroDynInput:
-    return read_aerodyn(path)
-
-
-@functools.lru_cache(maxsize=8)
-def _ontology(path: str, state: object) -> WindIORotor:
-    return read_windio_blades(path)

@@ -29,6 +29,7 @@ METHODS = ("generalized_alpha", *EXPLICIT_METHODS, *STIFF_METHODS, "kinematics")
 ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
 """Methods with step-size control by the error tolerance `tolerance`."""
 FORMS = ("I3", "SI2", "SI1")
+STATISTICS = ("steps", "samples")
 EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal", "stick_slip")
 
 
@@ -228,6 +229,13 @@ class Scenario(Component):
     )
     settle_time: float | None = quantity(
         "time", "start of the evaluation of statistics", None, minimum=0.0, display="20 % of duration"
+    )
+    statistics: str = choice(
+        STATISTICS,
+        "statistics and contact counts are over all time steps, with one more evaluation of the forces per "
+        "step, or over the stored samples; always over the samples with variable steps",
+        "steps",
+        later=True,
     )
     step: float | None = positive(
         "time",

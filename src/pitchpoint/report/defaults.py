@@ -87,7 +87,7 @@ def _keys_without_effect(part: Any) -> set[str]:
     if method not in STIFF_METHODS:
         idle |= {"order", "form"}
     if getattr(part, "kind", "time") != "time":
-        idle |= {"settle_time", "sample_rate", "step"}
+        idle |= {"settle_time", "statistics", "sample_rate", "step"}
     return idle
 
 

@@ -175,7 +175,7 @@ def fmu_model(
         tuple(codes),
         run.code,
         run.numbers,
-        {"t0": run.t0, "h": run.h, "rate": run.rate},
+        {"t0": run.t0, "h": run.h, "rate": run.rate, "far": run.far},
         tuple(variables),
         run.indicators,
         run.t0 + run.duration,

@@ -166,7 +166,7 @@ def fatigue_loads(
         `duration` [s] and `cycles`; `channels` by name: `unit`, `min`, `mean`, `max`, `equivalent` (by
         slope), `counted` cycles, `levels` and `exceeded` of the load duration; `teeth` by gear and flank:
         `pulses`, `largest` and `equivalent` force [N] of the teeth from 0, the `worst` tooth, `levels`,
-        `exceeded`; `tooth_force`, that of `teeth` in words.
+        `exceeded`; `tooth_force`, that of `teeth` in words, or None.
     """
     cases.require_one_machine()
     names = _chosen(cases.results, patterns) if patterns else main_loads(cases.model, cases.results)
@@ -179,7 +179,7 @@ def fatigue_loads(
         "tooth_slope": tooth_slope,
         "channels": channels if patterns else _without_small(channels),
         "teeth": {} if patterns else _teeth(cases, tooth_slope),
-        "tooth_force": f"forces of {' and '.join(sorted(cases.forces))}",
+        "tooth_force": f"forces of {' and '.join(sorted(cases.forces))}" if cases.forces else None,
         "notes": cases.notes,
     }
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.io.fmu.model import INPUT, OUTPUT, PARAMETER, SPEED, STATE, FmuModel
@@ -16,8 +17,9 @@ from pitchpoint.model.numbers import number_at
 from pitchpoint.report.exported_model import begin_export, fmu_model
 from pitchpoint.report.scene.live import live_scene
 from pitchpoint.solvers.tunable import check_sums, tunable_places
+from pitchpoint.system import evaluate
 from pitchpoint.viz.live_page import live_page
-from pitchpoint.viz.quantities import pretty, scale
+from pitchpoint.viz.quantities import channel_scale, pretty, scale
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.input_places import Place
     from pitchpoint.viz.scene.page import SceneStart
 
+Array = NDArray[np.float64]
 STEPS = 10
 """Time steps per sample."""
 MESHES = 2
@@ -94,14 +97,16 @@ def live_text(
     title = model.title or scenario
     unit = fmu_model(run, tunable, "live", title, NARROW)
     code = web_assembly(unit)
+    now = evaluate.observe(run.system, run.state)
+    channels = [(k, v) for k, v in enumerate(unit.variables) if v.kind == OUTPUT]
     outputs = [
-        {"name": v.name, "unit": v.unit, "reference": k}
-        for k, v in enumerate(unit.variables)
-        if v.kind == OUTPUT
+        {"name": v.name, "reference": k, "size": abs(float(now[i]))}
+        | _display_of_channel(v.name, v.unit, now[[i]])
+        for i, (k, v) in enumerate(channels)
     ]
     settable = [
         {"name": v.name, "reference": k, "start": v.start, **_display(v.name, v.unit, v.start)}
-        | ({"least": v.least, "most": v.most} if v.most < math.inf else {})
+        | {word: limit for word, limit in (("least", v.least), ("most", v.most)) if math.isfinite(limit)}
         for k, v in enumerate(unit.variables)
         if v.kind in (INPUT, SPEED, PARAMETER)
     ]
@@ -120,6 +125,17 @@ def _display(name: str, unit: str, start: float) -> dict[str, Any]:
     if unit == "1":
         return {"unit": unit, "factor": 1.0}
     found = scale(unit, np.array([start]))
+    return {"unit": pretty(found.unit), "factor": found.factor}
+
+
+def _display_of_channel(name: str, unit: str, value: Array) -> dict[str, Any]:
+    """Unit in which a channel with this value at the start is shown, and its factor.
+
+    Angles grow during the run, so that their value at the start does not count.
+    """
+    if unit == "1":
+        return {"unit": unit, "factor": 1.0}
+    found = channel_scale(name, unit, np.ones(1) if name.startswith("angle[") else value)
     return {"unit": pretty(found.unit), "factor": found.factor}
 
 

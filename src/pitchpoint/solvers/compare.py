@@ -22,9 +22,10 @@ from pitchpoint.core.kernel import address
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, OK
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, FORMS, STIFF_METHODS
+from pitchpoint.solvers.fixed_steps import loop_of
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step
-from pitchpoint.solvers.time import loop_of, run_time
+from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 
 if TYPE_CHECKING:

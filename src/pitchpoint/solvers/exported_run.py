@@ -24,14 +24,15 @@ from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.exported_rest import ExportedRest, exported_rest
-from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.fixed_steps import FIXED_METHODS, loop_of, start_fixed_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.input_places import Place, drive_places, load_places, shafts
 from pitchpoint.solvers.inputs_outputs import coordinate_units
 from pitchpoint.solvers.step_choice import choose_step
-from pitchpoint.solvers.time import loop_of, run_time, scenario_of
+from pitchpoint.solvers.time import run_time, scenario_of
 from pitchpoint.solvers.vibration_losses import with_vibration_losses
+from pitchpoint.system import evaluate
 from pitchpoint.system.image import memory_image
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.requests import handle_request
@@ -84,6 +85,8 @@ class ExportedRun:
         Variables of every shaft with a torque or a drive, see `input_places.shafts`.
     rest
         Data for the initial equilibrium.
+    far
+        Largest distance of a body from the origin at the start, at least 1 m.
     """
 
     system: System
@@ -103,6 +106,7 @@ class ExportedRun:
     indicators: tuple[int, ...]
     shafts: tuple[tuple[str, str, str, str], ...]
     rest: ExportedRest
+    far: float
 
 
 def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
@@ -150,7 +154,14 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
         _indicators(start.system),
         tuple(shafts(start.system)),
         exported_rest(start.system, start.state, chosen),
+        _farthest(start),
     )
+
+
+def _farthest(start: Start) -> float:
+    """Largest distance of a body from the origin [m], at least 1 m."""
+    evaluate.residual(start.system, start.state)
+    return max(1.0, float(np.abs(start.system.workspace.fr["r"]).max(initial=0.0)))
 
 
 def check_exportable(system: System, scenario: Scenario) -> None:
@@ -229,10 +240,14 @@ def _numbers(system: System, image: MemoryImage, scenario: Scenario, h: float) -
     """Sizes, offsets and flags of a run, by name."""
     at = image.at
     fields = _order_fields(scenario)
-    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr", "R", "A")}
-    found |= {name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1")}
+    found = {name: at[name] for name in ("ctl", "q", "v", "a", "lam", "fr", "R", "A", "G", "g", "gt")}
+    found |= {
+        name: at[f"work.{name}"] for name in ("row", "real", "clock", "al", "ap", "lp", "ev1", "weight", "x")
+    }
     found |= {name: system.sizes[name] for name in ("nd", "nc", "no", "ne")}
     found |= {f"order_{name}": at["order"] + fields[name][1] for name in ("t0", "h", "first", "n")}
+    found["order_tol"] = at["order"] + fields["tol"][1] if "tol" in fields else 0
+    found["per_q"] = at.get("iteration.0", 0)
     found |= {"order": at["order"], "size": len(image.data)}
     found |= {"slope_at": SLOPE_AT, "past": equal_steps.PAST, "valid": VALID}
     found["implicit"] = int(scenario.method == "generalized_alpha")

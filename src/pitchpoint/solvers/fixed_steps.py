@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Start of a run with fixed steps: Runge-Kutta, Adams, generalised-alpha."""
+"""Compiled loops of all methods; start of a run with fixed steps: Runge-Kutta, Adams, generalised-alpha."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.model.scenario import EXPLICIT_METHODS
+from pitchpoint.model.scenario import EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system.system import State, System
 
@@ -13,6 +13,19 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
 FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
+
+
+def loop_of(method: str) -> Any:
+    """Compiled loop of a method, as an entry for `core.kernel.expect`."""
+    if method in ("generalized_alpha", "kinematics"):  # kinematics has no loop
+        return generalized_alpha.entry
+    if method in STIFF_METHODS:
+        from pitchpoint.solvers.multistep import step as multistep
+
+        return multistep.entry
+    from pitchpoint.solvers.explicit import dormand_prince, equal_steps  # imported on demand
+
+    return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
 
 def start_fixed_steps(system: System, state: State, scenario: Scenario, h: float) -> Any:

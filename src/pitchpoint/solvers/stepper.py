@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes, with_time
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.model.scenario import ERROR_METHODS
 from pitchpoint.solvers.controller_end import EndsControllers
 from pitchpoint.solvers.coupled_calls import check_list, check_scenario, number_problem
 from pitchpoint.solvers.exported_run import export_run, instead_of, started
@@ -95,7 +96,7 @@ class Stepper(EndsControllers):
     Raises
     ------
     ModelError
-        If the method has variable steps, or a path cannot be an input.
+        If the method has no fixed steps, or a path cannot be an input.
     SolverError
         If the run cannot start.
 
@@ -126,7 +127,8 @@ class Stepper(EndsControllers):
         if chosen.method not in FIXED_METHODS:
             where, limit = f"scenarios.{scenario}.method", " | ".join(FIXED_METHODS)
             remedy = f"use {instead_of(chosen.method)}"
-            raise ModelError([Message(where, "has variable steps", chosen.method, limit, remedy)])
+            text = "has variable steps" if chosen.method in ERROR_METHODS else "is not for co-simulation"
+            raise ModelError([Message(where, text, chosen.method, limit, remedy)])
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
         self._loop = Loop(started(system, chosen), chosen, self._record)

@@ -115,19 +115,6 @@ def run_time(
     return loop.summary(loop.run(progress), time.perf_counter() - begun)
 
 
-def loop_of(method: str) -> Any:
-    """Compiled loop of a method, as an entry for `core.kernel.expect`."""
-    if method in ("generalized_alpha", "kinematics"):  # kinematics has no loop
-        return generalized_alpha.entry
-    if method in STIFF_METHODS:
-        from pitchpoint.solvers.multistep import step as multistep
-
-        return multistep.entry
-    from pitchpoint.solvers.explicit import dormand_prince, equal_steps  # imported on demand
-
-    return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
-
-
 class Loop:
     """One run: integrator, statistics, events and counters."""
 
@@ -234,8 +221,7 @@ class Loop:
                 take = min(take, self.sampler.steps(self.run_.t, self.h))
             sums = None if self.run_.steps < settle else self.sums.copy()
             every = self.every if self.sink is not None else 0
-            chunk = self.run_.advance(take, every=every, statistics=sums, events=self.watch.room, **self.more)
-            status = self.take(chunk, sums)
+            status = self._advance(take, sums, every=every, **self.more)
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
@@ -245,8 +231,13 @@ class Loop:
     def _last_step(self, h: float) -> int:
         """Take the shorter last step up to the duration; it is not a sample."""
         self.run_.change_step(h)
-        sums = self.sums.copy() if self.window < self.t_end else None
-        return self.take(self.run_.advance(1, statistics=sums, events=self.watch.room), sums)
+        return self._advance(1, self.sums.copy() if self.window < self.t_end else None)
+
+    def _advance(self, n: int, sums: Accumulators | None, **more: Any) -> int:
+        """Take n fixed steps and store their results."""
+        stride = self.every if self.scenario.statistics == "samples" else 1
+        more |= {"statistics": sums, "stride": stride, "events": self.watch.room}
+        return self.take(self.run_.advance(n, **more), sums)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h

@@ -10,6 +10,7 @@ that follow from the start of the run, such as damping constants of modal dampin
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -20,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError, PitchpointError
-from pitchpoint.model.numbers import number_at
+from pitchpoint.model.numbers import key_at, number_at
 from pitchpoint.solvers.exported_run import ExportedRun
 from pitchpoint.solvers.input_places import Place, polynomial
 from pitchpoint.system import evaluate
@@ -118,7 +119,7 @@ def _place(
     study = _Study(model, scenario, run, path)
     values = [start + change * (abs(start) or 1.0) for change in CHANGES]
     if limits is None and (words := study.affine(values)) is not None:
-        place = Place(path, *texts, words)
+        place = Place(path, *texts, words, *_permitted(model, path, start))
         with _refusing(path):
             study.check(place, values[2])
         return place
@@ -134,6 +135,15 @@ def _place(
         else:
             return place
     raise AssertionError(path)
+
+
+def _permitted(model: Model, path: str, start: float) -> tuple[float, float]:
+    """Range of a number in model files; 1/1000 of the distance is kept from a limit that is not allowed."""
+    key = key_at(model, path)
+    if key is None:
+        return -math.inf, math.inf
+    least = key.minimum + (1e-3 * (start - key.minimum) if key.above else 0.0)
+    return least, key.maximum - (1e-3 * (key.maximum - start) if key.below else 0.0)
 
 
 def _around(start: float, share: float) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import BODY
 from pitchpoint.multibody.channels import CTL, F8, FRAME
 from pitchpoint.multibody.kinematics import rest_pose
-from pitchpoint.system.linear import solve_acceleration
+from pitchpoint.system.linear import solve, solve_acceleration
 from pitchpoint.system.residual import evaluate_events, observe, residual, wrap
 from pitchpoint.system.workspace import MACH
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
 #: Codes of the evaluations.
-REST, RESIDUAL, OBSERVE, EVENTS, ACCELERATE, WRAP = range(6)
+REST, RESIDUAL, OBSERVE, EVENTS, ACCELERATE, WRAP, SOLVE = range(7)
 
 
 @kernel
@@ -31,7 +31,7 @@ def handle_request(at, request, where):
 
     REST: write constant values. RESIDUAL: residual and matrix (jac, cm, cd, ck). OBSERVE, EVENTS: fill the
     array at `where`. ACCELERATE: accelerations and multipliers (ck = stabilisation rate of the constraints).
-    WRAP: wrap spins to (-pi, pi].
+    WRAP: wrap spins to (-pi, pi]. SOLVE: correction of residual and rows with the present factors.
     """
     c = view(at, 1, CTL)[0]
     t = c["t"]
@@ -45,6 +45,9 @@ def handle_request(at, request, where):
         return solve_acceleration(at, t, c["ck"])
     if request == WRAP:
         wrap(at)
+        return OK
+    if request == SOLVE:
+        solve(at)
         return OK
     m = view(c["mach"], 1, MACH)[0]
     nb = c["nb"]

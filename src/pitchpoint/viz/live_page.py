@@ -18,7 +18,10 @@ from pitchpoint.viz.scene.page import scene_elements
 POLICY = PAGE_POLICY.replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval'")
 CURVES = 3
 """Number of curves."""
-FIRST = ("mesh_force", "deflection", "speed", "torque", "angle", "displacement", "signal")
+FIRST = (
+    *("rotor_thrust", "aerodynamic_power", "mesh_force", "deflection"),
+    *("speed", "torque", "angle", "displacement", "signal"),
+)
 """Quantities that are shown first, in this order."""
 
 
@@ -45,7 +48,9 @@ def live_page(
     token
         Identifier of the model.
     settable, outputs
-        Variables with `name`, `unit`, `reference`; those that can be set also with `start`.
+        Variables with `name`, `reference`, the `unit` in which they are shown and its `factor`; outputs also
+        with the `size` of their value at the start, those that can be set with `start`, and with `least` and
+        `most` if they have limits.
     start, sample
         Start time and time between two samples [s].
     scene, follow
@@ -57,7 +62,7 @@ def live_page(
         "outputs": list(outputs),
         "start": start,
         "sample": sample,
-        "shown": first_channels([str(each["name"]) for each in outputs]),
+        "shown": first_channels({str(each["name"]): float(each["size"]) for each in outputs}),
         "follow": follow,
     }
     variables = {
@@ -78,10 +83,11 @@ def live_page(
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>{style}</style></head>\n<body>"
         f'<header><h1>{escape(title)}</h1><div class="bar"><button id="run">Pause</button>'
-        '<button id="reset">Reset</button><label>Speed '
-        '<input id="pace" type="range" min="-5" max="0" step="0.1" ></label>'
+        '<button id="reset">Reset</button><label title="simulated time per second">Time scale '
+        '<input id="pace" type="range" min="-5" max="0" step="0.1"> <output id="scale"></output></label>'
         '<span id="status" role="status"></span></div></header>\n'
-        f'<main><div id="controls"></div><div>{_view(scene)}<div id="plots"></div></div></main>\n'
+        f'<main><div id="controls"></div><div id="picture">{_view(scene)}<div id="plots"></div></div>'
+        "</main>\n"
         f'<script type="application/json" id="pp-model">{described}</script>\n'
         f'<script type="text/plain" id="pp-code">{packed}</script>\n'
         f"<script>{asset('live.js')}</script></body></html>\n"
@@ -97,14 +103,17 @@ def _view(scene: Scene | None) -> str:
     return f'<div id="scene" style="{colours}"></div>{scene_elements(scene)}{script}'
 
 
-def first_channels(names: Sequence[str]) -> list[int]:
-    """Indices of the channels of the curves at the start, by the order of `FIRST`.
+def first_channels(sizes: Mapping[str, float]) -> list[int]:
+    """Indices of the channels of the curves at the start: by the order of `FIRST`, the largest of each.
 
     Examples
     --------
-    >>> first_channels(["angle[a]", "speed[a]", "mesh_force[m]", "speed[b]"])
-    [2, 1, 0]
+    >>> first_channels({"angle[a]": 0.0, "speed[a]": 5.0, "mesh_force[m]": 3.0, "speed[b]": 9.0})
+    [2, 3, 0]
     """
-    found = [next((k for k, n in enumerate(names) if n.partition("[")[0] == word), None) for word in FIRST]
-    chosen = [k for k in found if k is not None]
+    names = list(sizes)
+    chosen = []
+    for word in FIRST:
+        known = [k for k, name in enumerate(names) if name.partition("[")[0] == word]
+        chosen += [max(known, key=lambda k: sizes[names[k]])] if known else []
     return (chosen + [k for k in range(len(names)) if k not in chosen])[:CURVES]

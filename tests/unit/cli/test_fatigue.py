@@ -78,6 +78,7 @@ def test_meshes_without_single_pairs(capsys, tmp_path):
 def test_load_cases_are_added(result, capsys, tmp_path):
     """Hours of the life scale the equivalent by the Wöhler line; two results are one table."""
     one = json_of(["fatigue", result, "-c", "speed*"], capsys)
+    assert one["tooth_force"] is None and not one["teeth"]
     assert set(one["channels"]) == {"speed[motor]", "speed[a]", "speed[b]"}
     name = "mesh_force[stage]"
     once = json_of(["fatigue", result, "-c", name, "--slope", "5", "--cycles", "100"], capsys)

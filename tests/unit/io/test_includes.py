@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
-from pitchpoint.model.reading import yaml_tree
+from pitchpoint.model import files as files_of_models
 from pitchpoint.model.remarks.collect import remarks_of_file
 from tests.support.cli_files import json_of
 
@@ -190,7 +190,7 @@ def test_a_name_that_begins_with_dots_is_in_the_folder(files, tmp_path):
 
 
 def test_a_file_that_is_too_large_is_not_read_whole(files, tmp_path, monkeypatch):
-    monkeypatch.setattr(yaml_tree, "MAX_BYTES", 2_000_000)
+    monkeypatch.setattr(files_of_models, "MAX_BYTES", 2_000_000)
     with (tmp_path / "zeros.yaml").open("wb") as stream:
         stream.truncate(50_000_000)
     tracemalloc.start()

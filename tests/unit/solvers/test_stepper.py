@@ -10,41 +10,19 @@ import pytest
 
 import pitchpoint as pp
 from pitchpoint.core.status import CONTROLLER, UNBOUNDED
+from tests.support.controlled_rotors import controlled, rotor
 from tests.support.fmu_models import DRIVEN, pair
 from tests.support.fmu_models import own_run as begun
 
-LOOP = """
-bodies:
-  rotor: {motion: torsion, inertia: 2 kg m^2}
-loads:
-  motor: {body: rotor, torque: 0 N m}
-  brake: {body: rotor, torque: -30 N m}
-scenarios:
-  run:
-    speed: {rotor: 0 rad/s}
-    start: assembled
-    duration: 1 s
-    step: 1 ms
-    method: adams
-    channels: ["speed[*]"]
-"""
-
-SAMPLED = """
-sensors:
-  speed: {type: joint, coordinate: rotor, derivative: 1}
-controllers:
-  control:
-    type: python
-    function: "law.py:law"
-    inputs: [speed]
-    outputs: [wanted]
-    period: 3 ms
-    delay: 1 ms
-    unit: N m
-actuators:
-  motor_torque: {type: torque, signal: wanted, bodies: [rotor]}
-"""
-
+LOOP = rotor(
+    "motor: {body: rotor, torque: 0 N m}, brake: {body: rotor, torque: -30 N m}",
+    'duration: 1 s, step: 1 ms, channels: ["speed[*]"]',
+    speed=0.0,
+)
+SAMPLED = controlled(
+    'type: python, function: "law.py:law", inputs: [speed], outputs: [wanted], period: 3 ms, delay: 1 ms, '
+    "unit: N m"
+)
 LAW = """
 def law(t, inputs, state, parameters):
     state["sum"] = state.get("sum", 0.0) + 0.1 * (10.0 - inputs[0])
@@ -213,6 +191,9 @@ def test_an_input_has_a_range_where_its_effect_is_not_affine():
     assert stepper.inputs[name] == start and stepper.inputs["loads.input.torque"] == 150.0
     stepper.set({name: 1.001 * start})
     assert stepper.inputs[name] == 1.001 * start
+    ratio = "meshes.stage.damper.ratio"  # affine, within the limits of the model file
+    with pytest.raises(pp.ModelError, match=rf"{ratio}: -0.01 1 is out of range \(limit 0 to 10\)"):
+        pp.Stepper(pair("adams"), "steady", inputs=[ratio]).set({ratio: -0.01})
 
 
 def test_the_speed_of_a_drive_is_an_input():

@@ -292,3 +292,23 @@ def test_a_machine_without_load_at_the_start_starts_in_its_gap(torque, speed):
     assert found.attrs["status"] == OK
     assert found["mesh_force[stage]"].values[0] == pytest.approx(0.0, abs=1e-9)
     assert found["contact_state[stage]"].values[0] == 0.0
+
+
+@pytest.mark.parametrize("method", ["generalized_alpha", "adams"])
+def test_statistics_over_samples_are_those_of_the_stored_rows_and_change_no_bit_of_them(method):
+    damped = "{law: din3990}, damper: {ratio: 0.02}"
+    times = "duration: 4.01 ms, settle_time: 1 ms, step: 10 us, sample_rate: 5 kHz"
+    scenario = f"scenarios:\n  turn: {{speed: {{driver: 300}}, {times}, method: {method}, statistics: %s}}\n"
+    text = pair(damped, rest=scenario)
+    steps, samples = (solve_time(compiled(text % word, "turn")[1]) for word in ("steps", "samples"))
+    for name in steps.data_vars:
+        np.testing.assert_array_equal(samples[name].values, steps[name].values)
+    force = samples["mesh_force[stage]"]
+    inside = force.values[force["time"].values > 1.0e-3 + 1e-9]
+    np.testing.assert_allclose(
+        force.attrs["statistics"], [inside.mean(), inside.std(), inside.min(), inside.max()], rtol=1e-9
+    )
+    mean, rms, least, most = steps["mesh_force[stage]"].attrs["statistics"]
+    assert least < inside.min() < inside.max() < most
+    resolutions = [found["contact_state[stage]"].attrs["resolution"] for found in (steps, samples)]
+    np.testing.assert_allclose(resolutions, [1e-5, 2e-4], rtol=1e-9)

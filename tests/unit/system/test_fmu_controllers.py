@@ -26,6 +26,7 @@ from pitchpoint.core.errors import MissingDependencyError
 from pitchpoint.core.fmi import fmu_file, fmu_process
 from pitchpoint.core.fmi.fmu_file import FmuFileError, own_platform, read_fmu
 from pitchpoint.core.status import CONTROLLER
+from tests.support.controlled_rotors import controlled, rotor
 from tests.support.fmu_models import need_linker
 from tests.support.strange_fmu import elf_header, strange_fmu, write_fmu
 
@@ -48,19 +49,16 @@ scenarios:
     sample_rate: 100 Hz
 """
 
-GENERATOR = """
-bodies:
-  generator: {motion: torsion, inertia: 5 kg m^2}
-loads:
-  shaft: {body: generator, torque: 0 N m}
-  grid: {body: generator, torque: -100 N m}
-scenarios:
-  run: {speed: {generator: 10 rad/s}, start: assembled, duration: 1 s, step: 0.5 ms, method: adams}
-"""
-
-ROTOR = """
-bodies:
-  rotor: {motion: torsion, inertia: 20 kg m^2}
+GENERATOR = rotor(
+    "shaft: {body: generator, torque: 0 N m}, grid: {body: generator, torque: -100 N m}",
+    "duration: 1 s, step: 0.5 ms",
+    inertia=5.0,
+    name="generator",
+)
+WIND = "wind: {body: rotor, torque: 100 N m}"
+ROTOR = (
+    rotor(WIND, "duration: 0.5 s, step: 0.5 ms, sample_rate: 100 Hz", inertia=20.0)
+    + """
 sensors:
   speed: {type: joint, coordinate: rotor, derivative: 1}
 controllers:
@@ -78,44 +76,11 @@ blocks:
   reaction: {type: sum, inputs: {torque: -1}, unit: N m}
 actuators:
   shaft: {type: torque, signal: reaction, bodies: [rotor]}
-loads:
-  wind: {body: rotor, torque: 100 N m}
-scenarios:
-  run:
-    speed: {rotor: 10 rad/s}
-    start: assembled
-    duration: 0.5 s
-    step: 0.5 ms
-    method: adams
-    sample_rate: 100 Hz
 """
-
-MACHINE = """
-bodies:
-  rotor: {motion: torsion, inertia: 2 kg m^2}
-sensors:
-  speed: {type: joint, coordinate: rotor, derivative: 1}
-controllers:
-  unit:
-    type: fmu
-    file: strange.fmu
-    inputs: {u: speed}
-    outputs: {y: torque}
-    period: 1 ms
-    time_limit: 20 s
-actuators:
-  engine: {type: torque, signal: torque, bodies: [rotor]}
-loads:
-  wind: {body: rotor, torque: 100 N m}
-scenarios:
-  run:
-    speed: {rotor: 10 rad/s}
-    start: assembled
-    duration: 10 ms
-    step: 1 ms
-    method: adams
-    sample_rate: 1 kHz
-"""
+)
+MACHINE = rotor(WIND, "duration: 10 ms, step: 1 ms, sample_rate: 1 kHz") + controlled(
+    "type: fmu, file: strange.fmu, inputs: {u: speed}, outputs: {y: wanted}, period: 1 ms, time_limit: 20 s"
+)
 
 
 def runs(folder, text, changes=None):
@@ -188,8 +153,8 @@ def test_units_and_the_communication_points(strange):
     data = runs(strange, MACHINE)
     t, speed = data["time"].values, data["signal[speed]"].values
     want = 2.0 * speed * 30.0 / np.pi + 3.0 * t
-    np.testing.assert_allclose(data["signal[torque]"].values[1:], want[:-1], rtol=1e-12)
-    assert data["signal[torque]"].attrs["units"] == "N m"
+    np.testing.assert_allclose(data["signal[wanted]"].values[1:], want[:-1], rtol=1e-12)
+    assert data["signal[wanted]"].attrs["units"] == "N m"
     assert not processes()
 
 
@@ -205,7 +170,7 @@ def test_several_at_once_do_not_share_their_state(strange):
     data = runs(strange, text)
     want = 2.0 * 30.0 / np.pi + 3.0 * 2e-3 * np.floor((data["time"].values - 5e-4) / 2e-3)
     np.testing.assert_allclose(data["signal[other]"].values[1:], want[1:], rtol=1e-9)
-    assert data["signal[torque]"].values[-1] > 190.0
+    assert data["signal[wanted]"].values[-1] > 190.0
 
 
 @pytest.mark.parametrize(
@@ -213,14 +178,14 @@ def test_several_at_once_do_not_share_their_state(strange):
     [
         (1, r"the FMU strange.fmu has crashed \(SIGABRT\)"),
         (2, r"the FMU strange.fmu has not answered within 1 s \(time_limit\)"),
-        (3, r"returned nan for 'torque'"),
+        (3, r"returned nan for 'wanted'"),
         (4, r"the FMU strange.fmu has failed: fmi2DoStep .*the engine has no fuel"),
         (5, r"the FMU strange.fmu has crashed \(exit code 7\)"),
     ],
 )
 def test_a_failure_ends_the_run_with_a_sentence_and_its_partial_result(strange, mode, sentence):
-    changes = {"controllers.unit.parameters": {"mode": mode}, "controllers.unit.time_limit": 1.0}
-    with pytest.raises(pp.SolverError, match=f"controllers.unit .*{sentence}.*t = 0.005 s") as failure:
+    changes = {"controllers.control.parameters": {"mode": mode}, "controllers.control.time_limit": 1.0}
+    with pytest.raises(pp.SolverError, match=f"controllers.control .*{sentence}.*t = 0.005 s") as failure:
         runs(strange, MACHINE, changes)
     assert failure.value.status == CONTROLLER
     assert list(failure.value.partial["time"].values) == pytest.approx(1e-3 * np.arange(6))
@@ -232,7 +197,7 @@ def test_on_the_command_line(strange, tmp_path, capsys):
     arguments = ["run", str(strange / "model.yaml"), "-o", str(tmp_path / "out.h5"), "--quiet"]
     assert run_command(arguments) == 2
     assert "--allow-code" in capsys.readouterr().err
-    assert run_command([*arguments, "--allow-code", "--set", "controllers.unit.parameters={mode: 1}"]) == 3
+    assert run_command([*arguments, "--allow-code", "--set", "controllers.control.parameters={mode: 1}"]) == 3
     text = capsys.readouterr().err
     assert "has crashed (SIGABRT)" in text and text.count("t = 0.005 s") == 1
     assert pp.open_result(tmp_path / "out.h5").sizes["time"] == 6
@@ -243,7 +208,7 @@ def test_a_killed_run_leaves_nothing(strange, tmp_path):
     """The FMU hangs in its own code, and its parent is killed without a chance to end it."""
     program = (
         "import pitchpoint as pp, sys\n"
-        "changes = {'controllers.unit.parameters': {'mode': 2}}\n"
+        "changes = {'controllers.control.parameters': {'mode': 2}}\n"
         "model = pp.load_model(sys.argv[1], allow_code=True, changes=changes)\n"
         "pp.solve_time(pp.compile_model(model, 'run'))\n"
     )
@@ -278,11 +243,11 @@ def test_processes_that_an_fmu_starts_end_with_it(strange, tmp_path, monkeypatch
     """At the end of the run, and when the parent is killed while the FMU hangs."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     begin = time.monotonic()
-    assert runs(strange, MACHINE, {"controllers.unit.parameters": {"mode": 6}}).sizes["time"] == 11
+    assert runs(strange, MACHINE, {"controllers.control.parameters": {"mode": 6}}).sizes["time"] == 11
     assert time.monotonic() - begin < 30.0 and not of_folder(tmp_path)
     program = (
         "import pitchpoint as pp, sys\n"
-        "changes = {'controllers.unit.parameters': {'mode': 7}}\n"
+        "changes = {'controllers.control.parameters': {'mode': 7}}\n"
         "model = pp.load_model(sys.argv[1], allow_code=True, changes=changes)\n"
         "pp.solve_time(pp.compile_model(model, 'run'))\n"
     )
@@ -303,7 +268,7 @@ def test_a_stepper_cannot_save_the_state_of_an_fmu(strange):
     (strange / "model.yaml").write_text(MACHINE)
     stepper = pp.Stepper(pp.load_model(strange / "model.yaml", allow_code=True), "run")
     stepper.advance(2e-3)
-    assert stepper.value("signal[torque]") > 190.0
+    assert stepper.value("signal[wanted]") > 190.0
     with pytest.raises(pp.PitchpointError, match=r"state of the FMU strange.fmu cannot be saved"):
         stepper.save()
 
@@ -389,7 +354,7 @@ def test_without_the_importer(tmp_path, monkeypatch):
 def problems_of(folder, **changes):
     """Problems of the model with the controller changed."""
     (folder / "model.yaml").write_text(MACHINE)
-    changes = {f"controllers.unit.{key}": value for key, value in changes.items()}
+    changes = {f"controllers.control.{key}": value for key, value in changes.items()}
     with pytest.raises(pp.ModelError) as found:
         pp.load_model(folder / "model.yaml", allow_code=True, changes=changes)
     return [str(problem) for problem in found.value.problems]
@@ -401,23 +366,24 @@ def test_all_wrong_connections_are_reported_together(tmp_path):
         changes={'causality="parameter"><Real start="0"/>': 'causality="parameter"><Real/>'},
     )
     found = problems_of(
-        tmp_path, inputs={"v": "speed", "y": "speed"}, outputs={"note": "torque", "y": "more"}
+        tmp_path, inputs={"v": "speed", "y": "speed"}, outputs={"note": "wanted", "y": "more"}
     )
-    assert [message.partition(":")[0].partition(" (")[0] for message in found] == [
-        "controllers.unit.parameters",
-        "controllers.unit.inputs.v",
-        "controllers.unit.inputs.y",
-        "controllers.unit.outputs.note",
-    ]
-    assert "do not give mode, which has no start value in the FMU; add mode to parameters" in found[0]
-    assert "does not exist in the FMU; inputs of the FMU: u" in found[1]
-    assert "is output there" in found[2] and "String is not a number" in found[3]
+    said = {
+        message.partition(":")[0].partition(" (")[0].partition("control.")[2]: message for message in found
+    }
+    wanted = {
+        "parameters": "do not give mode, which has no start value in the FMU; add mode to parameters",
+        "inputs.v": "does not exist in the FMU; inputs of the FMU: u",
+        "inputs.y": "is output there",
+        "outputs.note": "String is not a number",
+    }
+    assert len(found) == 4 and all(words in said[key] for key, words in wanted.items()), said
 
 
 def test_an_input_without_start_value_must_be_connected(tmp_path):
     write_fmu(tmp_path / "strange.fmu", changes={'<Real start="0" unit="rpm"/>': '<Real unit="rpm"/>'})
     (found,) = problems_of(tmp_path, inputs={})
-    assert "controllers.unit.inputs" in found and "do not give u, which has no start value" in found
+    assert "controllers.control.inputs" in found and "do not give u, which has no start value" in found
 
 
 def test_an_fmu_for_another_platform(tmp_path):
@@ -428,7 +394,7 @@ def test_an_fmu_for_another_platform(tmp_path):
         archive.writestr("modelDescription.xml", text)
         archive.writestr("binaries/riscv64-plan9/strange.so", b"")
     (found,) = problems_of(tmp_path)
-    assert "controllers.unit.file (line 9)" in found
+    assert "controllers.control.file (line 10)" in found
     assert f"has no library for this computer, {own_platform()}; it has libraries for riscv64-plan9" in found
 
 
@@ -519,7 +485,7 @@ def test_files_that_are_no_fmu(tmp_path):
     with pytest.raises(FmuFileError, match=r"is damaged: .*resources/table"):
         read_fmu(str(other))
     (found,) = problems_of(tmp_path, file=str(other))
-    assert found.startswith("controllers.unit.file") and "is damaged" in found
+    assert found.startswith("controllers.control.file") and "is damaged" in found
     damaged = bytearray(whole)
     damaged[120:160] = bytes(40)
     (tmp_path / "damaged.fmu").write_bytes(damaged)

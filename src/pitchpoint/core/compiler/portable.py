@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 import zlib
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from llvmlite import binding as llvm
@@ -193,6 +193,7 @@ def _without_counts(text: str) -> str:
 # ----------------------------------------------------------------------------------------------- object code
 
 
+@lru_cache(maxsize=64)
 def object_of_entry(bitcode: bytes, triple: str, processor: str) -> bytes:
     """Object file of an entry point for a target.
 
@@ -214,6 +215,7 @@ def object_of_entry(bitcode: bytes, triple: str, processor: str) -> bytes:
     return bytes(target.emit_object(module))
 
 
+@lru_cache(maxsize=16)
 def object_of_text(text: str, triple: str, processor: str) -> bytes:
     """Object file of a module in LLVM text, such as data or functions translated from C.
 

@@ -111,8 +111,8 @@ def _variable(model: FmuModel, reference: int, version: int) -> str:
         head["initial"] = "exact" if v.kind == STATE else "calculated"
     more = {"unit": v.unit} if v.unit != "1" else {}
     more |= {"start": repr(v.start)} if v.is_set or v.kind == STATE else {}
-    if v.least > -math.inf:
-        more |= {"min": repr(v.least), "max": repr(v.most)}
+    limits = {"min": v.least, "max": v.most}
+    more |= {word: repr(limit) for word, limit in limits.items() if math.isfinite(limit)}
     if v.kind == SLOPE:
         state = model.of_kind(STATE)[v.first]
         more["derivative"] = str(references(model, 2).index(state) + 1 if version == 2 else state)

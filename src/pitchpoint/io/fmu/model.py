@@ -75,7 +75,8 @@ class FmuModel:
     code
         Offset and number of the entry point of each word of the memory that holds the address of one.
     numbers, reals
-        Sizes, offsets, flags; t0 [s], h [s], rate [1/s], by the names of `Numbers` in `glue/instance.h`.
+        Sizes, offsets, flags; t0 [s], h [s], rate [1/s], far [m], by the names of `Numbers` in
+        `glue/instance.h`.
     variables
         All variables.
     indicators

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.model.files import change_time
+from pitchpoint.model.files import read_once
 from pitchpoint.model.frames import axes_of, place_of
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -59,6 +58,7 @@ def check_wind_boxes(parts: Parts, report: Reader) -> None:
                 _time(parts, rotor, wind, reach[0], report, extents[wind])
 
 
+@read_once(16)
 def box_extent(path: str) -> BoxExtent:
     """Space and time of a file, read once.
 
@@ -67,11 +67,6 @@ def box_extent(path: str) -> BoxExtent:
     path
         The file.
     """
-    return _extent(path, change_time(path))
-
-
-@functools.lru_cache(maxsize=16)
-def _extent(path: str, stamp: int) -> BoxExtent:
     return turbsim_extent(path)
 
 

@@ -11,10 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
-from pitchpoint.core.nearest import similar_file
+from pitchpoint.model.files import contents
 
-_MOST = 20_000_000
-"""Largest file that is read [bytes]."""
 _TOKEN = re.compile(r'"[^"]*"|\'[^\']*\'|[^\s,]+')
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
 
@@ -253,15 +251,7 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
         If it cannot be read, is too large, or not text.
     """
     path = Path(path)
-    try:
-        size = path.stat().st_size
-        if size > _MOST:
-            raise ModelError([Message("", "is too large", f"{size} bytes", f"{_MOST} bytes")], str(path))
-        data = path.read_bytes()
-    except OSError as error:
-        reason = error.strerror or "failed"
-        remedy = f"{similar_file(path.parent, path.name)}check the name"
-        raise ModelError([Message("", f"cannot be read: {reason}", remedy=remedy)], str(path)) from None
+    data = contents(path)
     if b"\0" in data:
         raise ModelError(
             [Message("", "is not a text file", remedy="give the input file of OpenFAST")], str(path)

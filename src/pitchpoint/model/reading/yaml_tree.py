@@ -15,10 +15,10 @@ from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.model.files import MAX_BYTES, contents
 from pitchpoint.model.keys import Place
 from pitchpoint.model.show import dotted
 
-MAX_BYTES = 20_000_000
 MAX_DEPTH = 60
 _TAG = "tag:yaml.org,2002:"
 _COMPOSED = 0.75
@@ -29,15 +29,7 @@ _DECIMAL = re.compile(r"[-+]?\d+, \d.*")
 
 def text_of(path: str | Path) -> str:
     """Text of a YAML file; raises a `ModelError` if it cannot be read."""
-    file = Path(path)
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ModelError([Message("", f"cannot be read: {reason}", value=str(path))]) from None
-    if len(data) > MAX_BYTES:
-        raise ModelError([_too_large()], str(path))
+    data = contents(path)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -48,6 +48,7 @@ NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
 TIME_KEYS = (
     "sample_rate",
     "settle_time",
+    "statistics",
     "step",
     "method",
     "form",

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import os
 from collections.abc import Mapping
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.core.nearest import nearest
+from pitchpoint.model.files import read_once
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.show import dotted
@@ -212,16 +212,8 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     ModelError
         If it cannot be read, is not YAML, or describes no turbine.
     """
-    file = Path(path)
-    try:
-        status = file.stat()
-    except OSError as error:
-        reason = error.strerror or "failed"
-        raise ModelError(
-            [Message("", f"cannot be read: {reason}", remedy="check the name")], str(path)
-        ) from None
-    data, lines = _contents(str(file), status.st_mtime_ns, status.st_size)
-    found = Ontology(file, data, lines)
+    data, lines = _contents(os.fspath(path))
+    found = Ontology(Path(path), data, lines)
     given = str(data.get("windIO_version", "2"))
     if given.split(".")[0] not in ("1", "2"):
         found.problem(("windIO_version",), "is not a version that can be read", _shown(given), "1 or 2")
@@ -237,8 +229,8 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     return found
 
 
-@functools.lru_cache(maxsize=4)
-def _contents(path: str, stamp: int, size: int) -> tuple[Any, Mapping[Place, int]]:
+@read_once(4)
+def _contents(path: str) -> tuple[Any, Mapping[Place, int]]:
     name = Path(path).name
     try:
         tree = Tree(text_of(path))

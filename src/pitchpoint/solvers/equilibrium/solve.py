@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -288,7 +287,7 @@ def balance_torques(
     held: Sequence[int],
     driven: Sequence[int] = (),
     instants: tuple[NDArray[np.float64], NDArray[np.float64]] = NOW,
-) -> tuple[System, tuple[int, ...], list[int]]:
+) -> tuple[System, tuple[int, ...], list[int], int]:
     """Compute the balancing torques of the model.
 
     Each is the holding torque of its body in equilibrium, with the drives of its gear train released.
@@ -307,8 +306,8 @@ def balance_torques(
     Returns
     -------
     tuple
-        The system with its torques, the spins of the balancing bodies, and the spins to hold afterwards:
-        drives, and the balancing body in the other groups.
+        The system with its torques; the spins of the balancing bodies; the spins to hold afterwards: drives,
+        and the balancing body in the other groups; the number of instants without an equilibrium.
 
     Raises
     ------
@@ -317,38 +316,40 @@ def balance_torques(
     """
     wanted = balancing_loads(system)
     if not wanted:
-        return system, (), list(held)
+        return system, (), list(held), 0
     spins = balancing_spins(system)
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, centred(system, state, let_go), let_go)
-    reaction = _mean_reaction(system, found, *instants)
+    reaction, skipped = _mean_reaction(system, found, *instants)
     records = system.records[LOAD].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
     if is_looped(system):  # trains joined through loops are held at their balancing bodies
         kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
-    return system.with_params({LOAD: records}), tuple(spins), kept
+    return system.with_params({LOAD: records}), tuple(spins), kept, skipped
 
 
 def _mean_reaction(
     system: System, found: Equilibrium, times: NDArray[np.float64], weights: NDArray[np.float64]
-) -> NDArray[np.float64]:
+) -> tuple[NDArray[np.float64], int]:
     """Weighted mean of the reactions over instants to which the spins are advanced at their speeds.
 
-    Instants without an equilibrium, such as those at a missing tooth, are ignored.
+    Instants without an equilibrium, such as those at a missing tooth, are skipped and counted.
     """
     if not times.any():
-        return found.reaction
+        return found.reaction, 0
     spins = np.setdiff1d([s for s in system.program["body"]["spin"] if s >= 0], system.states)
-    total, counted = np.zeros(len(found.held)), 0.0
+    total, counted, skipped = np.zeros(len(found.held)), 0.0, 0
     for instant, weight in zip(times[weights > 0.0], weights[weights > 0.0], strict=True):
         state = found.state.copy()
         state.q[spins] += instant * state.v[spins]
-        with suppress(SolverError):
+        try:
             total += weight * find_equilibrium(system, wrapped(system, state), found.held).reaction
             counted += weight
-    return total / counted if counted > 0.0 else found.reaction
+        except SolverError:
+            skipped += 1
+    return total / counted if counted > 0.0 else found.reaction, skipped
 
 
 def solve_equilibrium(
@@ -389,7 +390,7 @@ def solve_equilibrium(
             held = exchange(system, held, spin)
     for name, speed in (speeds or {}).items():
         start.v[system.spin(name)] = speed
-    settled, balanced, kept = balance_torques(system, wrapped(system, start), held)
+    settled, balanced, kept, _ = balance_torques(system, wrapped(system, start), held)
     held = tuple(kept) if balanced and is_looped(settled) else held
     start = centred(settled, wrapped(settled, start), held)
     return point_dataset(settled, find_equilibrium(settled, start, held))

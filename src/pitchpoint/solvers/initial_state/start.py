@@ -233,12 +233,16 @@ def _at_rest(
         cycle = roll_cycle(system, state, scenario.quasi_static.mesh)
     mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state)[:2] if balancing else NOW
-    mean, balanced, fixed = balance_torques(mean, state, held, driven, instants)
+    mean, balanced, fixed, skipped = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
     state = centred(mean, state, {*fixed, *known})
     found, signal_notes = rest_of_controls(mean, state, fixed, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
     notes = (*signal_notes, *_notes(mean, found, {*known, *free_flying(mean)}), *remarks)
+    if skipped:
+        count = f"{skipped} of {np.count_nonzero(instants[1])} instants of the mesh cycle"
+        text = f"the balancing torques are means without {count}, which have no equilibrium"
+        notes = (*notes, note(f"{text}, such as those at a missing tooth"))
     if cycle is None:
         return mean, found, notes, None
     records = system.records[LOAD].copy()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -16,7 +15,7 @@ from pitchpoint.elements.rotor.record import air_record, polar_rows, station_rec
 from pitchpoint.elements.rotor.station import RECORD, STATES
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.rotor.blade import Rotor
-from pitchpoint.model.files import change_time
+from pitchpoint.model.files import read_once
 from pitchpoint.model.frames import axes_of, beam_frame, beam_length, place_of
 from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.wind.box import WindBox
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
+_turbulence = read_once(2)(read_turbsim)
 WORDS = dict(zip(STATES, ("z_n", "w_n", "z_t", "w_t", "f"), strict=True))
 """Symbols of the states."""
 
@@ -242,11 +242,6 @@ def _on_beam(places: Places, name: str, at: str) -> Callable[[Any, Station], Non
 def _box(path: str, at: str, file: str | None) -> WindBox:
     """Turbulence of a file."""
     try:
-        return _turbulence(path, change_time(path))
+        return _turbulence(path)
     except WindFileError as error:
         raise ModelError([Message(at, str(error))], file) from None
-
-
-@functools.lru_cache(maxsize=2)
-def _turbulence(path: str, stamp: int) -> WindBox:
-    return read_turbsim(path)

@@ -72,20 +72,30 @@ const make = (tag, attributes = {}, ...children) => {
 };
 const controls = document.getElementById("controls"), plots = document.getElementById("plots");
 const status = document.getElementById("status"), button = document.getElementById("run");
-const pace = document.getElementById("pace");
+const pace = document.getElementById("pace"), timeScale = document.getElementById("scale");
 pace.value = Math.min(0, Math.max(-5, Math.log10(200 * model.sample)));  // 200 samples per second
 
 for (const each of model.settable) {
-  const span = Math.abs(each.start) || 1 / each.factor, least = each.least ?? each.start - span, most = each.most ?? each.start + span;
-  const shown = (value) => Number((value * each.factor).toPrecision(6));
+  const span = Math.abs(each.start) || 1 / each.factor, { least: floor = -Infinity, most: ceiling = Infinity } = each;
+  const least = Math.max(floor, each.start - span), most = Math.min(ceiling, each.start + span);
+  const shown = (value) => Number((value * each.factor).toPrecision(6)), unit = each.unit === "1" ? "" : ` ${each.unit}`;
   const slider = make("input", { type: "range", min: 0, max: 400, step: 1, value: (400 * (each.start - least)) / (most - least) });
   const number = make("input", { type: "number", step: "any", value: shown(each.start) });
+  const note = make("output", { className: "note" });
   const change = (value) => {
-    if (!Number.isFinite(value)) return;
-    each.value = Math.min(Math.max(value, each.least ?? -Infinity), each.most ?? Infinity);
-    each.given = true;
-    if (each.references) begin();
-    else run.set(each.reference, each.value);
+    note.textContent = "";
+    if (!Number.isFinite(value)) note.textContent = "not a number: unchanged";
+    else {
+      const limited = Math.min(Math.max(value, floor), ceiling), before = each.value;
+      if (limited !== value) note.textContent = `${shown(value)}${unit} is ${value < limited ? "below" : "above"} the range: set to ${shown(limited)}${unit}`;
+      each.value = limited;
+      each.given = true;
+      if (each.references) begin();
+      else if (run.set(each.reference, limited) > 1) {
+        each.value = before;
+        note.textContent = `${shown(value)}${unit} is refused: unchanged`;
+      }
+    }
     each.show();
   };
   each.show = () => {
@@ -96,8 +106,8 @@ for (const each of model.settable) {
   number.setAttribute("aria-label", each.name);
   slider.addEventListener("input", () => change(least + (slider.valueAsNumber / 400) * (most - least)));
   number.addEventListener("change", () => change(number.valueAsNumber / each.factor));
-  const unit = each.unit === "1" ? "" : ` ${each.unit}`;
-  controls.append(make("div", { className: "control" }, make("span", { textContent: each.name }), make("div", {}, number, make("span", { textContent: unit })), slider));
+  const ends = make("div", { className: "ends" }, make("span", { textContent: shown(least) }), make("span", { textContent: shown(most) }));
+  controls.append(make("div", { className: "control" }, make("span", {}, ...each.name.split(/(?<=[._])/).flatMap((part) => [part, make("wbr")])), make("div", {}, number, make("span", { textContent: unit })), slider, ends, note));
 }
 
 let running = true;
@@ -111,7 +121,7 @@ const show = () => {
 
 // --------------------------------------------------------------------------------------------------- curves
 
-const ROOM = 1000, GUTTER = 72;
+const ROOM = 1000, GUTTER = 64, FOOT = 20;
 const samples = { t: new Float64Array(ROOM), y: model.shown.map(() => new Float64Array(ROOM)), n: 0, next: 0 };
 const clear = () => { samples.n = samples.next = 0; };
 const colours = getComputedStyle(document.documentElement);
@@ -129,11 +139,25 @@ const curves = model.shown.map((chosen, k) => {
 const keep = () => {
   const all = run.get();
   samples.t[samples.next] = run.time;
-  curves.forEach((curve, k) => { samples.y[k][samples.next] = all[Number(curve.select.value)]; });
+  curves.forEach((curve, k) => {
+    const i = Number(curve.select.value);
+    samples.y[k][samples.next] = all[i] * model.outputs[i].factor;
+  });
   samples.next = (samples.next + 1) % ROOM;
   samples.n = Math.min(samples.n + 1, ROOM);
 };
 const digits = (x) => (x === 0 ? "0" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? Number(x.toPrecision(5)).toString() : x.toExponential(3));
+
+/** Round values from low to high, at most `most` of them, and their number of decimals. */
+const ticks = (low, high, most) => {
+  const rough = (high - low) / most, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find((k) => k * power >= rough * (1 - 1e-9)), found = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(k * step);
+  if (found.length < 2 && most < 8) return ticks(low, high, 2 * most);
+  return { found, places: Math.min(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), 12) };
+};
+/** Label of a tick; very large and very small numbers with an exponent. */
+const label = (x, places) => (Math.abs(x) >= 1e6 || places > 6 ? Number(x.toPrecision(6)).toExponential() : x.toFixed(places).replace(/^-(0(\.0*)?)$/, "$1"));
 
 const draw = (curve, values) => {
   const canvas = curve.canvas, scale = window.devicePixelRatio || 1;
@@ -149,31 +173,42 @@ const draw = (curve, values) => {
     if (y < low) low = y;
     if (y > high) high = y;
   }
-  if (!samples.n) return;
+  curve.range.textContent = "";
+  if (!(high >= low)) return;
   const middle = (low + high) / 2, half = Math.max((high - low) / 2, 1e-9 * Math.abs(middle), 1e-300) * 1.08;
+  const bottom = height - FOOT, inner = bottom - 8;
+  const shown = [125, 250, 500, ROOM].find((n) => n >= samples.n), begin = samples.t[first], span = (shown - 1) * model.sample, unit = begin + span < 1 ? 1e3 : 1; // ms or s
+  const acrossTo = (t) => GUTTER + ((width - GUTTER - 8) * (t - begin)) / span, upTo = (y) => 4 + inner * (0.5 - (y - middle) / (2 * half));
   c.strokeStyle = ink("grid");
   c.fillStyle = ink("soft");
   c.font = "11px system-ui, sans-serif";
+  const line = (x1, y1, x2, y2) => { c.beginPath(); c.moveTo(x1, y1); c.lineTo(x2, y2); c.stroke(); };
   c.textAlign = "right";
-  for (let k = 0; k <= 4; k++) {
-    const y = 4 + ((height - 8) * k) / 4;
-    c.beginPath();
-    c.moveTo(GUTTER, y);
-    c.lineTo(width, y);
-    c.stroke();
-    if (k % 2 === 0) c.fillText(digits(middle + half * (1 - k / 2)), GUTTER - 6, Math.min(Math.max(y + 4, 12), height - 2));
+  const upright = ticks(middle - half, middle + half, Math.max(2, Math.floor(inner / 34)));
+  for (const y of upright.found) {
+    line(GUTTER, upTo(y), width - 8, upTo(y));
+    c.fillText(label(y, upright.places), GUTTER - 6, Math.min(Math.max(upTo(y) + 4, 10), bottom));
   }
+  const words = unit === 1 ? "s" : "ms", flat = ticks(begin * unit, (begin + span) * unit, Math.max(2, Math.floor((width - GUTTER) / 70)));
+  c.textAlign = "center";
+  for (const t of flat.found) {
+    const x = acrossTo(t / unit);
+    line(x, 4, x, bottom + 3);
+    if (x < width - 42) c.fillText(label(t, flat.places), x, height - 4);
+  }
+  c.textAlign = "right";
+  c.fillText(words, width - 8, height - 4);
+  line(GUTTER, bottom, width - 8, bottom);
   c.strokeStyle = ink("curve");
   c.lineWidth = 1.4;
   c.beginPath();
   for (let k = 0; k < samples.n; k++) {
-    const x = GUTTER + ((width - GUTTER) * k) / (ROOM - 1), y = 4 + (height - 8) * (0.5 - (values[(first + k) % ROOM] - middle) / (2 * half));
-    if (k) c.lineTo(x, y);
-    else c.moveTo(x, y);
+    const i = (first + k) % ROOM;
+    if (k) c.lineTo(acrossTo(samples.t[i]), upTo(values[i]));
+    else c.moveTo(acrossTo(samples.t[i]), upTo(values[i]));
   }
   c.stroke();
-  const last = (samples.next - 1 + ROOM) % ROOM, span = samples.t[last] - samples.t[first];
-  curve.range.textContent = `${digits(low)} ... ${digits(high)} in the last ${digits(Number((span * 1e3).toPrecision(3)))} ms`;
+  curve.range.textContent = `${digits(low)} ... ${digits(high)}`;
 };
 
 // ---------------------------------------------------------------------------------------------------- scene
@@ -259,6 +294,8 @@ const frame = () => {
   }
   curves.forEach((curve, k) => draw(curve, samples.y[k]));
   if (scene) pitchpointViewer.live(poses);
+  const asked = 10 ** -Number(pace.value);
+  timeScale.textContent = asked < 1.05 ? "real time" : `1 : ${Number(asked.toPrecision(2))}`;
   const slower = rate > 0 ? `, ${rate >= 0.5 ? "real time" : `${digits(Number((1 / rate).toPrecision(2)))} times slower than real time`}` : "";
   status.textContent = run.failed
     ? `The run has failed at ${digits(run.time)} s: reset it, with smaller changes.`
@@ -266,5 +303,5 @@ const frame = () => {
   show();
   requestAnimationFrame(frame);
 };
-window.live = { run, model, poses };
+window.live = { run, model, poses, ticks };
 requestAnimationFrame(frame);

@@ -17,6 +17,7 @@ from pitchpoint.solvers.stepper import Stepper
 from pitchpoint.system import evaluate
 from tests.support.fmi_host import Unit
 from tests.support.fmu_models import DRIVEN, need_linker, own_run, own_start, pair, unit_of
+from tests.support.mechanism_files import SLIDER_CRANK
 from tests.unit.solvers.test_extrapolated_loads import model as gust_model
 from tests.unit.solvers.test_missing_teeth import SPUR, TEXT
 
@@ -94,6 +95,35 @@ def test_a_communication_step_that_is_no_multiple_shortens_the_time_step(units, 
     one.free()
 
 
+@pytest.mark.parametrize("name", ["driven", "loop"])
+def test_constraints_allow_any_communication_step(name, tmp_path):
+    """Time steps that change with every communication step: errors as those of our own run.
+
+    The unit rescales its history, and the deviation of the rates along the rows by the square of the step;
+    our own run starts anew, with derivatives of the accelerations. Reference: it with a 25th of the step.
+    """
+    need_linker()
+    swing = "main: {speed: {spin: 20 rad/s}, type"
+    times = "scenarios: {steady: {start: assembled, duration: 0.1 s, step: 50 us, method: adams}}"
+    text = {"driven": DRIVEN, "loop": SLIDER_CRANK.replace("main: {type", swing) + times}[name]
+    model = loads_model(text.replace("method: adams", "method: generalized_alpha"), False, f"{name}.yaml")
+    unit = Unit(unit_of(name, tmp_path, 3, model=model), tmp_path)
+    one, t, rows = unit.instance().initialise(), 0.0, []
+    steppers = [Stepper(model.replace("scenarios.steady.step", h), "steady") for h in (5e-5, 2e-6)]
+    for k in range(40):
+        size = (1e-4, 3.3e-4, 2.7e-5, 5e-4)[k % 4]
+        assert one.step(t, size) == 0, unit.messages
+        t += size
+        for each in steppers:
+            each.advance(size)
+        rows.append([one.get(unit.references("output")), *(list(s.outputs().values()) for s in steppers)])
+    got, own, exact = np.moveaxis(np.array(rows), 1, 0)
+    size = np.abs(exact).max(axis=0)
+    errors, room = (np.abs(x - exact).max(axis=0) for x in (got, own))
+    assert np.all(errors <= 5.0 * room + 1e-12 * size) and np.all(room <= 2e-4 * size)
+    one.free()
+
+
 def test_a_parameter_acts_as_in_the_model_file(unit):
     """Twice the backlash, set in the initialisation: the unit starts in the equilibrium of this backlash."""
     want = own_run("adams", pair("adams").replace(BACKLASH, 2e-4)).advance(1000, every=10).rows[:, 1:]
@@ -162,7 +192,7 @@ def test_two_parameters_of_one_number_add_and_ranges_hold(helical):
     limits = unit.variables[DISTANCE]
     assert float(limits.get("max")) - float(limits.get("min")) == pytest.approx(0.004 * 0.1319985)
     one = unit.instance().initialise()
-    assert one.set({DISTANCE: 0.14}) == 3 and "out of the range" in unit.messages[-1]
+    assert one.set({DISTANCE: 0.14}) == 3 and "0.14 is above 0.132" in unit.messages[-1]
     one.free()
 
 
@@ -189,7 +219,11 @@ def test_instants_without_an_equilibrium_are_skipped_with_a_message(tmp_path):
     text = text.replace("begin: {start: assembled,", "steady: {method: adams,")
     model = loads_model(text.replace("{law: din3990}", "{law: din3990}, friction: {mu: 0.05, v_eps: 1 mm/s}"))
     unit = Unit(unit_of("adams", tmp_path, 3, model=model), tmp_path)
-    own = own_start("adams", model.replace("loads.brake.torque", 210.0)).system
+    start = own_start("adams", model.replace("loads.brake.torque", 210.0))
+    own = start.system
+    missing = 16 * (2.0 - model.pairs["stage"].eps_alpha)  # only the missing tooth would carry
+    (note,) = start.notes
+    assert note.startswith(f"the balancing torques are means without {round(missing)} of 16 instants")
     one = unit.instance()
     no, zero = ct.c_bool(False), ct.c_double(0.0)
     assert one.call("EnterInitializationMode", no, zero, zero, no, zero) == 0
@@ -311,7 +345,11 @@ def test_wrong_calls_are_refused_with_a_sentence(units, case):
     for value in (np.nan, np.inf):
         assert one.set({"loads.input.torque": value}) == 3 and "not finite" in unit.messages[-1]
     assert one.set({"speed[driver]": 1.0}) == 3 and "neither an input" in unit.messages[-1]
-    assert one.step(99.0, H) == 3 and "not the time of the model" in unit.messages[-1]
+    numbers = {99.0: "99", -1.25e-7: "-1.25e-7", 0.0125: "0.0125", 123456.7: "123457", 2e120: "infinite"}
+    for t, shown in numbers.items():
+        words = f"the communication point {shown}"
+        assert one.step(t, H) == 3 and unit.messages[-1].startswith(words), unit.messages[-1]
+        assert unit.messages[-1].endswith(" s is not the time of the model, 0 s")
     assert one.step(0.0, -H) == 3 and "must be positive" in unit.messages[-1]
     assert one.step(0.0, 4 * H) == 0  # none of these has changed the instance
     one.free()

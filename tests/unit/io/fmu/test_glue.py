@@ -79,4 +79,4 @@ def test_every_number_of_the_header_is_given(exported):
     counted = {"n_moved", "n_code", "n_variables", "n_indicators", "n_drives"}
     counted |= {"n_entries", "n_free", "n_free_balancing", "n_balancing", "n_instants", "n_spins", "n_gaps"}
     assert set(integers) == counted | set(run.numbers)
-    assert reals == ["t0", "h", "rate"]
+    assert reals == ["t0", "h", "rate", "far"]

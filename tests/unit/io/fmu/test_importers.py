@@ -98,6 +98,8 @@ def test_from_python(tmp_path):
     )
     unit = fmi_host.Unit(file, tmp_path)
     assert unit.names("parameter") == ["meshes.stage.damper.ratio"]
+    ratio = unit.variables["meshes.stage.damper.ratio"]
+    assert (ratio.get("min"), ratio.get("max")) == ("0.0", "10.0")  # limits of the model file
     assert [t.get("name") for t in terminals(tmp_path)] == ["loads.input.torque", "loads.output.torque"]
     members = {m.get("memberName"): m.get("variableName") for m in terminals(tmp_path)[0]}
     assert members == {"tau": "loads.input.torque", "phi": "angle[driver]", "w": "speed[driver]"}

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import ctypes as ct
+
 import numpy as np
 import pytest
 
@@ -150,6 +152,47 @@ def test_the_speed_of_a_drive_and_its_derivative_are_inputs(tmp_path):
     assert one.set(slow) == 0
     derivative = one.slopes(0.05, x)[4 + own.system.layout.coordinate("motor.spin")]
     assert derivative == pytest.approx(400.0, rel=1e-6)
+    one.free()
+
+
+def test_calls_in_a_wrong_order_are_refused(unit):
+    """States, time and modes in the order of the standard; nothing is changed by a refused call."""
+    update = "NewDiscreteStates" if unit.version == 2 else "UpdateDiscreteStates"
+    slopes = "GetDerivatives" if unit.version == 2 else "GetContinuousStateDerivatives"
+    room, bytes_ = np.zeros(4), (ct.c_char * 64)()
+    flags = [ct.byref(bytes_, 8 * k) for k in range(1 if unit.version == 2 else 6)]
+    vector = (room.ctypes.data_as(ct.POINTER(ct.c_double)), ct.c_size_t(4))
+    complete = ("CompletedIntegratorStep", ct.c_bool(True), ct.byref(bytes_), ct.byref(bytes_, 8))
+    one = unit.instance(exchange=True)
+
+    def refused(words, *call):
+        assert one.call(*call) == 3 and words in unit.messages[-1], unit.messages[-1]
+
+    refused("after the initialisation", "SetTime", ct.c_double(1.0))
+    for name in ("GetContinuousStates", slopes):
+        refused("begin of the initialisation", name, *vector)
+    refused("follows the initialisation", "EnterEventMode")
+    one.initialise()
+    start = one.vector("GetContinuousStates", 4)
+    refused("event mode", "EnterContinuousTimeMode")
+    refused("event mode", update, *flags)
+    assert one.call(*complete) == 0 and one.call("EnterEventMode") == 0
+    assert one.call(update, *flags) == 0
+    refused("continuous-time mode", *complete)
+    refused("continuous-time mode", "SetContinuousStates", *vector)
+    np.testing.assert_array_equal(one.vector("GetContinuousStates", 4), start)
+    state = one.keep()
+    assert one.call("EnterContinuousTimeMode") == 0 and one.call("SetContinuousStates", *vector) == 0
+    assert one.restore(state) == 0  # the mode is part of a state
+    refused("continuous-time mode", "SetContinuousStates", *vector)
+    one.drop(state)
+    assert one.call("Terminate") == 0
+    refused("before the termination", "SetTime", ct.c_double(1.0))
+    np.testing.assert_array_equal(one.vector("GetContinuousStates", 4), start)
+    one.free()
+    one = unit.instance().initialise()
+    refused("for co-simulation", "EnterContinuousTimeMode")
+    refused("for co-simulation", "GetContinuousStates", *vector)
     one.free()
 
 

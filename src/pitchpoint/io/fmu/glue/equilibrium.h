@@ -69,10 +69,11 @@ static int settle(Instance *f, const u32 *free, i64 n) {
   double *wanted = before + n, *last = wanted + n;
   i64 *place = (i64 *)(last + nd), *order = place + nd;
   double *q = reals(f, pp_numbers.q), *R = reals(f, pp_numbers.R), loads = 0.0, mu = 1e4;
+  const double *weight = reals(f, pp_numbers.weight); /* residuals are compared as forces: torques over this length */
   for (i64 k = 0; k < nd; k++) { place[k] = -1; last[k] = q[k]; q[k] = 0.0; reals(f, pp_numbers.a)[k] = 0.0; }
   for (i64 k = 0; k < n; k++) place[free[k]] = k;
   i64 s = residual(f, 0, 0.0, 0.0); /* loads of the undeflected machine */
-  for (i64 k = 0; k < n; k++) if (size_of(R[free[k]]) > loads) loads = size_of(R[free[k]]);
+  for (i64 k = 0; k < nd; k++) if (size_of(R[k]) / weight[k] > loads) loads = size_of(R[k]) / weight[k];
   for (i64 k = 0; k < nd; k++) q[k] = last[k];
   if (s == OK) s = residual(f, 1, 1.0, 0.0);
   gather(f, place, n, A);
@@ -87,7 +88,8 @@ static int settle(Instance *f, const u32 *free, i64 n) {
       for (i64 i = 0; i < n; i++) { /* the force error of rounded positions limits the residual */
         double rounded = 0.0;
         for (i64 j = 0; j < n; j++) rounded += size_of(A[i * n + j]) * (size_of(q[free[j]]) + pp_extents[free[j]]);
-        wanted[i] = 1.8e-15 * rounded > 1e-12 * loads ? 1.8e-15 * rounded : 1e-12 * loads;
+        double least = 1e-12 * loads * weight[free[i]];
+        wanted[i] = 1.8e-15 * rounded > least ? 1.8e-15 * rounded : least;
         next[i] = R[free[i]];
         if (!(size_of(next[i]) <= wanted[i])) found = 0;
       }
@@ -116,7 +118,7 @@ static int settle(Instance *f, const u32 *free, i64 n) {
         double along = 0.0, greatest = 0.0; /* along > 0: the forces oppose the step, which went too far */
         for (i64 k = 0; k < n; k++) {
           along += after[k] * step[k];
-          if (size_of(after[k]) > greatest) greatest = size_of(after[k]);
+          if (size_of(after[k]) / weight[free[k]] > greatest) greatest = size_of(after[k]) / weight[free[k]];
         }
         solve(C, n, order, after);
         ratio = length_of(after, mass, n) / length_of(step, mass, n); /* of squares */
@@ -175,7 +177,7 @@ static Status enter(Instance *f) {
   return fOK;
 }
 static Status terminate(Instance *f) {
-  if (f->c.phase != RUNNING) return fail(f, "only an initialised instance can be terminated, and once");
+  if (f->c.phase != RUNNING && f->c.phase != CONTINUOUS) return fail(f, "only an initialised instance can be terminated, and once");
   f->c.phase = TERMINATED;
   return fOK;
 }

@@ -72,14 +72,14 @@ API Status fmi2GetStringStatus(Component c, int what, Str *s) { return fDiscard;
 /* ---------------------------------------------------------------------------------------- model exchange */
 
 typedef struct { Bool again, terminate, nominals, states, next; double at; } EventInfo;
-API Status fmi2EnterEventMode(Component c) { return fOK; }
+API Status fmi2EnterEventMode(Component c) { return enter_events(c); }
 API Status fmi2NewDiscreteStates(Component c, EventInfo *e) {
   EventInfo none = {0, 0, 0, 0, 0, 0.0};
   *e = none;
-  return fOK;
+  return update_events(c);
 }
-API Status fmi2EnterContinuousTimeMode(Component c) { return fOK; }
-API Status fmi2CompletedIntegratorStep(Component c, Bool keep, Bool *event, Bool *terminate) { *event = 0; *terminate = 0; return fOK; }
+API Status fmi2EnterContinuousTimeMode(Component c) { return enter_continuous(c); }
+API Status fmi2CompletedIntegratorStep(Component c, Bool keep, Bool *event, Bool *terminate) { *event = 0; *terminate = 0; return complete_step(c); }
 API Status fmi2SetTime(Component c, double t) { return set_time(c, t); }
 API Status fmi2SetContinuousStates(Component c, const double *x, size_t n) { return set_states(c, x, n); }
 API Status fmi2GetContinuousStates(Component c, double *x, size_t n) { return get_states(c, x, n); }

@@ -1,6 +1,6 @@
-; 42970e37c67201ac5d439765ea20d9ad3c89b7943ed5e51b45f98405dd42ec6f
+; 7d397be2b717737c5dc67226d04ee924f1f365253a1643e5c2203bee03c234a7
 
-%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double }
+%struct.Numbers = type { i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, i64, double, double, double, double }
 %struct.Variable = type { i64, i64, i64, double, double, double }
 %struct.Place = type { i64, i64, i64, i64, double }
 %struct.Instance = type { %struct.Callbacks, ptr, %struct.Clock, ptr, ptr, ptr, ptr, [480 x i8] }
@@ -61,33 +61,46 @@
 @.str.29 = private unnamed_addr constant [75 x i8] c"coordinates and rates can be set before the end of the initialisation only\00", align 1
 @.str.30 = private unnamed_addr constant [50 x i8] c"this variable is neither an input nor a parameter\00", align 1
 @.str.31 = private unnamed_addr constant [36 x i8] c"an input or parameter is not finite\00", align 1
-@.str.32 = private unnamed_addr constant [51 x i8] c"a parameter is out of the range in its description\00", align 1
-@.str.33 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
-@.str.34 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
-@.str.35 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
-@.str.36 = private unnamed_addr constant [34 x i8] c"this state is that of another FMU\00", align 1
-@.str.37 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
-@.str.38 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
-@.str.39 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
-@.str.40 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
-@.str.41 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
-@.str.42 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
-@.str.43 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
-@.str.44 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
-@.str.45 = private unnamed_addr constant [42 x i8] c"the run is terminated; reset the instance\00", align 1
-@.str.46 = private unnamed_addr constant [70 x i8] c"the initialisation has not ended; a communication step comes after it\00", align 1
-@.str.47 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
-@.str.48 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
-@.str.49 = private unnamed_addr constant [53 x i8] c"the communication point is not the time of the model\00", align 1
-@.str.50 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
-@.str.51 = private unnamed_addr constant [104 x i8] c"the communication step must be a multiple of the time step: generalised-alpha with constraints keeps it\00", align 1
-@.str.52 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
-@.str.53 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
-@.str.54 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
-@.str.55 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
-@.str.56 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
-@.str.57 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
-@.str.58 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
+@.str.32 = private unnamed_addr constant [53 x i8] c"a parameter is out of the range in its description: \00", align 1
+@.str.33 = private unnamed_addr constant [11 x i8] c" is below \00", align 1
+@.str.34 = private unnamed_addr constant [1 x i8] zeroinitializer, align 1
+@.str.35 = private unnamed_addr constant [11 x i8] c" is above \00", align 1
+@.str.36 = private unnamed_addr constant [25 x i8] c"infinite or not a number\00", align 1
+@.str.37 = private unnamed_addr constant [32 x i8] c"no place for the state is given\00", align 1
+@.str.38 = private unnamed_addr constant [22 x i8] c"no memory for a state\00", align 1
+@.str.39 = private unnamed_addr constant [18 x i8] c"no state is given\00", align 1
+@.str.40 = private unnamed_addr constant [34 x i8] c"this state is that of another FMU\00", align 1
+@.str.41 = private unnamed_addr constant [70 x i8] c"the buffer is smaller than the serialised state, or no state is given\00", align 1
+@.str.42 = private unnamed_addr constant [63 x i8] c"these bytes are not a state of this FMU: their number is wrong\00", align 1
+@.str.43 = private unnamed_addr constant [39 x i8] c"these bytes are a state of another FMU\00", align 1
+@.str.44 = private unnamed_addr constant [60 x i8] c"directional derivatives are for instances of model exchange\00", align 1
+@.str.45 = private unnamed_addr constant [53 x i8] c"a known is neither a state nor an input or parameter\00", align 1
+@.str.46 = private unnamed_addr constant [21 x i8] c"a seed is not finite\00", align 1
+@.str.47 = private unnamed_addr constant [38 x i8] c"no memory for directional derivatives\00", align 1
+@.str.48 = private unnamed_addr constant [36 x i8] c"this instance is for model exchange\00", align 1
+@.str.49 = private unnamed_addr constant [42 x i8] c"the run is terminated; reset the instance\00", align 1
+@.str.50 = private unnamed_addr constant [70 x i8] c"the initialisation has not ended; a communication step comes after it\00", align 1
+@.str.51 = private unnamed_addr constant [65 x i8] c"the run has failed before; reset the instance or restore a state\00", align 1
+@.str.52 = private unnamed_addr constant [40 x i8] c"the communication step must be positive\00", align 1
+@.str.53 = private unnamed_addr constant [25 x i8] c"the communication point \00", align 1
+@.str.54 = private unnamed_addr constant [34 x i8] c" s is not the time of the model, \00", align 1
+@.str.55 = private unnamed_addr constant [3 x i8] c" s\00", align 1
+@.str.56 = private unnamed_addr constant [53 x i8] c"the communication step has more than 1e15 time steps\00", align 1
+@.str.57 = private unnamed_addr constant [15 x i8] c"the run failed\00", align 1
+@.str.58 = private unnamed_addr constant [67 x i8] c"export it with a shorter time step, or check inputs and parameters\00", align 1
+@.str.59 = private unnamed_addr constant [70 x i8] c"the event mode follows the initialisation or the continuous-time mode\00", align 1
+@.str.60 = private unnamed_addr constant [73 x i8] c"this instance is for co-simulation, and this function for model exchange\00", align 1
+@.str.61 = private unnamed_addr constant [46 x i8] c"discrete states are updated in the event mode\00", align 1
+@.str.62 = private unnamed_addr constant [48 x i8] c"the continuous-time mode follows the event mode\00", align 1
+@.str.63 = private unnamed_addr constant [59 x i8] c"integrator steps are completed in the continuous-time mode\00", align 1
+@.str.64 = private unnamed_addr constant [68 x i8] c"the time is set after the initialisation and before the termination\00", align 1
+@.str.65 = private unnamed_addr constant [23 x i8] c"the time is not finite\00", align 1
+@.str.66 = private unnamed_addr constant [43 x i8] c"states are set in the continuous-time mode\00", align 1
+@.str.67 = private unnamed_addr constant [22 x i8] c"a state is not finite\00", align 1
+@.str.68 = private unnamed_addr constant [72 x i8] c"the number of states or indicators is not that of the model description\00", align 1
+@early = internal constant [91 x i8] c"states, derivatives and event indicators are known from the begin of the initialisation on\00", align 16
+@.str.69 = private unnamed_addr constant [38 x i8] c"the accelerations cannot be evaluated\00", align 1
+@.str.70 = private unnamed_addr constant [36 x i8] c"check states, inputs and parameters\00", align 1
 
 define ptr @fmi2GetTypesPlatform() local_unnamed_addr #0 {
   ret ptr @.str
@@ -136,7 +149,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 
 14:
   %15 = icmp ne i32 %3, 0
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 384), align 8
   %17 = icmp eq i64 %16, 0
   %18 = select i1 %15, i1 %17, i1 false
   br i1 %18, label %21, label %19
@@ -161,7 +174,7 @@ define internal fastcc ptr @create(ptr %0, ptr %1, ptr %2, i32 %3) unnamed_addr 
 29:
   %30 = phi i64 [ 0, %19 ], [ %24, %23 ]
   %31 = tail call fastcc i64 @numbers_of_state() #17
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %33 = add nsw i64 %32, %31
   %34 = shl i64 %33, 3
   %35 = load i64, ptr @pp_numbers, align 8
@@ -313,9 +326,9 @@ define internal fastcc i32 @set_start(ptr %0, double %1, i32 %2, double %3) unna
   br i1 %15, label %48, label %16
 
 16:
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 392), align 8
   %18 = icmp ne i64 %17, 0
-  %19 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
+  %19 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 400), align 8
   %20 = fcmp une double %1, %19
   %21 = select i1 %18, i1 %20, i1 false
   br i1 %21, label %48, label %22
@@ -560,20 +573,21 @@ define i32 @fmi2Terminate(ptr %0) local_unnamed_addr #1 {
 define internal fastcc i32 @terminate(ptr %0) unnamed_addr #1 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
-  %4 = icmp eq i64 %3, 2
-  br i1 %4, label %6, label %5
-
-5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.27) #17
-  br label %7
+  %4 = and i64 %3, -2
+  %5 = icmp eq i64 %4, 2
+  br i1 %5, label %7, label %6
 
 6:
-  store i64 3, ptr %2, align 8
-  br label %7
+  tail call fastcc void @fail(ptr %0, ptr @.str.27) #17
+  br label %8
 
 7:
-  %8 = phi i32 [ 3, %5 ], [ 0, %6 ]
-  ret i32 %8
+  store i64 4, ptr %2, align 8
+  br label %8
+
+8:
+  %9 = phi i32 [ 3, %6 ], [ 0, %7 ]
+  ret i32 %9
 }
 
 define i32 @fmi2Reset(ptr %0) local_unnamed_addr #1 {
@@ -623,7 +637,7 @@ define internal fastcc void @begin(ptr %0) unnamed_addr #1 {
 
 26:
   %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 344), align 8
+  %28 = load <2 x double>, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 400), align 8
   store <2 x double> %28, ptr %27, align 8
   %29 = getelementptr inbounds i8, ptr %0, i64 64
   store i64 0, ptr %29, align 8
@@ -685,10 +699,10 @@ define internal fastcc i32 @get_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
   %8 = getelementptr inbounds i8, ptr %0, i64 136
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
   %10 = getelementptr inbounds i8, ptr %0, i64 112
   %11 = getelementptr inbounds i8, ptr %0, i64 120
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
   %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   br label %15
@@ -800,7 +814,7 @@ define i32 @fmi2SetReal(ptr %0, ptr %1, i64 %2, ptr %3) local_unnamed_addr #1 {
 
 define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #1 {
   %5 = icmp eq i64 %2, 0
-  br i1 %5, label %92, label %6
+  br i1 %5, label %95, label %6
 
 6:
   %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
@@ -817,8 +831,8 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %14 = getelementptr inbounds i8, ptr %0, i64 96
   %15 = getelementptr inbounds i8, ptr %0, i64 88
   %16 = getelementptr inbounds i8, ptr %0, i64 72
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
-  br label %43
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  br label %48
 
 18:
   %19 = phi i64 [ 0, %6 ], [ %10, %9 ]
@@ -826,134 +840,149 @@ define internal fastcc i32 @set_numbers(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   %21 = load i32, ptr %20, align 4
   %22 = zext i32 %21 to i64
   %23 = icmp sgt i64 %7, %22
-  br i1 %23, label %24, label %90
+  br i1 %23, label %24, label %31
 
 24:
   %25 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %22
   %26 = load i64, ptr %25, align 8
-  switch i64 %26, label %30 [
+  switch i64 %26, label %32 [
     i64 3, label %27
-    i64 6, label %90
-    i64 5, label %90
-    i64 4, label %90
-    i64 0, label %90
+    i64 6, label %31
+    i64 5, label %31
+    i64 4, label %31
+    i64 0, label %31
   ]
 
 27:
   %28 = load i64, ptr %8, align 8
   %29 = icmp eq i64 %28, 3
-  br i1 %29, label %90, label %30
+  br i1 %29, label %30, label %32
 
 30:
-  %31 = getelementptr inbounds double, ptr %3, i64 %19
-  %32 = load double, ptr %31, align 8
-  %33 = tail call fastcc i32 @finite_number(double %32) #17
-  %34 = icmp eq i32 %33, 0
-  br i1 %34, label %90, label %35
+  tail call fastcc void @fail(ptr %0, ptr @.str.29) #17
+  br label %95
 
-35:
-  %36 = getelementptr inbounds i8, ptr %25, i64 32
-  %37 = load double, ptr %36, align 8
-  %38 = fcmp olt double %32, %37
-  br i1 %38, label %90, label %39
+31:
+  tail call fastcc void @fail(ptr %0, ptr @.str.30) #17
+  br label %95
 
-39:
-  %40 = getelementptr inbounds i8, ptr %25, i64 40
-  %41 = load double, ptr %40, align 8
-  %42 = fcmp ogt double %32, %41
-  br i1 %42, label %90, label %9
+32:
+  %33 = getelementptr inbounds double, ptr %3, i64 %19
+  %34 = load double, ptr %33, align 8
+  %35 = tail call fastcc i32 @finite_number(double %34) #17
+  %36 = icmp eq i32 %35, 0
+  br i1 %36, label %37, label %38
+
+37:
+  tail call fastcc void @fail(ptr %0, ptr @.str.31) #17
+  br label %95
+
+38:
+  %39 = getelementptr inbounds i8, ptr %25, i64 32
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp olt double %34, %40
+  br i1 %41, label %42, label %43
+
+42:
+  tail call fastcc void @fail_with(ptr %0, ptr @.str.32, double %34, ptr @.str.33, double %40, ptr @.str.34) #17
+  br label %95
 
 43:
-  %44 = phi i64 [ 0, %12 ], [ %88, %87 ]
-  %45 = getelementptr inbounds i32, ptr %1, i64 %44
-  %46 = load i32, ptr %45, align 4
-  %47 = zext i32 %46 to i64
-  %48 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %47
-  %49 = load i64, ptr %48, align 8
-  %50 = icmp eq i64 %49, 3
-  br i1 %50, label %51, label %66
+  %44 = getelementptr inbounds i8, ptr %25, i64 40
+  %45 = load double, ptr %44, align 8
+  %46 = fcmp ogt double %34, %45
+  br i1 %46, label %47, label %9
 
-51:
-  %52 = getelementptr inbounds i8, ptr %48, i64 8
-  %53 = load i64, ptr %52, align 8
-  %54 = tail call fastcc ptr @state_at(ptr %0, i64 %53) #17
-  %55 = load double, ptr %54, align 8
-  %56 = getelementptr inbounds double, ptr %3, i64 %44
-  %57 = load double, ptr %56, align 8
-  %58 = fcmp oeq double %55, %57
-  br i1 %58, label %87, label %59
+47:
+  tail call fastcc void @fail_with(ptr %0, ptr @.str.32, double %34, ptr @.str.35, double %45, ptr @.str.34) #17
+  br label %95
 
-59:
-  store double %57, ptr %54, align 8
+48:
+  %49 = phi i64 [ 0, %12 ], [ %93, %92 ]
+  %50 = getelementptr inbounds i32, ptr %1, i64 %49
+  %51 = load i32, ptr %50, align 4
+  %52 = zext i32 %51 to i64
+  %53 = getelementptr inbounds %struct.Variable, ptr @pp_variables, i64 %52
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp eq i64 %54, 3
+  br i1 %55, label %56, label %71
+
+56:
+  %57 = getelementptr inbounds i8, ptr %53, i64 8
+  %58 = load i64, ptr %57, align 8
+  %59 = tail call fastcc ptr @state_at(ptr %0, i64 %58) #17
+  %60 = load double, ptr %59, align 8
+  %61 = getelementptr inbounds double, ptr %3, i64 %49
+  %62 = load double, ptr %61, align 8
+  %63 = fcmp oeq double %60, %62
+  br i1 %63, label %92, label %64
+
+64:
+  store double %62, ptr %59, align 8
   store i64 2, ptr %16, align 8
-  %60 = icmp slt i64 %53, %17
-  br i1 %60, label %61, label %62
-
-61:
-  store i64 2, ptr %14, align 8
-  br label %87
-
-62:
-  %63 = load i64, ptr %14, align 8
-  %64 = icmp eq i64 %63, 0
-  br i1 %64, label %65, label %87
-
-65:
-  store i64 1, ptr %14, align 8
-  br label %87
+  %65 = icmp slt i64 %58, %17
+  br i1 %65, label %66, label %67
 
 66:
-  %67 = load ptr, ptr %13, align 8
-  %68 = getelementptr inbounds double, ptr %67, i64 %47
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds double, ptr %3, i64 %44
-  %71 = load double, ptr %70, align 8
-  %72 = fcmp oeq double %69, %71
-  br i1 %72, label %87, label %73
+  store i64 2, ptr %14, align 8
+  br label %92
 
-73:
-  store double %71, ptr %68, align 8
-  %74 = load i64, ptr %14, align 8
-  %75 = icmp eq i64 %74, 0
-  br i1 %75, label %76, label %77
+67:
+  %68 = load i64, ptr %14, align 8
+  %69 = icmp eq i64 %68, 0
+  br i1 %69, label %70, label %92
 
-76:
+70:
   store i64 1, ptr %14, align 8
-  br label %77
+  br label %92
 
-77:
-  %78 = add i64 %49, -1
-  %79 = icmp ult i64 %78, 2
-  br i1 %79, label %80, label %83
+71:
+  %72 = load ptr, ptr %13, align 8
+  %73 = getelementptr inbounds double, ptr %72, i64 %52
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds double, ptr %3, i64 %49
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp oeq double %74, %76
+  br i1 %77, label %92, label %78
 
-80:
-  %81 = load i32, ptr %45, align 4
-  %82 = zext i32 %81 to i64
-  tail call fastcc void @put(ptr %0, i64 %82) #17
-  br label %86
+78:
+  store double %76, ptr %73, align 8
+  %79 = load i64, ptr %14, align 8
+  %80 = icmp eq i64 %79, 0
+  br i1 %80, label %81, label %82
 
-83:
-  %84 = load i64, ptr %15, align 8
-  %85 = icmp eq i64 %84, 0
-  br i1 %85, label %87, label %86
+81:
+  store i64 1, ptr %14, align 8
+  br label %82
 
-86:
+82:
+  %83 = add i64 %54, -1
+  %84 = icmp ult i64 %83, 2
+  br i1 %84, label %85, label %88
+
+85:
+  %86 = load i32, ptr %50, align 4
+  %87 = zext i32 %86 to i64
+  tail call fastcc void @put(ptr %0, i64 %87) #17
+  br label %91
+
+88:
+  %89 = load i64, ptr %15, align 8
+  %90 = icmp eq i64 %89, 0
+  br i1 %90, label %92, label %91
+
+91:
   store i64 2, ptr %16, align 8
-  br label %87
-
-87:
-  %88 = add nuw i64 %44, 1
-  %89 = icmp eq i64 %88, %2
-  br i1 %89, label %92, label %43
-
-90:
-  %91 = phi ptr [ @.str.30, %24 ], [ @.str.29, %27 ], [ @.str.31, %30 ], [ @.str.30, %18 ], [ @.str.30, %24 ], [ @.str.30, %24 ], [ @.str.30, %24 ], [ @.str.32, %39 ], [ @.str.32, %35 ]
-  tail call fastcc void @fail(ptr %0, ptr %91) #17
   br label %92
 
 92:
-  %93 = phi i32 [ 0, %4 ], [ 3, %90 ], [ 0, %87 ]
-  ret i32 %93
+  %93 = add nuw i64 %49, 1
+  %94 = icmp eq i64 %93, %2
+  br i1 %94, label %95, label %48
+
+95:
+  %96 = phi i32 [ 3, %30 ], [ 3, %47 ], [ 3, %42 ], [ 3, %37 ], [ 3, %31 ], [ 0, %4 ], [ 0, %92 ]
+  ret i32 %96
 }
 
 define i32 @fmi2GetInteger(ptr %0, ptr readnone %1, i64 %2, ptr readnone %3) local_unnamed_addr #1 {
@@ -1178,7 +1207,7 @@ define internal fastcc i32 @keep_state(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %95, label %98, label %67
 
 96:
-  %97 = phi ptr [ @.str.33, %2 ], [ @.str.34, %7 ]
+  %97 = phi ptr [ @.str.37, %2 ], [ @.str.38, %7 ]
   tail call fastcc void @fail(ptr %0, ptr %97) #17
   br label %114
 
@@ -1221,8 +1250,8 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %3, label %4, label %5
 
 4:
-  tail call fastcc void @fail(ptr %0, ptr @.str.35) #17
-  br label %22
+  tail call fastcc void @fail(ptr %0, ptr @.str.39) #17
+  br label %28
 
 5:
   %6 = tail call fastcc i32 @is_own(ptr %1) #17
@@ -1230,8 +1259,8 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   br i1 %7, label %8, label %9
 
 8:
-  tail call fastcc void @fail(ptr %0, ptr @.str.36) #17
-  br label %22
+  tail call fastcc void @fail(ptr %0, ptr @.str.40) #17
+  br label %28
 
 9:
   %10 = tail call fastcc i64 @numbers_of_state() #17
@@ -1248,11 +1277,22 @@ define internal fastcc i32 @restore(ptr %0, ptr %1) unnamed_addr #1 {
   %21 = getelementptr inbounds i8, ptr %19, i64 %11
   tail call fastcc void @relocate(ptr %0, ptr %21) #17
   store i64 %14, ptr %13, align 8
-  br label %22
+  %22 = icmp eq i64 %14, 0
+  br i1 %22, label %23, label %28
 
-22:
-  %23 = phi i32 [ 0, %9 ], [ 3, %8 ], [ 3, %4 ]
-  ret i32 %23
+23:
+  %24 = getelementptr inbounds i8, ptr %0, i64 104
+  %25 = load i64, ptr %24, align 8
+  %26 = icmp eq i64 %25, 3
+  br i1 %26, label %27, label %28
+
+27:
+  store i64 2, ptr %24, align 8
+  br label %28
+
+28:
+  %29 = phi i32 [ 3, %4 ], [ 3, %8 ], [ 0, %27 ], [ 0, %23 ], [ 0, %9 ]
+  ret i32 %29
 }
 
 define i32 @fmi2FreeFMUstate(ptr %0, ptr %1) local_unnamed_addr #1 {
@@ -1308,7 +1348,7 @@ define internal fastcc i32 @serialise(ptr %0, ptr %1, ptr %2, i64 %3) unnamed_ad
   br i1 %8, label %9, label %10
 
 9:
-  tail call fastcc void @fail(ptr %0, ptr @.str.37) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.41) #17
   br label %12
 
 10:
@@ -1331,7 +1371,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %6, label %8, label %7
 
 7:
-  tail call fastcc void @fail(ptr %0, ptr @.str.38) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.42) #17
   br label %22
 
 8:
@@ -1340,7 +1380,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %10, label %11, label %12
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.39) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
   br label %22
 
 12:
@@ -1355,7 +1395,7 @@ define internal fastcc i32 @deserialise(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_
   br i1 %17, label %18, label %19
 
 18:
-  tail call fastcc void @fail(ptr %0, ptr @.str.34) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.38) #17
   br label %22
 
 19:
@@ -1389,7 +1429,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %25
 
 16:
-  tail call fastcc void @fail(ptr %0, ptr @.str.40) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.44) #17
   br label %254
 
 17:
@@ -1426,7 +1466,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   ]
 
 35:
-  tail call fastcc void @fail(ptr %0, ptr @.str.41) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.45) #17
   br label %254
 
 36:
@@ -1437,7 +1477,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br i1 %40, label %41, label %42
 
 41:
-  tail call fastcc void @fail(ptr %0, ptr @.str.42) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
   br label %254
 
 42:
@@ -1560,7 +1600,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %124
 
 123:
-  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
   br label %254
 
 124:
@@ -1748,7 +1788,7 @@ define internal fastcc i32 @directional(ptr %0, ptr %1, i64 %2, ptr %3, i64 %4, 
   br label %251
 
 250:
-  tail call fastcc void @fail(ptr %0, ptr @.str.43) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
   call fastcc void @drop_state(ptr %0, ptr %8) #17
   br label %252
 
@@ -1814,24 +1854,24 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %16, label %18, label %17
 
 17:
-  tail call fastcc void @fail(ptr %0, ptr @.str.44) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.48) #17
+  br label %84
 
 18:
   %19 = getelementptr inbounds i8, ptr %0, i64 104
   %20 = load i64, ptr %19, align 8
   switch i64 %20, label %22 [
-    i64 3, label %21
+    i64 4, label %21
     i64 2, label %23
   ]
 
 21:
-  tail call fastcc void @fail(ptr %0, ptr @.str.45) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.49) #17
+  br label %84
 
 22:
-  tail call fastcc void @fail(ptr %0, ptr @.str.46) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.50) #17
+  br label %84
 
 23:
   %24 = getelementptr inbounds i8, ptr %0, i64 80
@@ -1840,8 +1880,8 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %26, label %28, label %27
 
 27:
-  tail call fastcc void @fail(ptr %0, ptr @.str.47) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.51) #17
+  br label %84
 
 28:
   %29 = fcmp ogt double %2, 0.000000e+00
@@ -1850,8 +1890,8 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %31, label %33, label %32
 
 32:
-  tail call fastcc void @fail(ptr %0, ptr @.str.48) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.52) #17
+  br label %84
 
 33:
   %34 = fcmp ugt double %5, %13
@@ -1861,19 +1901,19 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   br i1 %37, label %38, label %39
 
 38:
-  tail call fastcc void @fail(ptr %0, ptr @.str.49) #17
-  br label %86
+  tail call fastcc void @fail_with(ptr %0, ptr @.str.53, double %1, ptr @.str.54, double %4, ptr @.str.55) #17
+  br label %84
 
 39:
-  %40 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
+  %40 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 408), align 8
   %41 = fdiv double %2, %40
   %42 = fmul double %41, 0x3FEFFFFFFF768FA1
   %43 = fcmp ogt double %42, 1.000000e+15
   br i1 %43, label %44, label %45
 
 44:
-  tail call fastcc void @fail(ptr %0, ptr @.str.50) #17
-  br label %86
+  tail call fastcc void @fail(ptr %0, ptr @.str.56) #17
+  br label %84
 
 45:
   %46 = fptosi double %42 to i64
@@ -1886,69 +1926,64 @@ define internal fastcc i32 @do_step(ptr %0, double %1, double %2) unnamed_addr #
   %53 = fneg double %50
   %54 = fcmp olt double %51, %53
   %55 = or i1 %52, %54
-  br i1 %55, label %56, label %64
+  br i1 %55, label %57, label %56
 
 56:
-  %57 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
-  %58 = icmp ne i64 %57, 0
-  %59 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
-  %60 = icmp ne i64 %59, 0
-  %61 = select i1 %58, i1 %60, i1 false
-  br i1 %61, label %62, label %63
+  tail call fastcc void @lead(ptr %0, double %2) #17
+  br label %60
 
-62:
-  tail call fastcc void @fail(ptr %0, ptr @.str.51) #17
-  br label %86
+57:
+  %58 = tail call fastcc i64 @change_step(ptr %0, double %49) #17
+  tail call fastcc void @lead(ptr %0, double %2) #17
+  %59 = icmp eq i64 %58, 1
+  br i1 %59, label %60, label %76
 
-63:
-  tail call fastcc void @change_step(ptr %0, double %49) #17
-  br label %64
+60:
+  %61 = getelementptr inbounds i8, ptr %0, i64 72
+  %62 = load i64, ptr %61, align 8
+  %63 = icmp eq i64 %62, 2
+  br i1 %63, label %64, label %66
 
 64:
-  tail call fastcc void @lead(ptr %0, double %2) #17
-  %65 = getelementptr inbounds i8, ptr %0, i64 72
-  %66 = load i64, ptr %65, align 8
-  %67 = icmp eq i64 %66, 2
-  br i1 %67, label %68, label %70
+  %65 = tail call fastcc i64 @restart(ptr %0) #17
+  br label %66
 
-68:
-  %69 = tail call fastcc i64 @restart(ptr %0) #17
-  br label %70
+66:
+  %67 = phi i64 [ %65, %64 ], [ 1, %60 ]
+  %68 = icmp eq i64 %67, 1
+  %69 = icmp sgt i64 %46, 0
+  %70 = and i1 %69, %68
+  br i1 %70, label %71, label %73
 
-70:
-  %71 = phi i64 [ %69, %68 ], [ 1, %64 ]
-  %72 = icmp eq i64 %71, 1
-  %73 = icmp sgt i64 %46, 0
-  %74 = and i1 %73, %72
-  br i1 %74, label %75, label %77
+71:
+  %72 = tail call fastcc i64 @advance(ptr %0, i64 %46, i64 0) #17
+  br label %73
 
-75:
-  %76 = tail call fastcc i64 @advance(ptr %0, i64 %46, i64 0) #17
-  br label %77
+73:
+  %74 = phi i64 [ %72, %71 ], [ %67, %66 ]
+  %75 = icmp eq i64 %74, 1
+  br i1 %75, label %79, label %76
 
-77:
-  %78 = phi i64 [ %76, %75 ], [ %71, %70 ]
-  %79 = icmp eq i64 %78, 1
-  br i1 %79, label %81, label %80
+76:
+  %77 = phi i64 [ %74, %73 ], [ %58, %57 ]
+  %78 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 0, ptr %78, align 8
+  br label %82
 
-80:
-  store i64 0, ptr %65, align 8
+79:
+  %80 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #17
+  store i64 0, ptr %61, align 8
+  %81 = icmp eq i64 %80, 1
+  br i1 %81, label %84, label %82
+
+82:
+  %83 = phi i64 [ %77, %76 ], [ %80, %79 ]
+  tail call fastcc void @stop(ptr %0, ptr @.str.57, i64 %83, ptr @.str.58) #17
   br label %84
 
-81:
-  %82 = tail call fastcc i64 @advance(ptr %0, i64 1, i64 1) #17
-  store i64 0, ptr %65, align 8
-  %83 = icmp eq i64 %82, 1
-  br i1 %83, label %86, label %84
-
 84:
-  %85 = phi i64 [ %78, %80 ], [ %82, %81 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.52, i64 %85, ptr @.str.53) #17
-  br label %86
-
-86:
-  %87 = phi i32 [ 3, %17 ], [ 3, %21 ], [ 3, %22 ], [ 3, %27 ], [ 3, %32 ], [ 3, %38 ], [ 3, %44 ], [ 3, %62 ], [ 3, %84 ], [ 0, %81 ]
-  ret i32 %87
+  %85 = phi i32 [ 3, %17 ], [ 3, %21 ], [ 3, %22 ], [ 3, %27 ], [ 3, %32 ], [ 3, %38 ], [ 3, %44 ], [ 3, %82 ], [ 0, %79 ]
+  ret i32 %85
 }
 
 define i32 @fmi2CancelStep(ptr %0) local_unnamed_addr #1 {
@@ -2012,13 +2047,30 @@ define i32 @fmi2GetStringStatus(ptr readnone %0, i32 %1, ptr readnone %2) local_
   ret i32 2
 }
 
-define i32 @fmi2EnterEventMode(ptr readnone %0) local_unnamed_addr #0 {
-  ret i32 0
+define i32 @fmi2EnterEventMode(ptr %0) local_unnamed_addr #1 {
+  %2 = tail call fastcc i32 @enter_events(ptr %0) #17
+  ret i32 %2
 }
 
-define i32 @fmi2NewDiscreteStates(ptr readnone %0, ptr %1) local_unnamed_addr #2 {
+define internal fastcc i32 @enter_events(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i32 @is_called_in(ptr %0, i32 2, i32 3, ptr @.str.59) #17
+  %3 = icmp eq i32 %2, 0
+  br i1 %3, label %6, label %4
+
+4:
+  %5 = getelementptr inbounds i8, ptr %0, i64 104
+  store i64 2, ptr %5, align 8
+  br label %6
+
+6:
+  %7 = phi i32 [ 0, %4 ], [ 3, %1 ]
+  ret i32 %7
+}
+
+define i32 @fmi2NewDiscreteStates(ptr %0, ptr %1) local_unnamed_addr #1 {
   tail call void @llvm.memset.p0.i64(ptr align 8 dereferenceable(32) %1, i8 0, i64 32, i1 false)
-  ret i32 0
+  %3 = tail call fastcc i32 @update_events(ptr %0) #17
+  ret i32 %3
 }
 
 
@@ -2026,15 +2078,46 @@ declare void @llvm.memset.p0.i64(ptr, i8, i64, i1 immarg) #6
 
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias, ptr noalias, i64, i1 immarg) #7
 
-
-define i32 @fmi2EnterContinuousTimeMode(ptr readnone %0) local_unnamed_addr #0 {
-  ret i32 0
+define internal fastcc i32 @update_events(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i32 @is_called_in(ptr %0, i32 2, i32 2, ptr @.str.61) #17
+  %3 = icmp eq i32 %2, 0
+  %4 = select i1 %3, i32 3, i32 0
+  ret i32 %4
 }
 
-define i32 @fmi2CompletedIntegratorStep(ptr readnone %0, i32 %1, ptr %2, ptr %3) local_unnamed_addr #2 {
+
+define i32 @fmi2EnterContinuousTimeMode(ptr %0) local_unnamed_addr #1 {
+  %2 = tail call fastcc i32 @enter_continuous(ptr %0) #17
+  ret i32 %2
+}
+
+define internal fastcc i32 @enter_continuous(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i32 @is_called_in(ptr %0, i32 2, i32 2, ptr @.str.62) #17
+  %3 = icmp eq i32 %2, 0
+  br i1 %3, label %6, label %4
+
+4:
+  %5 = getelementptr inbounds i8, ptr %0, i64 104
+  store i64 3, ptr %5, align 8
+  br label %6
+
+6:
+  %7 = phi i32 [ 0, %4 ], [ 3, %1 ]
+  ret i32 %7
+}
+
+define i32 @fmi2CompletedIntegratorStep(ptr %0, i32 %1, ptr %2, ptr %3) local_unnamed_addr #1 {
   store i32 0, ptr %2, align 4
   store i32 0, ptr %3, align 4
-  ret i32 0
+  %5 = tail call fastcc i32 @complete_step(ptr %0) #17
+  ret i32 %5
+}
+
+define internal fastcc i32 @complete_step(ptr %0) unnamed_addr #1 {
+  %2 = tail call fastcc i32 @is_called_in(ptr %0, i32 3, i32 3, ptr @.str.63) #17
+  %3 = icmp eq i32 %2, 0
+  %4 = select i1 %3, i32 3, i32 0
+  ret i32 %4
 }
 
 define i32 @fmi2SetTime(ptr %0, double %1) local_unnamed_addr #1 {
@@ -2043,34 +2126,39 @@ define i32 @fmi2SetTime(ptr %0, double %1) local_unnamed_addr #1 {
 }
 
 define internal fastcc i32 @set_time(ptr %0, double %1) unnamed_addr #1 {
-  %3 = tail call fastcc i32 @finite_number(double %1) #17
+  %3 = tail call fastcc i32 @is_called_in(ptr %0, i32 2, i32 3, ptr @.str.64) #17
   %4 = icmp eq i32 %3, 0
-  br i1 %4, label %5, label %6
+  br i1 %4, label %17, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.54) #17
-  br label %14
+  %6 = tail call fastcc i32 @finite_number(double %1) #17
+  %7 = icmp eq i32 %6, 0
+  br i1 %7, label %8, label %9
 
-6:
-  %7 = tail call fastcc double @now(ptr %0) #17
-  %8 = fcmp une double %1, %7
-  br i1 %8, label %9, label %11
+8:
+  tail call fastcc void @fail(ptr %0, ptr @.str.65) #17
+  br label %17
 
 9:
-  %10 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %10, align 8
-  br label %11
+  %10 = tail call fastcc double @now(ptr %0) #17
+  %11 = fcmp une double %1, %10
+  br i1 %11, label %12, label %14
 
-11:
-  %12 = getelementptr inbounds i8, ptr %0, i64 48
-  store double %1, ptr %12, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 64
-  store i64 0, ptr %13, align 8
+12:
+  %13 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %13, align 8
   br label %14
 
 14:
-  %15 = phi i32 [ 0, %11 ], [ 3, %5 ]
-  ret i32 %15
+  %15 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %1, ptr %15, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %16, align 8
+  br label %17
+
+17:
+  %18 = phi i32 [ 0, %14 ], [ 3, %8 ], [ 3, %2 ]
+  ret i32 %18
 }
 
 define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
@@ -2079,37 +2167,42 @@ define i32 @fmi2SetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @set_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
-  %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
-  %7 = icmp eq i32 %6, 0
-  br i1 %7, label %22, label %8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %5 = tail call fastcc i32 @is_called_in(ptr %0, i32 3, i32 3, ptr @.str.66) #17
+  %6 = icmp eq i32 %5, 0
+  br i1 %6, label %25, label %7
 
-8:
-  %9 = tail call fastcc i32 @all_finite(ptr %1, i64 %5) #17
+7:
+  %8 = shl nsw i64 %4, 1
+  %9 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %8) #17
   %10 = icmp eq i32 %9, 0
-  br i1 %10, label %11, label %12
+  br i1 %10, label %25, label %11
 
 11:
-  tail call fastcc void @fail(ptr %0, ptr @.str.55) #17
-  br label %22
+  %12 = tail call fastcc i32 @all_finite(ptr %1, i64 %8) #17
+  %13 = icmp eq i32 %12, 0
+  br i1 %13, label %14, label %15
 
-12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
-  %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %14, ptr %1, i64 %15) #19
-  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #17
-  %19 = getelementptr inbounds double, ptr %1, i64 %4
-  %20 = tail call ptr @memcpy(ptr %18, ptr %19, i64 %15) #19
-  %21 = getelementptr inbounds i8, ptr %0, i64 72
-  store i64 2, ptr %21, align 8
-  br label %22
+14:
+  tail call fastcc void @fail(ptr %0, ptr @.str.67) #17
+  br label %25
 
-22:
-  %23 = phi i32 [ 0, %12 ], [ 3, %11 ], [ 3, %3 ]
-  ret i32 %23
+15:
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %17 = tail call fastcc ptr @reals(ptr %0, i64 %16) #17
+  %18 = shl i64 %4, 3
+  %19 = tail call ptr @memcpy(ptr %17, ptr %1, i64 %18) #19
+  %20 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %21 = tail call fastcc ptr @reals(ptr %0, i64 %20) #17
+  %22 = getelementptr inbounds double, ptr %1, i64 %4
+  %23 = tail call ptr @memcpy(ptr %21, ptr %22, i64 %18) #19
+  %24 = getelementptr inbounds i8, ptr %0, i64 72
+  store i64 2, ptr %24, align 8
+  br label %25
+
+25:
+  %26 = phi i32 [ 0, %15 ], [ 3, %14 ], [ 3, %3 ], [ 3, %7 ]
+  ret i32 %26
 }
 
 define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
@@ -2118,26 +2211,31 @@ define i32 @fmi2GetContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #
 }
 
 define internal fastcc i32 @get_states(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
-  %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
-  %7 = icmp eq i32 %6, 0
-  br i1 %7, label %17, label %8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %5 = tail call fastcc i32 @is_called_in(ptr %0, i32 1, i32 4, ptr @early) #17
+  %6 = icmp eq i32 %5, 0
+  br i1 %6, label %20, label %7
 
-8:
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
-  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = shl i64 %4, 3
-  %12 = tail call ptr @memcpy(ptr %1, ptr %10, i64 %11) #19
-  %13 = getelementptr inbounds double, ptr %1, i64 %4
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %15 = tail call fastcc ptr @reals(ptr %0, i64 %14) #17
-  %16 = tail call ptr @memcpy(ptr %13, ptr %15, i64 %11) #19
-  br label %17
+7:
+  %8 = shl nsw i64 %4, 1
+  %9 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %8) #17
+  %10 = icmp eq i32 %9, 0
+  br i1 %10, label %20, label %11
 
-17:
-  %18 = phi i32 [ 0, %8 ], [ 3, %3 ]
-  ret i32 %18
+11:
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
+  %13 = tail call fastcc ptr @reals(ptr %0, i64 %12) #17
+  %14 = shl i64 %4, 3
+  %15 = tail call ptr @memcpy(ptr %1, ptr %13, i64 %14) #19
+  %16 = getelementptr inbounds double, ptr %1, i64 %4
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #17
+  %19 = tail call ptr @memcpy(ptr %16, ptr %18, i64 %14) #19
+  br label %20
+
+20:
+  %21 = phi i32 [ 0, %11 ], [ 3, %3 ], [ 3, %7 ]
+  ret i32 %21
 }
 
 define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
@@ -2146,33 +2244,38 @@ define i32 @fmi2GetDerivatives(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
 }
 
 define internal fastcc i32 @get_slopes(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
-  %5 = shl nsw i64 %4, 1
-  %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
-  %7 = icmp eq i32 %6, 0
-  br i1 %7, label %21, label %8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %5 = tail call fastcc i32 @is_called_in(ptr %0, i32 1, i32 4, ptr @early) #17
+  %6 = icmp eq i32 %5, 0
+  br i1 %6, label %24, label %7
 
-8:
-  %9 = getelementptr inbounds i8, ptr %0, i64 80
-  store i64 0, ptr %9, align 8
-  %10 = tail call fastcc i32 @accelerate(ptr %0) #17
-  %11 = icmp eq i32 %10, 0
-  br i1 %11, label %12, label %21
+7:
+  %8 = shl nsw i64 %4, 1
+  %9 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %8) #17
+  %10 = icmp eq i32 %9, 0
+  br i1 %10, label %24, label %11
 
-12:
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
-  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
-  %15 = shl i64 %4, 3
-  %16 = tail call ptr @memcpy(ptr %1, ptr %14, i64 %15) #19
-  %17 = getelementptr inbounds double, ptr %1, i64 %4
-  %18 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %18) #17
-  %20 = tail call ptr @memcpy(ptr %17, ptr %19, i64 %15) #19
-  br label %21
+11:
+  %12 = getelementptr inbounds i8, ptr %0, i64 80
+  store i64 0, ptr %12, align 8
+  %13 = tail call fastcc i32 @accelerate(ptr %0) #17
+  %14 = icmp eq i32 %13, 0
+  br i1 %14, label %15, label %24
 
-21:
-  %22 = phi i32 [ 3, %3 ], [ 0, %12 ], [ 2, %8 ]
-  ret i32 %22
+15:
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %17 = tail call fastcc ptr @reals(ptr %0, i64 %16) #17
+  %18 = shl i64 %4, 3
+  %19 = tail call ptr @memcpy(ptr %1, ptr %17, i64 %18) #19
+  %20 = getelementptr inbounds double, ptr %1, i64 %4
+  %21 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %22 = tail call fastcc ptr @reals(ptr %0, i64 %21) #17
+  %23 = tail call ptr @memcpy(ptr %20, ptr %22, i64 %18) #19
+  br label %24
+
+24:
+  %25 = phi i32 [ 3, %7 ], [ 3, %3 ], [ 0, %15 ], [ 2, %11 ]
+  ret i32 %25
 }
 
 define i32 @fmi2GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
@@ -2181,42 +2284,47 @@ define i32 @fmi2GetEventIndicators(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1
 }
 
 define internal fastcc i32 @get_indicators(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
-  %5 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %4) #17
-  %6 = icmp eq i32 %5, 0
-  br i1 %6, label %28, label %7
+  %4 = tail call fastcc i32 @is_called_in(ptr %0, i32 1, i32 4, ptr @early) #17
+  %5 = icmp eq i32 %4, 0
+  br i1 %5, label %31, label %6
 
-7:
-  %8 = icmp eq i64 %2, 0
-  br i1 %8, label %28, label %9
+6:
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 32), align 8
+  %8 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %7) #17
+  %9 = icmp eq i32 %8, 0
+  br i1 %9, label %31, label %10
 
-9:
-  %10 = getelementptr inbounds i8, ptr %0, i64 136
-  %11 = load ptr, ptr %10, align 8
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
-  %13 = getelementptr inbounds i8, ptr %11, i64 %12
-  %14 = tail call fastcc i64 @address(ptr %13) #17
-  %15 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %14) #17
-  %16 = icmp eq i64 %15, 1
-  br i1 %16, label %17, label %28
+10:
+  %11 = icmp eq i64 %2, 0
+  br i1 %11, label %31, label %12
 
-17:
-  %18 = phi i64 [ %26, %17 ], [ 0, %9 ]
-  %19 = tail call fastcc ptr @reals(ptr %0, i64 %12) #17
-  %20 = getelementptr inbounds i32, ptr @pp_indicators, i64 %18
-  %21 = load i32, ptr %20, align 4
-  %22 = zext i32 %21 to i64
-  %23 = getelementptr inbounds double, ptr %19, i64 %22
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr inbounds double, ptr %1, i64 %18
-  store double %24, ptr %25, align 8
-  %26 = add nuw i64 %18, 1
-  %27 = icmp eq i64 %26, %2
-  br i1 %27, label %28, label %17
+12:
+  %13 = getelementptr inbounds i8, ptr %0, i64 136
+  %14 = load ptr, ptr %13, align 8
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %16 = getelementptr inbounds i8, ptr %14, i64 %15
+  %17 = tail call fastcc i64 @address(ptr %16) #17
+  %18 = tail call fastcc i64 @request(ptr %0, i64 3, i64 %17) #17
+  %19 = icmp eq i64 %18, 1
+  br i1 %19, label %20, label %31
 
-28:
-  %29 = phi i32 [ 0, %7 ], [ 3, %3 ], [ 2, %9 ], [ 0, %17 ]
-  ret i32 %29
+20:
+  %21 = phi i64 [ %29, %20 ], [ 0, %12 ]
+  %22 = tail call fastcc ptr @reals(ptr %0, i64 %15) #17
+  %23 = getelementptr inbounds i32, ptr @pp_indicators, i64 %21
+  %24 = load i32, ptr %23, align 4
+  %25 = zext i32 %24 to i64
+  %26 = getelementptr inbounds double, ptr %22, i64 %25
+  %27 = load double, ptr %26, align 8
+  %28 = getelementptr inbounds double, ptr %1, i64 %21
+  store double %27, ptr %28, align 8
+  %29 = add nuw i64 %21, 1
+  %30 = icmp eq i64 %29, %2
+  br i1 %30, label %31, label %20
+
+31:
+  %32 = phi i32 [ 0, %10 ], [ 3, %6 ], [ 3, %3 ], [ 2, %12 ], [ 0, %20 ]
+  ret i32 %32
 }
 
 define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unnamed_addr #1 {
@@ -2225,7 +2333,7 @@ define i32 @fmi2GetNominalsOfContinuousStates(ptr %0, ptr %1, i64 %2) local_unna
 }
 
 define internal fastcc i32 @get_nominals(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %5 = shl nsw i64 %4, 1
   %6 = tail call fastcc i32 @fits(ptr %0, i64 %2, i64 %5) #17
   %7 = icmp eq i32 %6, 0
@@ -2352,7 +2460,7 @@ define internal fastcc void @say(ptr %0, i32 %1, ptr %2) unnamed_addr #1 {
 
 define internal fastcc i64 @numbers_of_state() unnamed_addr #0 {
   %1 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 24), align 8
-  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %2 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %3 = add nsw i64 %2, %1
   ret i64 %3
 }
@@ -2433,7 +2541,7 @@ define internal fastcc void @turn_on(ptr %0, ptr %1, double %2, double %3, doubl
 }
 
 define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 72), align 8
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
@@ -2931,7 +3039,7 @@ define internal fastcc i32 @balance(ptr %0, ptr %1) unnamed_addr #1 {
 }
 
 define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %5 = shl nsw i64 %2, 1
   %6 = add i64 %5, 6
   %7 = mul i64 %6, %2
@@ -2940,7 +3048,7 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %10 = add i64 %8, %9
   %11 = tail call fastcc ptr @allocate(ptr %0, i64 %10) #17
   %12 = icmp eq ptr %11, null
-  br i1 %12, label %745, label %13
+  br i1 %12, label %754, label %13
 
 13:
   %14 = mul i64 %2, %2
@@ -2957,54 +3065,52 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   %25 = tail call fastcc ptr @reals(ptr %0, i64 %24) #17
   %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
   %27 = tail call fastcc ptr @reals(ptr %0, i64 %26) #17
-  %28 = icmp slt i64 %4, 1
-  br i1 %28, label %31, label %29
-
-29:
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
-  br label %39
+  %28 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %29 = tail call fastcc ptr @reals(ptr %0, i64 %28) #17
+  %30 = icmp slt i64 %4, 1
+  br i1 %30, label %33, label %31
 
 31:
-  %32 = icmp sgt i64 %2, 0
-  br i1 %32, label %33, label %49
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  br label %41
 
 33:
-  %34 = add nsw i64 %2, -1
-  %35 = and i64 %2, 3
-  %36 = icmp ult i64 %34, 3
-  br i1 %36, label %53, label %37
+  %34 = icmp sgt i64 %2, 0
+  br i1 %34, label %35, label %66
 
-37:
-  %38 = and i64 %2, 9223372036854775804
-  br label %68
+35:
+  %36 = add nsw i64 %2, -1
+  %37 = and i64 %2, 3
+  %38 = icmp ult i64 %36, 3
+  br i1 %38, label %53, label %39
 
 39:
-  %40 = phi i64 [ 0, %29 ], [ %47, %39 ]
-  %41 = getelementptr inbounds i64, ptr %22, i64 %40
-  store i64 -1, ptr %41, align 8
-  %42 = getelementptr inbounds double, ptr %25, i64 %40
-  %43 = load double, ptr %42, align 8
-  %44 = getelementptr inbounds double, ptr %21, i64 %40
-  store double %43, ptr %44, align 8
-  store double 0.000000e+00, ptr %42, align 8
-  %45 = tail call fastcc ptr @reals(ptr %0, i64 %30) #17
-  %46 = getelementptr inbounds double, ptr %45, i64 %40
-  store double 0.000000e+00, ptr %46, align 8
-  %47 = add nuw nsw i64 %40, 1
-  %48 = icmp eq i64 %47, %4
-  br i1 %48, label %31, label %39
+  %40 = and i64 %2, 9223372036854775804
+  br label %68
 
-49:
-  %50 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br label %93
+41:
+  %42 = phi i64 [ 0, %31 ], [ %49, %41 ]
+  %43 = getelementptr inbounds i64, ptr %22, i64 %42
+  store i64 -1, ptr %43, align 8
+  %44 = getelementptr inbounds double, ptr %25, i64 %42
+  %45 = load double, ptr %44, align 8
+  %46 = getelementptr inbounds double, ptr %21, i64 %42
+  store double %45, ptr %46, align 8
+  store double 0.000000e+00, ptr %44, align 8
+  %47 = tail call fastcc ptr @reals(ptr %0, i64 %32) #17
+  %48 = getelementptr inbounds double, ptr %47, i64 %42
+  store double 0.000000e+00, ptr %48, align 8
+  %49 = add nuw nsw i64 %42, 1
+  %50 = icmp eq i64 %49, %4
+  br i1 %50, label %33, label %41
 
 51:
-  %52 = icmp eq i64 %35, 0
+  %52 = icmp eq i64 %37, 0
   br i1 %52, label %66, label %53
 
 53:
-  %54 = phi i64 [ 0, %33 ], [ %90, %51 ]
-  %55 = icmp ne i64 %35, 0
+  %54 = phi i64 [ 0, %35 ], [ %90, %51 ]
+  %55 = icmp ne i64 %37, 0
   tail call void @llvm.assume(i1 %55)
   br label %56
 
@@ -3018,16 +3124,16 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   store i64 %57, ptr %62, align 8
   %63 = add nuw nsw i64 %57, 1
   %64 = add i64 %58, 1
-  %65 = icmp eq i64 %64, %35
+  %65 = icmp eq i64 %64, %37
   br i1 %65, label %66, label %56
 
 66:
   %67 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br label %101
+  br i1 %30, label %125, label %93
 
 68:
-  %69 = phi i64 [ 0, %37 ], [ %90, %68 ]
-  %70 = phi i64 [ 0, %37 ], [ %91, %68 ]
+  %69 = phi i64 [ 0, %39 ], [ %90, %68 ]
+  %70 = phi i64 [ 0, %39 ], [ %91, %68 ]
   %71 = getelementptr inbounds i32, ptr %1, i64 %69
   %72 = load i32, ptr %71, align 4
   %73 = zext i32 %72 to i64
@@ -3053,919 +3159,926 @@ define internal fastcc i32 @settle(ptr %0, ptr %1, i64 %2) unnamed_addr #1 {
   store i64 %85, ptr %89, align 8
   %90 = add nuw nsw i64 %69, 4
   %91 = add i64 %70, 4
-  %92 = icmp eq i64 %91, %38
+  %92 = icmp eq i64 %91, %40
   br i1 %92, label %51, label %68
 
 93:
-  %94 = phi i64 [ %50, %49 ], [ %67, %101 ]
-  %95 = phi double [ 0.000000e+00, %49 ], [ %111, %101 ]
-  br i1 %28, label %128, label %96
+  %94 = phi double [ %103, %93 ], [ 0.000000e+00, %66 ]
+  %95 = phi i64 [ %104, %93 ], [ 0, %66 ]
+  %96 = getelementptr inbounds double, ptr %27, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = tail call fastcc double @size_of(double %97) #17
+  %99 = getelementptr inbounds double, ptr %29, i64 %95
+  %100 = load double, ptr %99, align 8
+  %101 = fdiv double %98, %100
+  %102 = fcmp ogt double %101, %94
+  %103 = select i1 %102, double %101, double %94
+  %104 = add nuw nsw i64 %95, 1
+  %105 = icmp eq i64 %104, %4
+  br i1 %105, label %106, label %93
 
-96:
-  %97 = and i64 %4, 3
-  %98 = icmp ult i64 %4, 4
-  br i1 %98, label %116, label %99
+106:
+  %107 = and i64 %4, 3
+  %108 = icmp ult i64 %4, 4
+  br i1 %108, label %113, label %109
 
-99:
-  %100 = and i64 %4, 9223372036854775804
-  br label %130
+109:
+  %110 = and i64 %4, 9223372036854775804
+  br label %128
 
-101:
-  %102 = phi double [ %111, %101 ], [ 0.000000e+00, %66 ]
-  %103 = phi i64 [ %112, %101 ], [ 0, %66 ]
-  %104 = getelementptr inbounds i32, ptr %1, i64 %103
-  %105 = load i32, ptr %104, align 4
-  %106 = zext i32 %105 to i64
-  %107 = getelementptr inbounds double, ptr %27, i64 %106
-  %108 = load double, ptr %107, align 8
-  %109 = tail call fastcc double @size_of(double %108) #17
-  %110 = fcmp ogt double %109, %102
-  %111 = select i1 %110, double %109, double %102
-  %112 = add nuw nsw i64 %103, 1
-  %113 = icmp eq i64 %112, %2
-  br i1 %113, label %93, label %101
+111:
+  %112 = icmp eq i64 %107, 0
+  br i1 %112, label %125, label %113
 
-114:
-  %115 = icmp eq i64 %97, 0
-  br i1 %115, label %128, label %116
+113:
+  %114 = phi i64 [ 0, %106 ], [ %146, %111 ]
+  %115 = icmp ne i64 %107, 0
+  tail call void @llvm.assume(i1 %115)
+  br label %116
 
 116:
-  %117 = phi i64 [ 0, %96 ], [ %148, %114 ]
-  %118 = icmp ne i64 %97, 0
-  tail call void @llvm.assume(i1 %118)
-  br label %119
+  %117 = phi i64 [ %122, %116 ], [ %114, %113 ]
+  %118 = phi i64 [ %123, %116 ], [ 0, %113 ]
+  %119 = getelementptr inbounds double, ptr %21, i64 %117
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr inbounds double, ptr %25, i64 %117
+  store double %120, ptr %121, align 8
+  %122 = add nuw nsw i64 %117, 1
+  %123 = add i64 %118, 1
+  %124 = icmp eq i64 %123, %107
+  br i1 %124, label %125, label %116
 
-119:
-  %120 = phi i64 [ %125, %119 ], [ %117, %116 ]
-  %121 = phi i64 [ %126, %119 ], [ 0, %116 ]
-  %122 = getelementptr inbounds double, ptr %21, i64 %120
-  %123 = load double, ptr %122, align 8
-  %124 = getelementptr inbounds double, ptr %25, i64 %120
-  store double %123, ptr %124, align 8
-  %125 = add nuw nsw i64 %120, 1
-  %126 = add i64 %121, 1
-  %127 = icmp eq i64 %126, %97
-  br i1 %127, label %128, label %119
+125:
+  %126 = phi double [ 0.000000e+00, %66 ], [ %103, %116 ], [ %103, %111 ]
+  %127 = icmp eq i64 %67, 1
+  br i1 %127, label %149, label %152
 
 128:
-  %129 = icmp eq i64 %94, 1
-  br i1 %129, label %151, label %154
+  %129 = phi i64 [ 0, %109 ], [ %146, %128 ]
+  %130 = phi i64 [ 0, %109 ], [ %147, %128 ]
+  %131 = getelementptr inbounds double, ptr %21, i64 %129
+  %132 = load double, ptr %131, align 8
+  %133 = getelementptr inbounds double, ptr %25, i64 %129
+  store double %132, ptr %133, align 8
+  %134 = or i64 %129, 1
+  %135 = getelementptr inbounds double, ptr %21, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = getelementptr inbounds double, ptr %25, i64 %134
+  store double %136, ptr %137, align 8
+  %138 = or i64 %129, 2
+  %139 = getelementptr inbounds double, ptr %21, i64 %138
+  %140 = load double, ptr %139, align 8
+  %141 = getelementptr inbounds double, ptr %25, i64 %138
+  store double %140, ptr %141, align 8
+  %142 = or i64 %129, 3
+  %143 = getelementptr inbounds double, ptr %21, i64 %142
+  %144 = load double, ptr %143, align 8
+  %145 = getelementptr inbounds double, ptr %25, i64 %142
+  store double %144, ptr %145, align 8
+  %146 = add nuw nsw i64 %129, 4
+  %147 = add i64 %130, 4
+  %148 = icmp eq i64 %147, %110
+  br i1 %148, label %111, label %128
 
-130:
-  %131 = phi i64 [ 0, %99 ], [ %148, %130 ]
-  %132 = phi i64 [ 0, %99 ], [ %149, %130 ]
-  %133 = getelementptr inbounds double, ptr %21, i64 %131
-  %134 = load double, ptr %133, align 8
-  %135 = getelementptr inbounds double, ptr %25, i64 %131
-  store double %134, ptr %135, align 8
-  %136 = or i64 %131, 1
-  %137 = getelementptr inbounds double, ptr %21, i64 %136
-  %138 = load double, ptr %137, align 8
-  %139 = getelementptr inbounds double, ptr %25, i64 %136
-  store double %138, ptr %139, align 8
-  %140 = or i64 %131, 2
-  %141 = getelementptr inbounds double, ptr %21, i64 %140
-  %142 = load double, ptr %141, align 8
-  %143 = getelementptr inbounds double, ptr %25, i64 %140
-  store double %142, ptr %143, align 8
-  %144 = or i64 %131, 3
-  %145 = getelementptr inbounds double, ptr %21, i64 %144
-  %146 = load double, ptr %145, align 8
-  %147 = getelementptr inbounds double, ptr %25, i64 %144
-  store double %146, ptr %147, align 8
-  %148 = add nuw nsw i64 %131, 4
-  %149 = add i64 %132, 4
-  %150 = icmp eq i64 %149, %100
-  br i1 %150, label %114, label %130
+149:
+  %150 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
+  %151 = icmp eq i64 %150, 1
+  br label %152
 
-151:
-  %152 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
-  %153 = icmp eq i64 %152, 1
-  br label %154
+152:
+  %153 = phi i1 [ %151, %149 ], [ false, %125 ]
+  tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
+  br i1 %34, label %154, label %176
 
 154:
-  %155 = phi i1 [ %153, %151 ], [ false, %128 ]
-  tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %32, label %156, label %178
+  %155 = add nuw i64 %2, 1
+  %156 = add nsw i64 %2, -1
+  %157 = and i64 %2, 3
+  %158 = icmp ult i64 %156, 3
+  br i1 %158, label %163, label %159
 
-156:
-  %157 = add nuw i64 %2, 1
-  %158 = add nsw i64 %2, -1
-  %159 = and i64 %2, 3
-  %160 = icmp ult i64 %158, 3
-  br i1 %160, label %165, label %161
+159:
+  %160 = and i64 %2, 9223372036854775804
+  br label %225
 
 161:
-  %162 = and i64 %2, 9223372036854775804
-  br label %227
+  %162 = icmp eq i64 %157, 0
+  br i1 %162, label %176, label %163
 
 163:
-  %164 = icmp eq i64 %159, 0
-  br i1 %164, label %178, label %165
+  %164 = phi i64 [ 0, %154 ], [ %247, %161 ]
+  %165 = icmp ne i64 %157, 0
+  tail call void @llvm.assume(i1 %165)
+  br label %166
 
-165:
-  %166 = phi i64 [ 0, %156 ], [ %249, %163 ]
-  %167 = icmp ne i64 %159, 0
-  tail call void @llvm.assume(i1 %167)
-  br label %168
+166:
+  %167 = phi i64 [ %164, %163 ], [ %173, %166 ]
+  %168 = phi i64 [ 0, %163 ], [ %174, %166 ]
+  %169 = mul i64 %167, %155
+  %170 = getelementptr inbounds double, ptr %11, i64 %169
+  %171 = load double, ptr %170, align 8
+  %172 = getelementptr inbounds double, ptr %18, i64 %167
+  store double %171, ptr %172, align 8
+  %173 = add nuw nsw i64 %167, 1
+  %174 = add i64 %168, 1
+  %175 = icmp eq i64 %174, %157
+  br i1 %175, label %176, label %166
 
-168:
-  %169 = phi i64 [ %166, %165 ], [ %175, %168 ]
-  %170 = phi i64 [ 0, %165 ], [ %176, %168 ]
-  %171 = mul i64 %169, %157
-  %172 = getelementptr inbounds double, ptr %11, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = getelementptr inbounds double, ptr %18, i64 %169
-  store double %173, ptr %174, align 8
-  %175 = add nuw nsw i64 %169, 1
-  %176 = add i64 %170, 1
-  %177 = icmp eq i64 %176, %159
-  br i1 %177, label %178, label %168
+176:
+  br i1 %153, label %177, label %710
 
-178:
-  br i1 %155, label %179, label %701
+177:
+  %178 = fmul double %126, 0x3D719799812DEA11
+  %179 = icmp eq i64 %2, 0
+  %180 = shl i64 %14, 3
+  %181 = icmp slt i64 %2, 1
+  %182 = tail call i64 @llvm.umax.i64(i64 %14, i64 1)
+  %183 = add i64 %182, -1
+  %184 = add i64 %2, -1
+  %185 = and i64 %182, 1
+  %186 = icmp ult i64 %14, 4
+  %187 = and i64 %182, -4
+  %188 = icmp eq i64 %185, 0
+  %189 = icmp ne i64 %185, 0
+  %190 = and i64 %182, 1
+  %191 = icmp eq i64 %183, 0
+  %192 = and i64 %182, -4
+  %193 = icmp eq i64 %190, 0
+  %194 = icmp ne i64 %190, 0
+  %195 = and i64 %2, 3
+  %196 = icmp ult i64 %184, 3
+  %197 = and i64 %2, 9223372036854775804
+  %198 = icmp eq i64 %195, 0
+  %199 = icmp ne i64 %195, 0
+  %200 = and i64 %182, 1
+  %201 = icmp eq i64 %183, 0
+  %202 = and i64 %182, -4
+  %203 = icmp eq i64 %200, 0
+  %204 = icmp ne i64 %200, 0
+  %205 = and i64 %2, 3
+  %206 = icmp ult i64 %184, 3
+  %207 = and i64 %2, 9223372036854775804
+  %208 = icmp eq i64 %205, 0
+  %209 = icmp ne i64 %205, 0
+  %210 = and i64 %2, 1
+  %211 = icmp eq i64 %184, 0
+  %212 = and i64 %2, 9223372036854775806
+  %213 = icmp eq i64 %210, 0
+  %214 = icmp ne i64 %210, 0
+  %215 = and i64 %2, 3
+  %216 = icmp ult i64 %184, 3
+  %217 = and i64 %2, 9223372036854775804
+  %218 = icmp eq i64 %215, 0
+  %219 = icmp ne i64 %215, 0
+  %220 = and i64 %2, 3
+  %221 = icmp ult i64 %184, 3
+  %222 = and i64 %2, 9223372036854775804
+  %223 = icmp eq i64 %220, 0
+  %224 = icmp ne i64 %220, 0
+  br label %250
 
-179:
-  %180 = fmul double %95, 0x3D719799812DEA11
-  %181 = icmp eq i64 %2, 0
-  %182 = shl i64 %14, 3
-  %183 = icmp slt i64 %2, 1
-  %184 = tail call i64 @llvm.umax.i64(i64 %14, i64 1)
-  %185 = add i64 %184, -1
-  %186 = add i64 %2, -1
-  %187 = and i64 %184, 1
-  %188 = icmp ult i64 %14, 4
-  %189 = and i64 %184, -4
-  %190 = icmp eq i64 %187, 0
-  %191 = icmp ne i64 %187, 0
-  %192 = and i64 %184, 1
-  %193 = icmp eq i64 %185, 0
-  %194 = and i64 %184, -4
-  %195 = icmp eq i64 %192, 0
-  %196 = icmp ne i64 %192, 0
-  %197 = and i64 %2, 3
-  %198 = icmp ult i64 %186, 3
-  %199 = and i64 %2, 9223372036854775804
-  %200 = icmp eq i64 %197, 0
-  %201 = icmp ne i64 %197, 0
-  %202 = and i64 %184, 1
-  %203 = icmp eq i64 %185, 0
-  %204 = and i64 %184, -4
-  %205 = icmp eq i64 %202, 0
-  %206 = icmp ne i64 %202, 0
-  %207 = and i64 %2, 3
-  %208 = icmp ult i64 %186, 3
-  %209 = and i64 %2, 9223372036854775804
-  %210 = icmp eq i64 %207, 0
-  %211 = icmp ne i64 %207, 0
-  %212 = and i64 %2, 1
-  %213 = icmp eq i64 %186, 0
-  %214 = and i64 %2, 9223372036854775806
-  %215 = icmp eq i64 %212, 0
-  %216 = icmp ne i64 %212, 0
-  %217 = and i64 %2, 3
-  %218 = icmp ult i64 %186, 3
-  %219 = and i64 %2, 9223372036854775804
-  %220 = icmp eq i64 %217, 0
-  %221 = icmp ne i64 %217, 0
-  %222 = and i64 %2, 3
-  %223 = icmp ult i64 %186, 3
-  %224 = and i64 %2, 9223372036854775804
-  %225 = icmp eq i64 %222, 0
-  %226 = icmp ne i64 %222, 0
-  br label %252
+225:
+  %226 = phi i64 [ 0, %159 ], [ %247, %225 ]
+  %227 = phi i64 [ 0, %159 ], [ %248, %225 ]
+  %228 = mul i64 %226, %155
+  %229 = getelementptr inbounds double, ptr %11, i64 %228
+  %230 = load double, ptr %229, align 8
+  %231 = getelementptr inbounds double, ptr %18, i64 %226
+  store double %230, ptr %231, align 8
+  %232 = or i64 %226, 1
+  %233 = mul i64 %232, %155
+  %234 = getelementptr inbounds double, ptr %11, i64 %233
+  %235 = load double, ptr %234, align 8
+  %236 = getelementptr inbounds double, ptr %18, i64 %232
+  store double %235, ptr %236, align 8
+  %237 = or i64 %226, 2
+  %238 = mul i64 %237, %155
+  %239 = getelementptr inbounds double, ptr %11, i64 %238
+  %240 = load double, ptr %239, align 8
+  %241 = getelementptr inbounds double, ptr %18, i64 %237
+  store double %240, ptr %241, align 8
+  %242 = or i64 %226, 3
+  %243 = mul i64 %242, %155
+  %244 = getelementptr inbounds double, ptr %11, i64 %243
+  %245 = load double, ptr %244, align 8
+  %246 = getelementptr inbounds double, ptr %18, i64 %242
+  store double %245, ptr %246, align 8
+  %247 = add nuw nsw i64 %226, 4
+  %248 = add i64 %227, 4
+  %249 = icmp eq i64 %248, %160
+  br i1 %249, label %161, label %225
 
-227:
-  %228 = phi i64 [ 0, %161 ], [ %249, %227 ]
-  %229 = phi i64 [ 0, %161 ], [ %250, %227 ]
-  %230 = mul i64 %228, %157
-  %231 = getelementptr inbounds double, ptr %11, i64 %230
-  %232 = load double, ptr %231, align 8
-  %233 = getelementptr inbounds double, ptr %18, i64 %228
-  store double %232, ptr %233, align 8
-  %234 = or i64 %228, 1
-  %235 = mul i64 %234, %157
-  %236 = getelementptr inbounds double, ptr %11, i64 %235
-  %237 = load double, ptr %236, align 8
-  %238 = getelementptr inbounds double, ptr %18, i64 %234
-  store double %237, ptr %238, align 8
-  %239 = or i64 %228, 2
-  %240 = mul i64 %239, %157
-  %241 = getelementptr inbounds double, ptr %11, i64 %240
-  %242 = load double, ptr %241, align 8
-  %243 = getelementptr inbounds double, ptr %18, i64 %239
-  store double %242, ptr %243, align 8
-  %244 = or i64 %228, 3
-  %245 = mul i64 %244, %157
-  %246 = getelementptr inbounds double, ptr %11, i64 %245
-  %247 = load double, ptr %246, align 8
-  %248 = getelementptr inbounds double, ptr %18, i64 %244
-  store double %247, ptr %248, align 8
-  %249 = add nuw nsw i64 %228, 4
-  %250 = add i64 %229, 4
-  %251 = icmp eq i64 %250, %162
-  br i1 %251, label %163, label %227
+250:
+  %251 = phi double [ 1.000000e+04, %177 ], [ %645, %696 ]
+  %252 = phi i64 [ 0, %177 ], [ %697, %696 ]
+  %253 = phi i32 [ 1, %177 ], [ %638, %696 ]
+  %254 = icmp eq i32 %253, 0
+  br i1 %254, label %416, label %255
 
-252:
-  %253 = phi i64 [ 0, %179 ], [ %688, %687 ]
-  %254 = phi i32 [ 1, %179 ], [ %629, %687 ]
-  %255 = phi double [ 1.000000e+04, %179 ], [ %636, %687 ]
-  %256 = icmp eq i32 %254, 0
-  br i1 %256, label %413, label %257
+255:
+  %256 = tail call fastcc i64 @residual(ptr %0, i32 1, double 0.000000e+00, double 1.000000e+00) #17
+  %257 = icmp eq i64 %256, 1
+  br i1 %257, label %258, label %710
 
-257:
-  %258 = tail call fastcc i64 @residual(ptr %0, i32 1, double 0.000000e+00, double 1.000000e+00) #17
-  %259 = icmp eq i64 %258, 1
-  br i1 %259, label %260, label %701
-
-260:
+258:
   tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %32, label %261, label %692
+  br i1 %34, label %259, label %701
 
-261:
-  %262 = phi i64 [ %282, %268 ], [ 1, %260 ]
-  %263 = phi i64 [ %283, %268 ], [ 0, %260 ]
-  %264 = mul nuw nsw i64 %263, %2
-  %265 = getelementptr double, ptr %11, i64 %264
-  br label %285
+259:
+  %260 = phi i64 [ %285, %266 ], [ 1, %258 ]
+  %261 = phi i64 [ %286, %266 ], [ 0, %258 ]
+  %262 = mul nuw nsw i64 %261, %2
+  %263 = getelementptr double, ptr %11, i64 %262
+  br label %288
+
+264:
+  %265 = icmp eq i64 %285, 0
+  br i1 %265, label %307, label %701
 
 266:
-  %267 = icmp eq i64 %282, 0
-  br i1 %267, label %304, label %692
+  %267 = getelementptr inbounds i32, ptr %1, i64 %261
+  %268 = load i32, ptr %267, align 4
+  %269 = zext i32 %268 to i64
+  %270 = getelementptr inbounds double, ptr %29, i64 %269
+  %271 = load double, ptr %270, align 8
+  %272 = fmul double %178, %271
+  %273 = fmul double %304, 1.800000e-15
+  %274 = fcmp ogt double %273, %272
+  %275 = select i1 %274, double %273, double %272
+  %276 = getelementptr inbounds double, ptr %20, i64 %261
+  store double %275, ptr %276, align 8
+  %277 = load i32, ptr %267, align 4
+  %278 = zext i32 %277 to i64
+  %279 = getelementptr inbounds double, ptr %27, i64 %278
+  %280 = load double, ptr %279, align 8
+  %281 = getelementptr inbounds double, ptr %17, i64 %261
+  store double %280, ptr %281, align 8
+  %282 = tail call fastcc double @size_of(double %280) #17
+  %283 = load double, ptr %276, align 8
+  %284 = fcmp ugt double %282, %283
+  %285 = select i1 %284, i64 0, i64 %260
+  %286 = add nuw nsw i64 %261, 1
+  %287 = icmp eq i64 %286, %2
+  br i1 %287, label %264, label %259
 
-268:
-  %269 = fmul double %301, 1.800000e-15
-  %270 = fcmp ogt double %269, %180
-  %271 = select i1 %270, double %269, double %180
-  %272 = getelementptr inbounds double, ptr %20, i64 %263
-  store double %271, ptr %272, align 8
-  %273 = getelementptr inbounds i32, ptr %1, i64 %263
-  %274 = load i32, ptr %273, align 4
-  %275 = zext i32 %274 to i64
-  %276 = getelementptr inbounds double, ptr %27, i64 %275
-  %277 = load double, ptr %276, align 8
-  %278 = getelementptr inbounds double, ptr %17, i64 %263
-  store double %277, ptr %278, align 8
-  %279 = tail call fastcc double @size_of(double %277) #17
-  %280 = load double, ptr %272, align 8
-  %281 = fcmp ugt double %279, %280
-  %282 = select i1 %281, i64 0, i64 %262
-  %283 = add nuw nsw i64 %263, 1
-  %284 = icmp eq i64 %283, %2
-  br i1 %284, label %266, label %261
-
-285:
-  %286 = phi i64 [ 0, %261 ], [ %302, %285 ]
-  %287 = phi double [ 0.000000e+00, %261 ], [ %301, %285 ]
-  %288 = getelementptr double, ptr %265, i64 %286
-  %289 = load double, ptr %288, align 8
-  %290 = tail call fastcc double @size_of(double %289) #17
-  %291 = getelementptr inbounds i32, ptr %1, i64 %286
-  %292 = load i32, ptr %291, align 4
-  %293 = zext i32 %292 to i64
-  %294 = getelementptr inbounds double, ptr %25, i64 %293
-  %295 = load double, ptr %294, align 8
-  %296 = tail call fastcc double @size_of(double %295) #17
-  %297 = getelementptr inbounds double, ptr @pp_extents, i64 %293
+288:
+  %289 = phi i64 [ 0, %259 ], [ %305, %288 ]
+  %290 = phi double [ 0.000000e+00, %259 ], [ %304, %288 ]
+  %291 = getelementptr double, ptr %263, i64 %289
+  %292 = load double, ptr %291, align 8
+  %293 = tail call fastcc double @size_of(double %292) #17
+  %294 = getelementptr inbounds i32, ptr %1, i64 %289
+  %295 = load i32, ptr %294, align 4
+  %296 = zext i32 %295 to i64
+  %297 = getelementptr inbounds double, ptr %25, i64 %296
   %298 = load double, ptr %297, align 8
-  %299 = fadd double %296, %298
-  %300 = fmul double %290, %299
-  %301 = fadd double %287, %300
-  %302 = add nuw nsw i64 %286, 1
-  %303 = icmp eq i64 %302, %2
-  br i1 %303, label %268, label %285
-
-304:
-  %305 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
-  %306 = icmp eq i64 %305, 1
-  br i1 %306, label %307, label %701
+  %299 = tail call fastcc double @size_of(double %298) #17
+  %300 = getelementptr inbounds double, ptr @pp_extents, i64 %296
+  %301 = load double, ptr %300, align 8
+  %302 = fadd double %299, %301
+  %303 = fmul double %293, %302
+  %304 = fadd double %290, %303
+  %305 = add nuw nsw i64 %289, 1
+  %306 = icmp eq i64 %305, %2
+  br i1 %306, label %266, label %288
 
 307:
-  br i1 %188, label %309, label %321
+  %308 = tail call fastcc i64 @residual(ptr %0, i32 1, double 1.000000e+00, double 0.000000e+00) #17
+  %309 = icmp eq i64 %308, 1
+  br i1 %309, label %310, label %710
 
-308:
-  br i1 %190, label %320, label %309
-
-309:
-  %310 = phi i64 [ 0, %307 ], [ %339, %308 ]
-  tail call void @llvm.assume(i1 %191)
-  br label %311
+310:
+  br i1 %186, label %312, label %324
 
 311:
-  %312 = phi i64 [ %317, %311 ], [ %310, %309 ]
-  %313 = phi i64 [ %318, %311 ], [ 0, %309 ]
-  %314 = getelementptr inbounds double, ptr %11, i64 %312
-  %315 = load double, ptr %314, align 8
-  %316 = getelementptr inbounds double, ptr %15, i64 %312
-  store double %315, ptr %316, align 8
-  %317 = add nuw nsw i64 %312, 1
-  %318 = add i64 %313, 1
-  %319 = icmp eq i64 %313, 0
-  br i1 %319, label %320, label %311
+  br i1 %188, label %323, label %312
 
-320:
+312:
+  %313 = phi i64 [ 0, %310 ], [ %342, %311 ]
+  tail call void @llvm.assume(i1 %189)
+  br label %314
+
+314:
+  %315 = phi i64 [ %320, %314 ], [ %313, %312 ]
+  %316 = phi i64 [ %321, %314 ], [ 0, %312 ]
+  %317 = getelementptr inbounds double, ptr %11, i64 %315
+  %318 = load double, ptr %317, align 8
+  %319 = getelementptr inbounds double, ptr %15, i64 %315
+  store double %318, ptr %319, align 8
+  %320 = add nuw nsw i64 %315, 1
+  %321 = add i64 %316, 1
+  %322 = icmp eq i64 %316, 0
+  br i1 %322, label %323, label %314
+
+323:
   tail call fastcc void @gather(ptr %0, ptr %22, i64 %2, ptr %11) #17
-  br i1 %193, label %358, label %342
+  br i1 %191, label %361, label %345
 
-321:
-  %322 = phi i64 [ %339, %321 ], [ 0, %307 ]
-  %323 = phi i64 [ %340, %321 ], [ 0, %307 ]
-  %324 = getelementptr inbounds double, ptr %11, i64 %322
-  %325 = load double, ptr %324, align 8
-  %326 = getelementptr inbounds double, ptr %15, i64 %322
-  store double %325, ptr %326, align 8
-  %327 = or i64 %322, 1
-  %328 = getelementptr inbounds double, ptr %11, i64 %327
-  %329 = load double, ptr %328, align 8
-  %330 = getelementptr inbounds double, ptr %15, i64 %327
-  store double %329, ptr %330, align 8
-  %331 = or i64 %322, 2
-  %332 = getelementptr inbounds double, ptr %11, i64 %331
-  %333 = load double, ptr %332, align 8
-  %334 = getelementptr inbounds double, ptr %15, i64 %331
-  store double %333, ptr %334, align 8
-  %335 = or i64 %322, 3
-  %336 = getelementptr inbounds double, ptr %11, i64 %335
-  %337 = load double, ptr %336, align 8
-  %338 = getelementptr inbounds double, ptr %15, i64 %335
-  store double %337, ptr %338, align 8
-  %339 = add nuw nsw i64 %322, 4
-  %340 = add i64 %323, 4
-  %341 = icmp eq i64 %340, %189
-  br i1 %341, label %308, label %321
+324:
+  %325 = phi i64 [ %342, %324 ], [ 0, %310 ]
+  %326 = phi i64 [ %343, %324 ], [ 0, %310 ]
+  %327 = getelementptr inbounds double, ptr %11, i64 %325
+  %328 = load double, ptr %327, align 8
+  %329 = getelementptr inbounds double, ptr %15, i64 %325
+  store double %328, ptr %329, align 8
+  %330 = or i64 %325, 1
+  %331 = getelementptr inbounds double, ptr %11, i64 %330
+  %332 = load double, ptr %331, align 8
+  %333 = getelementptr inbounds double, ptr %15, i64 %330
+  store double %332, ptr %333, align 8
+  %334 = or i64 %325, 2
+  %335 = getelementptr inbounds double, ptr %11, i64 %334
+  %336 = load double, ptr %335, align 8
+  %337 = getelementptr inbounds double, ptr %15, i64 %334
+  store double %336, ptr %337, align 8
+  %338 = or i64 %325, 3
+  %339 = getelementptr inbounds double, ptr %11, i64 %338
+  %340 = load double, ptr %339, align 8
+  %341 = getelementptr inbounds double, ptr %15, i64 %338
+  store double %340, ptr %341, align 8
+  %342 = add nuw nsw i64 %325, 4
+  %343 = add i64 %326, 4
+  %344 = icmp eq i64 %343, %187
+  br i1 %344, label %311, label %324
 
-342:
-  %343 = phi i64 [ %354, %342 ], [ 0, %320 ]
-  %344 = phi i64 [ %355, %342 ], [ 0, %320 ]
-  %345 = getelementptr inbounds double, ptr %11, i64 %343
-  %346 = load double, ptr %345, align 8
-  %347 = getelementptr inbounds double, ptr %15, i64 %343
-  %348 = load double, ptr %347, align 8
-  store double %348, ptr %345, align 8
-  store double %346, ptr %347, align 8
-  %349 = or i64 %343, 1
-  %350 = getelementptr inbounds double, ptr %11, i64 %349
+345:
+  %346 = phi i64 [ %357, %345 ], [ 0, %323 ]
+  %347 = phi i64 [ %358, %345 ], [ 0, %323 ]
+  %348 = getelementptr inbounds double, ptr %11, i64 %346
+  %349 = load double, ptr %348, align 8
+  %350 = getelementptr inbounds double, ptr %15, i64 %346
   %351 = load double, ptr %350, align 8
-  %352 = getelementptr inbounds double, ptr %15, i64 %349
-  %353 = load double, ptr %352, align 8
-  store double %353, ptr %350, align 8
-  store double %351, ptr %352, align 8
-  %354 = add nuw nsw i64 %343, 2
-  %355 = add i64 %344, 2
-  %356 = icmp eq i64 %355, %194
-  br i1 %356, label %357, label %342
+  store double %351, ptr %348, align 8
+  store double %349, ptr %350, align 8
+  %352 = or i64 %346, 1
+  %353 = getelementptr inbounds double, ptr %11, i64 %352
+  %354 = load double, ptr %353, align 8
+  %355 = getelementptr inbounds double, ptr %15, i64 %352
+  %356 = load double, ptr %355, align 8
+  store double %356, ptr %353, align 8
+  store double %354, ptr %355, align 8
+  %357 = add nuw nsw i64 %346, 2
+  %358 = add i64 %347, 2
+  %359 = icmp eq i64 %358, %192
+  br i1 %359, label %360, label %345
 
-357:
-  br i1 %195, label %364, label %358
+360:
+  br i1 %193, label %367, label %361
 
-358:
-  %359 = phi i64 [ 0, %320 ], [ %354, %357 ]
-  tail call void @llvm.assume(i1 %196)
-  %360 = getelementptr inbounds double, ptr %11, i64 %359
-  %361 = load double, ptr %360, align 8
-  %362 = getelementptr inbounds double, ptr %15, i64 %359
-  %363 = load double, ptr %362, align 8
-  store double %363, ptr %360, align 8
-  store double %361, ptr %362, align 8
-  br label %364
+361:
+  %362 = phi i64 [ 0, %323 ], [ %357, %360 ]
+  tail call void @llvm.assume(i1 %194)
+  %363 = getelementptr inbounds double, ptr %11, i64 %362
+  %364 = load double, ptr %363, align 8
+  %365 = getelementptr inbounds double, ptr %15, i64 %362
+  %366 = load double, ptr %365, align 8
+  store double %366, ptr %363, align 8
+  store double %364, ptr %365, align 8
+  br label %367
 
-364:
-  br i1 %198, label %399, label %365
+367:
+  br i1 %196, label %402, label %368
 
-365:
-  %366 = phi i64 [ %395, %365 ], [ 0, %364 ]
-  %367 = phi i64 [ %396, %365 ], [ 0, %364 ]
-  %368 = getelementptr inbounds i32, ptr %1, i64 %366
-  %369 = load i32, ptr %368, align 4
-  %370 = zext i32 %369 to i64
-  %371 = getelementptr inbounds double, ptr %25, i64 %370
-  %372 = load double, ptr %371, align 8
-  %373 = getelementptr inbounds double, ptr %19, i64 %366
-  store double %372, ptr %373, align 8
-  %374 = or i64 %366, 1
-  %375 = getelementptr inbounds i32, ptr %1, i64 %374
-  %376 = load i32, ptr %375, align 4
-  %377 = zext i32 %376 to i64
-  %378 = getelementptr inbounds double, ptr %25, i64 %377
-  %379 = load double, ptr %378, align 8
-  %380 = getelementptr inbounds double, ptr %19, i64 %374
-  store double %379, ptr %380, align 8
-  %381 = or i64 %366, 2
-  %382 = getelementptr inbounds i32, ptr %1, i64 %381
-  %383 = load i32, ptr %382, align 4
-  %384 = zext i32 %383 to i64
-  %385 = getelementptr inbounds double, ptr %25, i64 %384
-  %386 = load double, ptr %385, align 8
-  %387 = getelementptr inbounds double, ptr %19, i64 %381
-  store double %386, ptr %387, align 8
-  %388 = or i64 %366, 3
-  %389 = getelementptr inbounds i32, ptr %1, i64 %388
-  %390 = load i32, ptr %389, align 4
-  %391 = zext i32 %390 to i64
-  %392 = getelementptr inbounds double, ptr %25, i64 %391
-  %393 = load double, ptr %392, align 8
-  %394 = getelementptr inbounds double, ptr %19, i64 %388
-  store double %393, ptr %394, align 8
-  %395 = add nuw nsw i64 %366, 4
-  %396 = add i64 %367, 4
-  %397 = icmp eq i64 %396, %199
-  br i1 %397, label %398, label %365
-
-398:
-  br i1 %200, label %413, label %399
-
-399:
-  %400 = phi i64 [ 0, %364 ], [ %395, %398 ]
-  tail call void @llvm.assume(i1 %201)
-  br label %401
+368:
+  %369 = phi i64 [ %398, %368 ], [ 0, %367 ]
+  %370 = phi i64 [ %399, %368 ], [ 0, %367 ]
+  %371 = getelementptr inbounds i32, ptr %1, i64 %369
+  %372 = load i32, ptr %371, align 4
+  %373 = zext i32 %372 to i64
+  %374 = getelementptr inbounds double, ptr %25, i64 %373
+  %375 = load double, ptr %374, align 8
+  %376 = getelementptr inbounds double, ptr %19, i64 %369
+  store double %375, ptr %376, align 8
+  %377 = or i64 %369, 1
+  %378 = getelementptr inbounds i32, ptr %1, i64 %377
+  %379 = load i32, ptr %378, align 4
+  %380 = zext i32 %379 to i64
+  %381 = getelementptr inbounds double, ptr %25, i64 %380
+  %382 = load double, ptr %381, align 8
+  %383 = getelementptr inbounds double, ptr %19, i64 %377
+  store double %382, ptr %383, align 8
+  %384 = or i64 %369, 2
+  %385 = getelementptr inbounds i32, ptr %1, i64 %384
+  %386 = load i32, ptr %385, align 4
+  %387 = zext i32 %386 to i64
+  %388 = getelementptr inbounds double, ptr %25, i64 %387
+  %389 = load double, ptr %388, align 8
+  %390 = getelementptr inbounds double, ptr %19, i64 %384
+  store double %389, ptr %390, align 8
+  %391 = or i64 %369, 3
+  %392 = getelementptr inbounds i32, ptr %1, i64 %391
+  %393 = load i32, ptr %392, align 4
+  %394 = zext i32 %393 to i64
+  %395 = getelementptr inbounds double, ptr %25, i64 %394
+  %396 = load double, ptr %395, align 8
+  %397 = getelementptr inbounds double, ptr %19, i64 %391
+  store double %396, ptr %397, align 8
+  %398 = add nuw nsw i64 %369, 4
+  %399 = add i64 %370, 4
+  %400 = icmp eq i64 %399, %197
+  br i1 %400, label %401, label %368
 
 401:
-  %402 = phi i64 [ %410, %401 ], [ %400, %399 ]
-  %403 = phi i64 [ %411, %401 ], [ 0, %399 ]
-  %404 = getelementptr inbounds i32, ptr %1, i64 %402
-  %405 = load i32, ptr %404, align 4
-  %406 = zext i32 %405 to i64
-  %407 = getelementptr inbounds double, ptr %25, i64 %406
-  %408 = load double, ptr %407, align 8
-  %409 = getelementptr inbounds double, ptr %19, i64 %402
-  store double %408, ptr %409, align 8
-  %410 = add nuw nsw i64 %402, 1
-  %411 = add i64 %403, 1
-  %412 = icmp eq i64 %411, %197
-  br i1 %412, label %413, label %401
+  br i1 %198, label %416, label %402
 
-413:
-  %414 = tail call fastcc ptr @allocate(ptr %0, i64 %182) #17
-  %415 = icmp eq ptr %414, null
-  br i1 %415, label %701, label %416
+402:
+  %403 = phi i64 [ 0, %367 ], [ %398, %401 ]
+  tail call void @llvm.assume(i1 %199)
+  br label %404
+
+404:
+  %405 = phi i64 [ %413, %404 ], [ %403, %402 ]
+  %406 = phi i64 [ %414, %404 ], [ 0, %402 ]
+  %407 = getelementptr inbounds i32, ptr %1, i64 %405
+  %408 = load i32, ptr %407, align 4
+  %409 = zext i32 %408 to i64
+  %410 = getelementptr inbounds double, ptr %25, i64 %409
+  %411 = load double, ptr %410, align 8
+  %412 = getelementptr inbounds double, ptr %19, i64 %405
+  store double %411, ptr %412, align 8
+  %413 = add nuw nsw i64 %405, 1
+  %414 = add i64 %406, 1
+  %415 = icmp eq i64 %414, %195
+  br i1 %415, label %416, label %404
 
 416:
-  br i1 %181, label %452, label %417
-
-417:
-  br i1 %203, label %419, label %431
-
-418:
-  br i1 %205, label %428, label %419
+  %417 = tail call fastcc ptr @allocate(ptr %0, i64 %180) #17
+  %418 = icmp eq ptr %417, null
+  br i1 %418, label %710, label %419
 
 419:
-  %420 = phi i64 [ 0, %417 ], [ %449, %418 ]
-  tail call void @llvm.assume(i1 %206)
-  %421 = getelementptr inbounds double, ptr %11, i64 %420
-  %422 = load double, ptr %421, align 8
-  %423 = getelementptr inbounds double, ptr %15, i64 %420
-  %424 = load double, ptr %423, align 8
-  %425 = fmul double %255, %424
-  %426 = fadd double %422, %425
-  %427 = getelementptr inbounds double, ptr %414, i64 %420
-  store double %426, ptr %427, align 8
-  br label %428
+  br i1 %179, label %455, label %420
 
-428:
-  %429 = tail call fastcc i32 @factorise(ptr %414, i64 %2, ptr %23) #17
-  br i1 %32, label %430, label %470
+420:
+  br i1 %201, label %422, label %434
 
-430:
-  br i1 %208, label %456, label %472
+421:
+  br i1 %203, label %431, label %422
+
+422:
+  %423 = phi i64 [ 0, %420 ], [ %452, %421 ]
+  tail call void @llvm.assume(i1 %204)
+  %424 = getelementptr inbounds double, ptr %11, i64 %423
+  %425 = load double, ptr %424, align 8
+  %426 = getelementptr inbounds double, ptr %15, i64 %423
+  %427 = load double, ptr %426, align 8
+  %428 = fmul double %251, %427
+  %429 = fadd double %425, %428
+  %430 = getelementptr inbounds double, ptr %417, i64 %423
+  store double %429, ptr %430, align 8
+  br label %431
 
 431:
-  %432 = phi i64 [ %449, %431 ], [ 0, %417 ]
-  %433 = phi i64 [ %450, %431 ], [ 0, %417 ]
-  %434 = getelementptr inbounds double, ptr %11, i64 %432
-  %435 = load double, ptr %434, align 8
-  %436 = getelementptr inbounds double, ptr %15, i64 %432
-  %437 = load double, ptr %436, align 8
-  %438 = fmul double %255, %437
-  %439 = fadd double %435, %438
-  %440 = getelementptr inbounds double, ptr %414, i64 %432
-  store double %439, ptr %440, align 8
-  %441 = or i64 %432, 1
-  %442 = getelementptr inbounds double, ptr %11, i64 %441
-  %443 = load double, ptr %442, align 8
-  %444 = getelementptr inbounds double, ptr %15, i64 %441
-  %445 = load double, ptr %444, align 8
-  %446 = fmul double %255, %445
-  %447 = fadd double %443, %446
-  %448 = getelementptr inbounds double, ptr %414, i64 %441
-  store double %447, ptr %448, align 8
-  %449 = add nuw nsw i64 %432, 2
-  %450 = add i64 %433, 2
-  %451 = icmp eq i64 %450, %204
-  br i1 %451, label %418, label %431
+  %432 = tail call fastcc i32 @factorise(ptr %417, i64 %2, ptr %23) #17
+  br i1 %34, label %433, label %473
 
-452:
-  %453 = tail call fastcc i32 @factorise(ptr %414, i64 %2, ptr %23) #17
-  %454 = icmp eq i32 %453, 0
-  br i1 %454, label %628, label %498
+433:
+  br i1 %206, label %459, label %475
+
+434:
+  %435 = phi i64 [ %452, %434 ], [ 0, %420 ]
+  %436 = phi i64 [ %453, %434 ], [ 0, %420 ]
+  %437 = getelementptr inbounds double, ptr %11, i64 %435
+  %438 = load double, ptr %437, align 8
+  %439 = getelementptr inbounds double, ptr %15, i64 %435
+  %440 = load double, ptr %439, align 8
+  %441 = fmul double %251, %440
+  %442 = fadd double %438, %441
+  %443 = getelementptr inbounds double, ptr %417, i64 %435
+  store double %442, ptr %443, align 8
+  %444 = or i64 %435, 1
+  %445 = getelementptr inbounds double, ptr %11, i64 %444
+  %446 = load double, ptr %445, align 8
+  %447 = getelementptr inbounds double, ptr %15, i64 %444
+  %448 = load double, ptr %447, align 8
+  %449 = fmul double %251, %448
+  %450 = fadd double %446, %449
+  %451 = getelementptr inbounds double, ptr %417, i64 %444
+  store double %450, ptr %451, align 8
+  %452 = add nuw nsw i64 %435, 2
+  %453 = add i64 %436, 2
+  %454 = icmp eq i64 %453, %202
+  br i1 %454, label %421, label %434
 
 455:
-  br i1 %210, label %468, label %456
-
-456:
-  %457 = phi i64 [ 0, %430 ], [ %494, %455 ]
-  tail call void @llvm.assume(i1 %211)
-  br label %458
+  %456 = tail call fastcc i32 @factorise(ptr %417, i64 %2, ptr %23) #17
+  %457 = icmp eq i32 %456, 0
+  br i1 %457, label %637, label %501
 
 458:
-  %459 = phi i64 [ %465, %458 ], [ %457, %456 ]
-  %460 = phi i64 [ %466, %458 ], [ 0, %456 ]
-  %461 = getelementptr inbounds double, ptr %17, i64 %459
-  %462 = load double, ptr %461, align 8
-  %463 = fneg double %462
-  %464 = getelementptr inbounds double, ptr %16, i64 %459
-  store double %463, ptr %464, align 8
-  %465 = add nuw nsw i64 %459, 1
-  %466 = add i64 %460, 1
-  %467 = icmp eq i64 %466, %207
-  br i1 %467, label %468, label %458
+  br i1 %208, label %471, label %459
 
-468:
-  %469 = icmp eq i32 %429, 0
-  br i1 %469, label %628, label %497
+459:
+  %460 = phi i64 [ 0, %433 ], [ %497, %458 ]
+  tail call void @llvm.assume(i1 %209)
+  br label %461
 
-470:
-  %471 = icmp eq i32 %429, 0
-  br i1 %471, label %628, label %498
+461:
+  %462 = phi i64 [ %468, %461 ], [ %460, %459 ]
+  %463 = phi i64 [ %469, %461 ], [ 0, %459 ]
+  %464 = getelementptr inbounds double, ptr %17, i64 %462
+  %465 = load double, ptr %464, align 8
+  %466 = fneg double %465
+  %467 = getelementptr inbounds double, ptr %16, i64 %462
+  store double %466, ptr %467, align 8
+  %468 = add nuw nsw i64 %462, 1
+  %469 = add i64 %463, 1
+  %470 = icmp eq i64 %469, %205
+  br i1 %470, label %471, label %461
 
-472:
-  %473 = phi i64 [ %494, %472 ], [ 0, %430 ]
-  %474 = phi i64 [ %495, %472 ], [ 0, %430 ]
-  %475 = getelementptr inbounds double, ptr %17, i64 %473
-  %476 = load double, ptr %475, align 8
-  %477 = fneg double %476
-  %478 = getelementptr inbounds double, ptr %16, i64 %473
-  store double %477, ptr %478, align 8
-  %479 = or i64 %473, 1
-  %480 = getelementptr inbounds double, ptr %17, i64 %479
-  %481 = load double, ptr %480, align 8
-  %482 = fneg double %481
-  %483 = getelementptr inbounds double, ptr %16, i64 %479
-  store double %482, ptr %483, align 8
-  %484 = or i64 %473, 2
-  %485 = getelementptr inbounds double, ptr %17, i64 %484
-  %486 = load double, ptr %485, align 8
-  %487 = fneg double %486
-  %488 = getelementptr inbounds double, ptr %16, i64 %484
-  store double %487, ptr %488, align 8
-  %489 = or i64 %473, 3
-  %490 = getelementptr inbounds double, ptr %17, i64 %489
-  %491 = load double, ptr %490, align 8
-  %492 = fneg double %491
-  %493 = getelementptr inbounds double, ptr %16, i64 %489
-  store double %492, ptr %493, align 8
-  %494 = add nuw nsw i64 %473, 4
-  %495 = add i64 %474, 4
-  %496 = icmp eq i64 %495, %209
-  br i1 %496, label %455, label %472
+471:
+  %472 = icmp eq i32 %432, 0
+  br i1 %472, label %637, label %500
 
-497:
-  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %16) #17
-  br i1 %213, label %501, label %514
+473:
+  %474 = icmp eq i32 %432, 0
+  br i1 %474, label %637, label %501
 
-498:
-  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %16) #17
-  %499 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br label %554
+475:
+  %476 = phi i64 [ %497, %475 ], [ 0, %433 ]
+  %477 = phi i64 [ %498, %475 ], [ 0, %433 ]
+  %478 = getelementptr inbounds double, ptr %17, i64 %476
+  %479 = load double, ptr %478, align 8
+  %480 = fneg double %479
+  %481 = getelementptr inbounds double, ptr %16, i64 %476
+  store double %480, ptr %481, align 8
+  %482 = or i64 %476, 1
+  %483 = getelementptr inbounds double, ptr %17, i64 %482
+  %484 = load double, ptr %483, align 8
+  %485 = fneg double %484
+  %486 = getelementptr inbounds double, ptr %16, i64 %482
+  store double %485, ptr %486, align 8
+  %487 = or i64 %476, 2
+  %488 = getelementptr inbounds double, ptr %17, i64 %487
+  %489 = load double, ptr %488, align 8
+  %490 = fneg double %489
+  %491 = getelementptr inbounds double, ptr %16, i64 %487
+  store double %490, ptr %491, align 8
+  %492 = or i64 %476, 3
+  %493 = getelementptr inbounds double, ptr %17, i64 %492
+  %494 = load double, ptr %493, align 8
+  %495 = fneg double %494
+  %496 = getelementptr inbounds double, ptr %16, i64 %492
+  store double %495, ptr %496, align 8
+  %497 = add nuw nsw i64 %476, 4
+  %498 = add i64 %477, 4
+  %499 = icmp eq i64 %498, %207
+  br i1 %499, label %458, label %475
 
 500:
-  br i1 %215, label %512, label %501
+  tail call fastcc void @solve(ptr %417, i64 %2, ptr %23, ptr %16) #17
+  br i1 %211, label %504, label %517
 
 501:
-  %502 = phi i64 [ 0, %497 ], [ %536, %500 ]
-  tail call void @llvm.assume(i1 %216)
-  %503 = getelementptr inbounds double, ptr %19, i64 %502
-  %504 = load double, ptr %503, align 8
-  %505 = getelementptr inbounds double, ptr %16, i64 %502
-  %506 = load double, ptr %505, align 8
-  %507 = fadd double %504, %506
-  %508 = getelementptr inbounds i32, ptr %1, i64 %502
-  %509 = load i32, ptr %508, align 4
-  %510 = zext i32 %509 to i64
-  %511 = getelementptr inbounds double, ptr %25, i64 %510
-  store double %507, ptr %511, align 8
-  br label %512
+  tail call fastcc void @solve(ptr %417, i64 %2, ptr %23, ptr %16) #17
+  %502 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  br label %557
 
-512:
-  %513 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  br i1 %218, label %540, label %557
+503:
+  br i1 %213, label %515, label %504
 
-514:
-  %515 = phi i64 [ %536, %514 ], [ 0, %497 ]
-  %516 = phi i64 [ %537, %514 ], [ 0, %497 ]
-  %517 = getelementptr inbounds double, ptr %19, i64 %515
-  %518 = load double, ptr %517, align 8
-  %519 = getelementptr inbounds double, ptr %16, i64 %515
-  %520 = load double, ptr %519, align 8
-  %521 = fadd double %518, %520
-  %522 = getelementptr inbounds i32, ptr %1, i64 %515
-  %523 = load i32, ptr %522, align 4
-  %524 = zext i32 %523 to i64
-  %525 = getelementptr inbounds double, ptr %25, i64 %524
-  store double %521, ptr %525, align 8
-  %526 = or i64 %515, 1
-  %527 = getelementptr inbounds double, ptr %19, i64 %526
-  %528 = load double, ptr %527, align 8
-  %529 = getelementptr inbounds double, ptr %16, i64 %526
-  %530 = load double, ptr %529, align 8
-  %531 = fadd double %528, %530
-  %532 = getelementptr inbounds i32, ptr %1, i64 %526
-  %533 = load i32, ptr %532, align 4
-  %534 = zext i32 %533 to i64
-  %535 = getelementptr inbounds double, ptr %25, i64 %534
-  store double %531, ptr %535, align 8
-  %536 = add nuw nsw i64 %515, 2
-  %537 = add i64 %516, 2
-  %538 = icmp eq i64 %537, %214
-  br i1 %538, label %500, label %514
+504:
+  %505 = phi i64 [ 0, %500 ], [ %539, %503 ]
+  tail call void @llvm.assume(i1 %214)
+  %506 = getelementptr inbounds double, ptr %19, i64 %505
+  %507 = load double, ptr %506, align 8
+  %508 = getelementptr inbounds double, ptr %16, i64 %505
+  %509 = load double, ptr %508, align 8
+  %510 = fadd double %507, %509
+  %511 = getelementptr inbounds i32, ptr %1, i64 %505
+  %512 = load i32, ptr %511, align 4
+  %513 = zext i32 %512 to i64
+  %514 = getelementptr inbounds double, ptr %25, i64 %513
+  store double %510, ptr %514, align 8
+  br label %515
 
-539:
-  br i1 %220, label %554, label %540
+515:
+  %516 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  br i1 %216, label %543, label %560
 
-540:
-  %541 = phi i64 [ 0, %512 ], [ %587, %539 ]
-  tail call void @llvm.assume(i1 %221)
-  br label %542
+517:
+  %518 = phi i64 [ %539, %517 ], [ 0, %500 ]
+  %519 = phi i64 [ %540, %517 ], [ 0, %500 ]
+  %520 = getelementptr inbounds double, ptr %19, i64 %518
+  %521 = load double, ptr %520, align 8
+  %522 = getelementptr inbounds double, ptr %16, i64 %518
+  %523 = load double, ptr %522, align 8
+  %524 = fadd double %521, %523
+  %525 = getelementptr inbounds i32, ptr %1, i64 %518
+  %526 = load i32, ptr %525, align 4
+  %527 = zext i32 %526 to i64
+  %528 = getelementptr inbounds double, ptr %25, i64 %527
+  store double %524, ptr %528, align 8
+  %529 = or i64 %518, 1
+  %530 = getelementptr inbounds double, ptr %19, i64 %529
+  %531 = load double, ptr %530, align 8
+  %532 = getelementptr inbounds double, ptr %16, i64 %529
+  %533 = load double, ptr %532, align 8
+  %534 = fadd double %531, %533
+  %535 = getelementptr inbounds i32, ptr %1, i64 %529
+  %536 = load i32, ptr %535, align 4
+  %537 = zext i32 %536 to i64
+  %538 = getelementptr inbounds double, ptr %25, i64 %537
+  store double %534, ptr %538, align 8
+  %539 = add nuw nsw i64 %518, 2
+  %540 = add i64 %519, 2
+  %541 = icmp eq i64 %540, %212
+  br i1 %541, label %503, label %517
 
 542:
-  %543 = phi i64 [ %551, %542 ], [ %541, %540 ]
-  %544 = phi i64 [ %552, %542 ], [ 0, %540 ]
-  %545 = getelementptr inbounds i32, ptr %1, i64 %543
-  %546 = load i32, ptr %545, align 4
-  %547 = zext i32 %546 to i64
-  %548 = getelementptr inbounds double, ptr %27, i64 %547
-  %549 = load double, ptr %548, align 8
-  %550 = getelementptr inbounds double, ptr %20, i64 %543
-  store double %549, ptr %550, align 8
-  %551 = add nuw nsw i64 %543, 1
-  %552 = add i64 %544, 1
-  %553 = icmp eq i64 %552, %217
-  br i1 %553, label %554, label %542
+  br i1 %218, label %557, label %543
 
-554:
-  %555 = phi i64 [ %499, %498 ], [ %513, %542 ], [ %513, %539 ]
-  %556 = icmp eq i64 %555, 1
-  br i1 %556, label %590, label %628
+543:
+  %544 = phi i64 [ 0, %515 ], [ %590, %542 ]
+  tail call void @llvm.assume(i1 %219)
+  br label %545
+
+545:
+  %546 = phi i64 [ %554, %545 ], [ %544, %543 ]
+  %547 = phi i64 [ %555, %545 ], [ 0, %543 ]
+  %548 = getelementptr inbounds i32, ptr %1, i64 %546
+  %549 = load i32, ptr %548, align 4
+  %550 = zext i32 %549 to i64
+  %551 = getelementptr inbounds double, ptr %27, i64 %550
+  %552 = load double, ptr %551, align 8
+  %553 = getelementptr inbounds double, ptr %20, i64 %546
+  store double %552, ptr %553, align 8
+  %554 = add nuw nsw i64 %546, 1
+  %555 = add i64 %547, 1
+  %556 = icmp eq i64 %555, %215
+  br i1 %556, label %557, label %545
 
 557:
-  %558 = phi i64 [ %587, %557 ], [ 0, %512 ]
-  %559 = phi i64 [ %588, %557 ], [ 0, %512 ]
-  %560 = getelementptr inbounds i32, ptr %1, i64 %558
-  %561 = load i32, ptr %560, align 4
-  %562 = zext i32 %561 to i64
-  %563 = getelementptr inbounds double, ptr %27, i64 %562
-  %564 = load double, ptr %563, align 8
-  %565 = getelementptr inbounds double, ptr %20, i64 %558
-  store double %564, ptr %565, align 8
-  %566 = or i64 %558, 1
-  %567 = getelementptr inbounds i32, ptr %1, i64 %566
-  %568 = load i32, ptr %567, align 4
-  %569 = zext i32 %568 to i64
-  %570 = getelementptr inbounds double, ptr %27, i64 %569
-  %571 = load double, ptr %570, align 8
-  %572 = getelementptr inbounds double, ptr %20, i64 %566
-  store double %571, ptr %572, align 8
-  %573 = or i64 %558, 2
-  %574 = getelementptr inbounds i32, ptr %1, i64 %573
-  %575 = load i32, ptr %574, align 4
-  %576 = zext i32 %575 to i64
-  %577 = getelementptr inbounds double, ptr %27, i64 %576
-  %578 = load double, ptr %577, align 8
-  %579 = getelementptr inbounds double, ptr %20, i64 %573
-  store double %578, ptr %579, align 8
-  %580 = or i64 %558, 3
-  %581 = getelementptr inbounds i32, ptr %1, i64 %580
-  %582 = load i32, ptr %581, align 4
-  %583 = zext i32 %582 to i64
-  %584 = getelementptr inbounds double, ptr %27, i64 %583
-  %585 = load double, ptr %584, align 8
-  %586 = getelementptr inbounds double, ptr %20, i64 %580
-  store double %585, ptr %586, align 8
-  %587 = add nuw nsw i64 %558, 4
-  %588 = add i64 %559, 4
-  %589 = icmp eq i64 %588, %219
-  br i1 %589, label %539, label %557
+  %558 = phi i64 [ %502, %501 ], [ %516, %545 ], [ %516, %542 ]
+  %559 = icmp eq i64 %558, 1
+  br i1 %559, label %593, label %637
 
-590:
-  %591 = tail call fastcc i32 @all_finite(ptr %20, i64 %2) #17
-  %592 = icmp eq i32 %591, 0
-  br i1 %592, label %628, label %593
+560:
+  %561 = phi i64 [ %590, %560 ], [ 0, %515 ]
+  %562 = phi i64 [ %591, %560 ], [ 0, %515 ]
+  %563 = getelementptr inbounds i32, ptr %1, i64 %561
+  %564 = load i32, ptr %563, align 4
+  %565 = zext i32 %564 to i64
+  %566 = getelementptr inbounds double, ptr %27, i64 %565
+  %567 = load double, ptr %566, align 8
+  %568 = getelementptr inbounds double, ptr %20, i64 %561
+  store double %567, ptr %568, align 8
+  %569 = or i64 %561, 1
+  %570 = getelementptr inbounds i32, ptr %1, i64 %569
+  %571 = load i32, ptr %570, align 4
+  %572 = zext i32 %571 to i64
+  %573 = getelementptr inbounds double, ptr %27, i64 %572
+  %574 = load double, ptr %573, align 8
+  %575 = getelementptr inbounds double, ptr %20, i64 %569
+  store double %574, ptr %575, align 8
+  %576 = or i64 %561, 2
+  %577 = getelementptr inbounds i32, ptr %1, i64 %576
+  %578 = load i32, ptr %577, align 4
+  %579 = zext i32 %578 to i64
+  %580 = getelementptr inbounds double, ptr %27, i64 %579
+  %581 = load double, ptr %580, align 8
+  %582 = getelementptr inbounds double, ptr %20, i64 %576
+  store double %581, ptr %582, align 8
+  %583 = or i64 %561, 3
+  %584 = getelementptr inbounds i32, ptr %1, i64 %583
+  %585 = load i32, ptr %584, align 4
+  %586 = zext i32 %585 to i64
+  %587 = getelementptr inbounds double, ptr %27, i64 %586
+  %588 = load double, ptr %587, align 8
+  %589 = getelementptr inbounds double, ptr %20, i64 %583
+  store double %588, ptr %589, align 8
+  %590 = add nuw nsw i64 %561, 4
+  %591 = add i64 %562, 4
+  %592 = icmp eq i64 %591, %217
+  br i1 %592, label %542, label %560
 
 593:
-  br i1 %32, label %603, label %596
-
-594:
-  %595 = fcmp ule double %612, 0.000000e+00
-  br label %596
+  %594 = tail call fastcc i32 @all_finite(ptr %20, i64 %2) #17
+  %595 = icmp eq i32 %594, 0
+  br i1 %595, label %637, label %596
 
 596:
-  %597 = phi i1 [ true, %593 ], [ %595, %594 ]
-  %598 = phi double [ 0.000000e+00, %593 ], [ %615, %594 ]
-  tail call fastcc void @solve(ptr %414, i64 %2, ptr %23, ptr %20) #17
-  %599 = tail call fastcc double @length_of(ptr %20, ptr %18, i64 %2) #17
-  %600 = tail call fastcc double @length_of(ptr %16, ptr %18, i64 %2) #17
-  %601 = fdiv double %599, %600
-  %602 = fcmp olt double %601, 8.100000e-01
-  br i1 %602, label %624, label %618
+  br i1 %34, label %606, label %599
 
-603:
-  %604 = phi i64 [ %616, %603 ], [ 0, %593 ]
-  %605 = phi double [ %615, %603 ], [ 0.000000e+00, %593 ]
-  %606 = phi double [ %612, %603 ], [ 0.000000e+00, %593 ]
-  %607 = getelementptr inbounds double, ptr %20, i64 %604
-  %608 = load double, ptr %607, align 8
-  %609 = getelementptr inbounds double, ptr %16, i64 %604
-  %610 = load double, ptr %609, align 8
-  %611 = fmul double %608, %610
-  %612 = fadd double %606, %611
-  %613 = tail call fastcc double @size_of(double %608) #17
-  %614 = fcmp ogt double %613, %605
-  %615 = select i1 %614, double %613, double %605
-  %616 = add nuw nsw i64 %604, 1
-  %617 = icmp eq i64 %616, %2
-  br i1 %617, label %594, label %603
+597:
+  %598 = fcmp ule double %615, 0.000000e+00
+  br label %599
 
-618:
-  %619 = fcmp ole double %598, %95
-  %620 = select i1 %619, double 4.000000e+00, double 1.020000e+00
-  %621 = fcmp ole double %601, %620
-  %622 = select i1 %621, i1 %597, i1 false
-  %623 = zext i1 %622 to i32
-  br label %624
+599:
+  %600 = phi i1 [ true, %596 ], [ %598, %597 ]
+  %601 = phi double [ 0.000000e+00, %596 ], [ %624, %597 ]
+  tail call fastcc void @solve(ptr %417, i64 %2, ptr %23, ptr %20) #17
+  %602 = tail call fastcc double @length_of(ptr %20, ptr %18, i64 %2) #17
+  %603 = tail call fastcc double @length_of(ptr %16, ptr %18, i64 %2) #17
+  %604 = fdiv double %602, %603
+  %605 = fcmp olt double %604, 8.100000e-01
+  br i1 %605, label %633, label %627
 
-624:
-  %625 = phi i32 [ 1, %596 ], [ %623, %618 ]
-  %626 = fcmp olt double %601, 2.500000e-01
-  %627 = select i1 %626, double 1.000000e-01, double 5.000000e-01
-  br label %628
+606:
+  %607 = phi i64 [ %625, %606 ], [ 0, %596 ]
+  %608 = phi double [ %624, %606 ], [ 0.000000e+00, %596 ]
+  %609 = phi double [ %615, %606 ], [ 0.000000e+00, %596 ]
+  %610 = getelementptr inbounds double, ptr %20, i64 %607
+  %611 = load double, ptr %610, align 8
+  %612 = getelementptr inbounds double, ptr %16, i64 %607
+  %613 = load double, ptr %612, align 8
+  %614 = fmul double %611, %613
+  %615 = fadd double %609, %614
+  %616 = tail call fastcc double @size_of(double %611) #17
+  %617 = getelementptr inbounds i32, ptr %1, i64 %607
+  %618 = load i32, ptr %617, align 4
+  %619 = zext i32 %618 to i64
+  %620 = getelementptr inbounds double, ptr %29, i64 %619
+  %621 = load double, ptr %620, align 8
+  %622 = fdiv double %616, %621
+  %623 = fcmp ogt double %622, %608
+  %624 = select i1 %623, double %622, double %608
+  %625 = add nuw nsw i64 %607, 1
+  %626 = icmp eq i64 %625, %2
+  br i1 %626, label %597, label %606
 
-628:
-  %629 = phi i32 [ 0, %452 ], [ %625, %624 ], [ 0, %590 ], [ 0, %554 ], [ 0, %470 ], [ 0, %468 ]
-  %630 = phi double [ 5.000000e-01, %452 ], [ %627, %624 ], [ 5.000000e-01, %590 ], [ 5.000000e-01, %554 ], [ 5.000000e-01, %470 ], [ 5.000000e-01, %468 ]
-  tail call fastcc void @release(ptr %0, ptr %414) #17
-  %631 = icmp ne i32 %629, 0
-  %632 = select i1 %631, double %630, double 8.000000e+00
-  %633 = fmul double %255, %632
-  %634 = fcmp olt double %633, 1.000000e-03
-  %635 = select i1 %631, i1 %634, i1 false
-  %636 = select i1 %635, double 1.000000e-03, double %633
-  %637 = or i1 %631, %183
-  br i1 %637, label %687, label %638
+627:
+  %628 = fcmp ole double %601, %126
+  %629 = select i1 %628, double 4.000000e+00, double 1.020000e+00
+  %630 = fcmp ole double %604, %629
+  %631 = select i1 %630, i1 %600, i1 false
+  %632 = zext i1 %631 to i32
+  br label %633
 
-638:
-  br i1 %223, label %673, label %639
+633:
+  %634 = phi i32 [ 1, %599 ], [ %632, %627 ]
+  %635 = fcmp olt double %604, 2.500000e-01
+  %636 = select i1 %635, double 1.000000e-01, double 5.000000e-01
+  br label %637
 
-639:
-  %640 = phi i64 [ %669, %639 ], [ 0, %638 ]
-  %641 = phi i64 [ %670, %639 ], [ 0, %638 ]
-  %642 = getelementptr inbounds double, ptr %19, i64 %640
-  %643 = load double, ptr %642, align 8
-  %644 = getelementptr inbounds i32, ptr %1, i64 %640
-  %645 = load i32, ptr %644, align 4
-  %646 = zext i32 %645 to i64
-  %647 = getelementptr inbounds double, ptr %25, i64 %646
-  store double %643, ptr %647, align 8
-  %648 = or i64 %640, 1
-  %649 = getelementptr inbounds double, ptr %19, i64 %648
-  %650 = load double, ptr %649, align 8
-  %651 = getelementptr inbounds i32, ptr %1, i64 %648
-  %652 = load i32, ptr %651, align 4
-  %653 = zext i32 %652 to i64
-  %654 = getelementptr inbounds double, ptr %25, i64 %653
-  store double %650, ptr %654, align 8
-  %655 = or i64 %640, 2
-  %656 = getelementptr inbounds double, ptr %19, i64 %655
-  %657 = load double, ptr %656, align 8
-  %658 = getelementptr inbounds i32, ptr %1, i64 %655
-  %659 = load i32, ptr %658, align 4
-  %660 = zext i32 %659 to i64
-  %661 = getelementptr inbounds double, ptr %25, i64 %660
-  store double %657, ptr %661, align 8
-  %662 = or i64 %640, 3
-  %663 = getelementptr inbounds double, ptr %19, i64 %662
-  %664 = load double, ptr %663, align 8
-  %665 = getelementptr inbounds i32, ptr %1, i64 %662
-  %666 = load i32, ptr %665, align 4
-  %667 = zext i32 %666 to i64
-  %668 = getelementptr inbounds double, ptr %25, i64 %667
-  store double %664, ptr %668, align 8
-  %669 = add nuw nsw i64 %640, 4
-  %670 = add i64 %641, 4
-  %671 = icmp eq i64 %670, %224
-  br i1 %671, label %672, label %639
+637:
+  %638 = phi i32 [ 0, %455 ], [ %634, %633 ], [ 0, %593 ], [ 0, %557 ], [ 0, %473 ], [ 0, %471 ]
+  %639 = phi double [ 5.000000e-01, %455 ], [ %636, %633 ], [ 5.000000e-01, %593 ], [ 5.000000e-01, %557 ], [ 5.000000e-01, %473 ], [ 5.000000e-01, %471 ]
+  tail call fastcc void @release(ptr %0, ptr %417) #17
+  %640 = icmp ne i32 %638, 0
+  %641 = select i1 %640, double %639, double 8.000000e+00
+  %642 = fmul double %251, %641
+  %643 = fcmp olt double %642, 1.000000e-03
+  %644 = select i1 %640, i1 %643, i1 false
+  %645 = select i1 %644, double 1.000000e-03, double %642
+  %646 = or i1 %640, %181
+  br i1 %646, label %696, label %647
 
-672:
-  br i1 %225, label %687, label %673
+647:
+  br i1 %221, label %682, label %648
 
-673:
-  %674 = phi i64 [ 0, %638 ], [ %669, %672 ]
-  tail call void @llvm.assume(i1 %226)
-  br label %675
+648:
+  %649 = phi i64 [ %678, %648 ], [ 0, %647 ]
+  %650 = phi i64 [ %679, %648 ], [ 0, %647 ]
+  %651 = getelementptr inbounds double, ptr %19, i64 %649
+  %652 = load double, ptr %651, align 8
+  %653 = getelementptr inbounds i32, ptr %1, i64 %649
+  %654 = load i32, ptr %653, align 4
+  %655 = zext i32 %654 to i64
+  %656 = getelementptr inbounds double, ptr %25, i64 %655
+  store double %652, ptr %656, align 8
+  %657 = or i64 %649, 1
+  %658 = getelementptr inbounds double, ptr %19, i64 %657
+  %659 = load double, ptr %658, align 8
+  %660 = getelementptr inbounds i32, ptr %1, i64 %657
+  %661 = load i32, ptr %660, align 4
+  %662 = zext i32 %661 to i64
+  %663 = getelementptr inbounds double, ptr %25, i64 %662
+  store double %659, ptr %663, align 8
+  %664 = or i64 %649, 2
+  %665 = getelementptr inbounds double, ptr %19, i64 %664
+  %666 = load double, ptr %665, align 8
+  %667 = getelementptr inbounds i32, ptr %1, i64 %664
+  %668 = load i32, ptr %667, align 4
+  %669 = zext i32 %668 to i64
+  %670 = getelementptr inbounds double, ptr %25, i64 %669
+  store double %666, ptr %670, align 8
+  %671 = or i64 %649, 3
+  %672 = getelementptr inbounds double, ptr %19, i64 %671
+  %673 = load double, ptr %672, align 8
+  %674 = getelementptr inbounds i32, ptr %1, i64 %671
+  %675 = load i32, ptr %674, align 4
+  %676 = zext i32 %675 to i64
+  %677 = getelementptr inbounds double, ptr %25, i64 %676
+  store double %673, ptr %677, align 8
+  %678 = add nuw nsw i64 %649, 4
+  %679 = add i64 %650, 4
+  %680 = icmp eq i64 %679, %222
+  br i1 %680, label %681, label %648
 
-675:
-  %676 = phi i64 [ %684, %675 ], [ %674, %673 ]
-  %677 = phi i64 [ %685, %675 ], [ 0, %673 ]
-  %678 = getelementptr inbounds double, ptr %19, i64 %676
-  %679 = load double, ptr %678, align 8
-  %680 = getelementptr inbounds i32, ptr %1, i64 %676
-  %681 = load i32, ptr %680, align 4
-  %682 = zext i32 %681 to i64
-  %683 = getelementptr inbounds double, ptr %25, i64 %682
-  store double %679, ptr %683, align 8
-  %684 = add nuw nsw i64 %676, 1
-  %685 = add i64 %677, 1
-  %686 = icmp eq i64 %685, %222
-  br i1 %686, label %687, label %675
+681:
+  br i1 %223, label %696, label %682
 
-687:
-  %688 = add nuw nsw i64 %253, 1
-  %689 = icmp ult i64 %253, 199
-  %690 = fcmp olt double %636, 1.000000e+20
-  %691 = select i1 %689, i1 %690, i1 false
-  br i1 %691, label %252, label %701
+682:
+  %683 = phi i64 [ 0, %647 ], [ %678, %681 ]
+  tail call void @llvm.assume(i1 %224)
+  br label %684
 
-692:
-  %693 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
-  %694 = icmp eq i64 %693, 0
-  br i1 %694, label %743, label %695
+684:
+  %685 = phi i64 [ %693, %684 ], [ %683, %682 ]
+  %686 = phi i64 [ %694, %684 ], [ 0, %682 ]
+  %687 = getelementptr inbounds double, ptr %19, i64 %685
+  %688 = load double, ptr %687, align 8
+  %689 = getelementptr inbounds i32, ptr %1, i64 %685
+  %690 = load i32, ptr %689, align 4
+  %691 = zext i32 %690 to i64
+  %692 = getelementptr inbounds double, ptr %25, i64 %691
+  store double %688, ptr %692, align 8
+  %693 = add nuw nsw i64 %685, 1
+  %694 = add i64 %686, 1
+  %695 = icmp eq i64 %694, %220
+  br i1 %695, label %696, label %684
 
-695:
-  %696 = tail call fastcc i32 @in_gap(ptr %0) #17
-  %697 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
-  %698 = icmp eq i32 %696, 0
-  %699 = or i1 %698, %28
-  %700 = xor i32 %696, 1
-  br i1 %699, label %743, label %702
+696:
+  %697 = add nuw nsw i64 %252, 1
+  %698 = icmp ult i64 %252, 199
+  %699 = fcmp olt double %645, 1.000000e+20
+  %700 = select i1 %698, i1 %699, i1 false
+  br i1 %700, label %250, label %710
 
 701:
-  br i1 %28, label %743, label %702
+  %702 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 96), align 8
+  %703 = icmp eq i64 %702, 0
+  br i1 %703, label %752, label %704
 
-702:
-  %703 = add i64 %4, -1
-  %704 = and i64 %4, 3
-  %705 = icmp ult i64 %703, 3
-  br i1 %705, label %731, label %706
+704:
+  %705 = tail call fastcc i32 @in_gap(ptr %0) #17
+  %706 = tail call fastcc i64 @residual(ptr %0, i32 0, double 0.000000e+00, double 0.000000e+00) #17
+  %707 = icmp eq i32 %705, 0
+  %708 = or i1 %707, %30
+  %709 = xor i32 %705, 1
+  br i1 %708, label %752, label %711
 
-706:
-  %707 = and i64 %4, -4
-  br label %708
+710:
+  br i1 %30, label %752, label %711
 
-708:
-  %709 = phi i64 [ 0, %706 ], [ %726, %708 ]
-  %710 = phi i64 [ 0, %706 ], [ %727, %708 ]
-  %711 = getelementptr inbounds double, ptr %21, i64 %709
-  %712 = load double, ptr %711, align 8
-  %713 = getelementptr inbounds double, ptr %25, i64 %709
-  store double %712, ptr %713, align 8
-  %714 = or i64 %709, 1
-  %715 = getelementptr inbounds double, ptr %21, i64 %714
-  %716 = load double, ptr %715, align 8
-  %717 = getelementptr inbounds double, ptr %25, i64 %714
-  store double %716, ptr %717, align 8
-  %718 = or i64 %709, 2
-  %719 = getelementptr inbounds double, ptr %21, i64 %718
-  %720 = load double, ptr %719, align 8
-  %721 = getelementptr inbounds double, ptr %25, i64 %718
-  store double %720, ptr %721, align 8
-  %722 = or i64 %709, 3
-  %723 = getelementptr inbounds double, ptr %21, i64 %722
-  %724 = load double, ptr %723, align 8
-  %725 = getelementptr inbounds double, ptr %25, i64 %722
-  store double %724, ptr %725, align 8
-  %726 = add nuw nsw i64 %709, 4
-  %727 = add i64 %710, 4
-  %728 = icmp eq i64 %727, %707
-  br i1 %728, label %729, label %708
+711:
+  %712 = add i64 %4, -1
+  %713 = and i64 %4, 3
+  %714 = icmp ult i64 %712, 3
+  br i1 %714, label %740, label %715
 
-729:
-  %730 = icmp eq i64 %704, 0
-  br i1 %730, label %743, label %731
+715:
+  %716 = and i64 %4, -4
+  br label %717
 
-731:
-  %732 = phi i64 [ 0, %702 ], [ %726, %729 ]
-  %733 = icmp ne i64 %704, 0
-  tail call void @llvm.assume(i1 %733)
-  br label %734
+717:
+  %718 = phi i64 [ 0, %715 ], [ %735, %717 ]
+  %719 = phi i64 [ 0, %715 ], [ %736, %717 ]
+  %720 = getelementptr inbounds double, ptr %21, i64 %718
+  %721 = load double, ptr %720, align 8
+  %722 = getelementptr inbounds double, ptr %25, i64 %718
+  store double %721, ptr %722, align 8
+  %723 = or i64 %718, 1
+  %724 = getelementptr inbounds double, ptr %21, i64 %723
+  %725 = load double, ptr %724, align 8
+  %726 = getelementptr inbounds double, ptr %25, i64 %723
+  store double %725, ptr %726, align 8
+  %727 = or i64 %718, 2
+  %728 = getelementptr inbounds double, ptr %21, i64 %727
+  %729 = load double, ptr %728, align 8
+  %730 = getelementptr inbounds double, ptr %25, i64 %727
+  store double %729, ptr %730, align 8
+  %731 = or i64 %718, 3
+  %732 = getelementptr inbounds double, ptr %21, i64 %731
+  %733 = load double, ptr %732, align 8
+  %734 = getelementptr inbounds double, ptr %25, i64 %731
+  store double %733, ptr %734, align 8
+  %735 = add nuw nsw i64 %718, 4
+  %736 = add i64 %719, 4
+  %737 = icmp eq i64 %736, %716
+  br i1 %737, label %738, label %717
 
-734:
-  %735 = phi i64 [ %740, %734 ], [ %732, %731 ]
-  %736 = phi i64 [ %741, %734 ], [ 0, %731 ]
-  %737 = getelementptr inbounds double, ptr %21, i64 %735
-  %738 = load double, ptr %737, align 8
-  %739 = getelementptr inbounds double, ptr %25, i64 %735
-  store double %738, ptr %739, align 8
-  %740 = add nuw nsw i64 %735, 1
-  %741 = add i64 %736, 1
-  %742 = icmp eq i64 %741, %704
-  br i1 %742, label %743, label %734
+738:
+  %739 = icmp eq i64 %713, 0
+  br i1 %739, label %752, label %740
+
+740:
+  %741 = phi i64 [ 0, %711 ], [ %735, %738 ]
+  %742 = icmp ne i64 %713, 0
+  tail call void @llvm.assume(i1 %742)
+  br label %743
 
 743:
-  %744 = phi i32 [ %700, %695 ], [ 1, %692 ], [ 0, %701 ], [ 0, %734 ], [ 0, %729 ]
-  tail call fastcc void @release(ptr %0, ptr %11) #17
-  br label %745
+  %744 = phi i64 [ %749, %743 ], [ %741, %740 ]
+  %745 = phi i64 [ %750, %743 ], [ 0, %740 ]
+  %746 = getelementptr inbounds double, ptr %21, i64 %744
+  %747 = load double, ptr %746, align 8
+  %748 = getelementptr inbounds double, ptr %25, i64 %744
+  store double %747, ptr %748, align 8
+  %749 = add nuw nsw i64 %744, 1
+  %750 = add i64 %745, 1
+  %751 = icmp eq i64 %750, %713
+  br i1 %751, label %752, label %743
 
-745:
-  %746 = phi i32 [ %744, %743 ], [ 0, %3 ]
-  ret i32 %746
+752:
+  %753 = phi i32 [ %709, %704 ], [ 1, %701 ], [ 0, %710 ], [ 0, %743 ], [ 0, %738 ]
+  tail call fastcc void @release(ptr %0, ptr %11) #17
+  br label %754
+
+754:
+  %755 = phi i32 [ %753, %752 ], [ 0, %3 ]
+  ret i32 %755
 }
 
 define internal fastcc i64 @address(ptr %0) unnamed_addr #0 {
@@ -4010,7 +4123,7 @@ define internal fastcc i32 @refresh(ptr %0) unnamed_addr #1 {
 
 21:
   %22 = load ptr, ptr %16, align 8
-  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %23 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %24 = tail call fastcc i32 @all_finite(ptr %22, i64 %23) #17
   %25 = icmp eq i32 %24, 0
   br i1 %25, label %26, label %28
@@ -4851,7 +4964,7 @@ define internal fastcc i64 @request(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %15 = getelementptr inbounds i8, ptr %12, i64 16
   store <2 x double> zeroinitializer, ptr %15, align 8
   %16 = icmp eq i64 %1, 4
-  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 360), align 8
+  %17 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 416), align 8
   %18 = select i1 %16, double %17, double 0.000000e+00
   %19 = getelementptr inbounds i8, ptr %12, i64 8
   store double %18, ptr %19, align 8
@@ -4908,7 +5021,7 @@ define internal fastcc void @follow_inputs(ptr %0) unnamed_addr #10 {
 
 define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
   %2 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 376), align 8
   %4 = icmp eq i64 %3, 0
   br i1 %4, label %6, label %5
 
@@ -4917,17 +5030,17 @@ define internal fastcc i64 @restart(ptr %0) unnamed_addr #1 {
   br label %11
 
 6:
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
-  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 352), align 8
   %10 = getelementptr inbounds double, ptr %8, i64 %9
   store double 0x7FF8000000000000, ptr %10, align 8
   br label %11
 
 11:
-  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %12 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %13 = tail call fastcc ptr @integers(ptr %0, i64 %12) #17
-  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 368), align 8
   %15 = getelementptr inbounds i64, ptr %13, i64 %14
   store i64 0, ptr %15, align 8
   %16 = getelementptr inbounds i8, ptr %0, i64 72
@@ -4964,20 +5077,20 @@ define internal fastcc void @stop(ptr %0, ptr %1, i64 %2, ptr %3) unnamed_addr #
 define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %4 = tail call fastcc ptr @reals(ptr %0, i64 %3) #17
-  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
   %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
-  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 200), align 8
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
   %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
   %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %14 = icmp sgt i64 %13, 0
   br i1 %14, label %23, label %15
 
 15:
-  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %18, label %52
 
@@ -5030,9 +5143,9 @@ define internal fastcc void @rescale(ptr %0, double %1) unnamed_addr #10 {
   br label %52
 
 52:
-  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %53 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 216), align 8
   %54 = tail call fastcc ptr @integers(ptr %0, i64 %53) #17
-  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
+  %55 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 368), align 8
   %56 = getelementptr inbounds i64, ptr %54, i64 %55
   store i64 0, ptr %56, align 8
   ret void
@@ -5230,7 +5343,7 @@ define internal fastcc void @move(ptr %0, i64 %1) unnamed_addr #13 {
 }
 
 define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
-  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %4 = icmp slt i64 %1, %3
   %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 112), align 8
   %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
@@ -5240,6 +5353,317 @@ define internal fastcc ptr @state_at(ptr %0, i64 %1) unnamed_addr #4 {
   %10 = sub nsw i64 %1, %9
   %11 = getelementptr inbounds double, ptr %8, i64 %10
   ret ptr %11
+}
+
+define internal fastcc void @fail_with(ptr %0, ptr %1, double %2, ptr %3, double %4, ptr %5) unnamed_addr #1 {
+  %7 = getelementptr inbounds i8, ptr %0, i64 144
+  store i8 0, ptr %7, align 8
+  tail call fastcc void @append(ptr %0, ptr %1) #17
+  tail call fastcc void @append_number(ptr %0, double %2) #17
+  tail call fastcc void @append(ptr %0, ptr %3) #17
+  tail call fastcc void @append_number(ptr %0, double %4) #17
+  tail call fastcc void @append(ptr %0, ptr %5) #17
+  tail call fastcc void @fail(ptr %0, ptr %7) #17
+  ret void
+}
+
+define internal fastcc void @append_number(ptr %0, double %1) unnamed_addr #13 {
+  %3 = alloca [24 x i8], align 16
+  %4 = alloca [8 x i8], align 1
+  %5 = tail call fastcc i32 @finite_number(double %1) #17
+  %6 = icmp eq i32 %5, 0
+  br i1 %6, label %7, label %8
+
+7:
+  tail call fastcc void @append(ptr %0, ptr @.str.36) #17
+  br label %202
+
+8:
+  %9 = fcmp olt double %1, 0.000000e+00
+  br i1 %9, label %10, label %12
+
+10:
+  store i8 45, ptr %3, align 16
+  %11 = fneg double %1
+  br label %12
+
+12:
+  %13 = phi i32 [ 1, %10 ], [ 0, %8 ]
+  %14 = phi double [ %11, %10 ], [ %1, %8 ]
+  %15 = fcmp ult double %14, 1.000000e+01
+  br i1 %15, label %16, label %22
+
+16:
+  %17 = phi i32 [ 0, %12 ], [ %26, %22 ]
+  %18 = phi double [ %14, %12 ], [ %25, %22 ]
+  %19 = fcmp ogt double %18, 0.000000e+00
+  %20 = fcmp olt double %18, 1.000000e+00
+  %21 = and i1 %19, %20
+  br i1 %21, label %28, label %36
+
+22:
+  %23 = phi double [ %25, %22 ], [ %14, %12 ]
+  %24 = phi i32 [ %26, %22 ], [ 0, %12 ]
+  %25 = fdiv double %23, 1.000000e+01
+  %26 = add nuw nsw i32 %24, 1
+  %27 = fcmp ult double %25, 1.000000e+01
+  br i1 %27, label %16, label %22
+
+28:
+  %29 = phi double [ %31, %28 ], [ %18, %16 ]
+  %30 = phi i32 [ %32, %28 ], [ %17, %16 ]
+  %31 = fmul double %29, 1.000000e+01
+  %32 = add nsw i32 %30, -1
+  %33 = fcmp ogt double %31, 0.000000e+00
+  %34 = fcmp olt double %31, 1.000000e+00
+  %35 = and i1 %33, %34
+  br i1 %35, label %28, label %36
+
+36:
+  %37 = phi i32 [ %17, %16 ], [ %32, %28 ]
+  %38 = phi double [ %18, %16 ], [ %31, %28 ]
+  %39 = fmul double %38, 1.000000e+05
+  %40 = fadd double %39, 5.000000e-01
+  %41 = fptosi double %40 to i64
+  %42 = icmp sgt i64 %41, 999999
+  br i1 %42, label %43, label %46
+
+43:
+  %44 = udiv i64 %41, 10
+  %45 = add nsw i32 %37, 1
+  br label %46
+
+46:
+  %47 = phi i32 [ %45, %43 ], [ %37, %36 ]
+  %48 = phi i64 [ %44, %43 ], [ %41, %36 ]
+  %49 = srem i64 %48, 10
+  %50 = sdiv i64 %48, 10
+  %51 = icmp eq i64 %49, 0
+  br i1 %51, label %53, label %52
+
+52:
+  br label %73
+
+53:
+  %54 = srem i64 %50, 10
+  %55 = icmp eq i64 %54, 0
+  br i1 %55, label %56, label %70
+
+56:
+  %57 = sdiv i64 %48, 100
+  %58 = srem i64 %57, 10
+  %59 = icmp eq i64 %58, 0
+  br i1 %59, label %60, label %70
+
+60:
+  %61 = sdiv i64 %48, 1000
+  %62 = srem i64 %61, 10
+  %63 = icmp eq i64 %62, 0
+  br i1 %63, label %64, label %70
+
+64:
+  %65 = sdiv i64 %48, 10000
+  %66 = srem i64 %65, 10
+  %67 = icmp eq i64 %66, 0
+  br i1 %67, label %68, label %70
+
+68:
+  %69 = sdiv i64 %48, 100000
+  br label %70
+
+70:
+  %71 = phi i64 [ %50, %53 ], [ %57, %56 ], [ %61, %60 ], [ %65, %64 ], [ %69, %68 ]
+  %72 = phi i32 [ 5, %53 ], [ 4, %56 ], [ 3, %60 ], [ 2, %64 ], [ 1, %68 ]
+  br label %73
+
+73:
+  %74 = phi i64 [ %48, %52 ], [ %71, %70 ]
+  %75 = phi i32 [ 6, %52 ], [ %72, %70 ]
+  %76 = zext i32 %75 to i64
+  %77 = srem i64 %74, 10
+  %78 = sdiv i64 %74, 10
+  %79 = trunc i64 %77 to i8
+  %80 = add nsw i8 %79, 48
+  %81 = getelementptr i8, ptr %4, i64 %76
+  %82 = getelementptr i8, ptr %81, i64 -1
+  store i8 %80, ptr %82, align 1
+  %83 = icmp ugt i32 %75, 1
+  br i1 %83, label %91, label %84
+
+84:
+  %85 = add i32 %47, -6
+  %86 = icmp ult i32 %85, -9
+  %87 = select i1 %86, i32 %47, i32 0
+  %88 = sub nsw i32 %47, %87
+  %89 = tail call i32 @llvm.smin.i32(i32 %88, i32 0)
+  %90 = icmp slt i32 %89, %75
+  br label %131
+
+91:
+  %92 = srem i64 %78, 10
+  %93 = trunc i64 %92 to i8
+  %94 = add nsw i8 %93, 48
+  %95 = getelementptr i8, ptr %4, i64 %76
+  %96 = getelementptr i8, ptr %95, i64 -2
+  store i8 %94, ptr %96, align 1
+  %97 = icmp eq i32 %75, 2
+  br i1 %97, label %84, label %98
+
+98:
+  %99 = sdiv i64 %74, 100
+  %100 = srem i64 %99, 10
+  %101 = trunc i64 %100 to i8
+  %102 = add nsw i8 %101, 48
+  %103 = getelementptr i8, ptr %4, i64 %76
+  %104 = getelementptr i8, ptr %103, i64 -3
+  store i8 %102, ptr %104, align 1
+  %105 = icmp ugt i32 %75, 3
+  br i1 %105, label %106, label %84
+
+106:
+  %107 = sdiv i64 %74, 1000
+  %108 = srem i64 %107, 10
+  %109 = trunc i64 %108 to i8
+  %110 = add nsw i8 %109, 48
+  %111 = getelementptr i8, ptr %4, i64 %76
+  %112 = getelementptr i8, ptr %111, i64 -4
+  store i8 %110, ptr %112, align 1
+  %113 = icmp eq i32 %75, 4
+  br i1 %113, label %84, label %114
+
+114:
+  %115 = sdiv i64 %74, 10000
+  %116 = srem i64 %115, 10
+  %117 = trunc i64 %116 to i8
+  %118 = add nsw i8 %117, 48
+  %119 = getelementptr i8, ptr %4, i64 %76
+  %120 = getelementptr i8, ptr %119, i64 -5
+  store i8 %118, ptr %120, align 1
+  %121 = icmp ugt i32 %75, 5
+  br i1 %121, label %122, label %84
+
+122:
+  %123 = sdiv i64 %74, 100000
+  %124 = srem i64 %123, 10
+  %125 = trunc i64 %124 to i8
+  %126 = add nsw i8 %125, 48
+  %127 = getelementptr i8, ptr %4, i64 %76
+  %128 = getelementptr i8, ptr %127, i64 -6
+  store i8 %126, ptr %128, align 1
+  br label %84
+
+129:
+  %130 = icmp eq i32 %87, 0
+  br i1 %130, label %198, label %158
+
+131:
+  %132 = phi i1 [ %90, %84 ], [ %148, %154 ]
+  %133 = phi i32 [ %89, %84 ], [ %147, %154 ]
+  %134 = phi i32 [ %13, %84 ], [ %155, %154 ]
+  %135 = icmp sgt i32 %133, -1
+  %136 = and i1 %135, %132
+  br i1 %136, label %137, label %141
+
+137:
+  %138 = zext i32 %133 to i64
+  %139 = getelementptr inbounds i8, ptr %4, i64 %138
+  %140 = load i8, ptr %139, align 1
+  br label %141
+
+141:
+  %142 = phi i8 [ %140, %137 ], [ 48, %131 ]
+  %143 = add nsw i32 %134, 1
+  %144 = sext i32 %134 to i64
+  %145 = getelementptr inbounds i8, ptr %3, i64 %144
+  store i8 %142, ptr %145, align 1
+  %146 = icmp eq i32 %133, %88
+  %147 = add nsw i32 %133, 1
+  %148 = icmp slt i32 %147, %75
+  %149 = select i1 %146, i1 %148, i1 false
+  br i1 %149, label %150, label %154
+
+150:
+  %151 = add nsw i32 %134, 2
+  %152 = sext i32 %143 to i64
+  %153 = getelementptr inbounds i8, ptr %3, i64 %152
+  store i8 46, ptr %153, align 1
+  br label %154
+
+154:
+  %155 = phi i32 [ %151, %150 ], [ %143, %141 ]
+  %156 = icmp slt i32 %133, %88
+  %157 = select i1 %148, i1 true, i1 %156
+  br i1 %157, label %131, label %129
+
+158:
+  %159 = add nsw i32 %155, 1
+  %160 = sext i32 %155 to i64
+  %161 = getelementptr inbounds i8, ptr %3, i64 %160
+  store i8 101, ptr %161, align 1
+  %162 = icmp slt i32 %87, 0
+  br i1 %162, label %163, label %168
+
+163:
+  %164 = add nsw i32 %155, 2
+  %165 = sext i32 %159 to i64
+  %166 = getelementptr inbounds i8, ptr %3, i64 %165
+  store i8 45, ptr %166, align 1
+  %167 = sub nsw i32 0, %87
+  br label %168
+
+168:
+  %169 = phi i32 [ %164, %163 ], [ %159, %158 ]
+  %170 = phi i32 [ %167, %163 ], [ %47, %158 ]
+  %171 = icmp ugt i32 %170, 99
+  br i1 %171, label %172, label %179
+
+172:
+  %173 = udiv i32 %170, 100
+  %174 = trunc i32 %173 to i8
+  %175 = add i8 %174, 48
+  %176 = add nsw i32 %169, 1
+  %177 = sext i32 %169 to i64
+  %178 = getelementptr inbounds i8, ptr %3, i64 %177
+  store i8 %175, ptr %178, align 1
+  br label %181
+
+179:
+  %180 = icmp ugt i32 %170, 9
+  br i1 %180, label %181, label %190
+
+181:
+  %182 = phi i32 [ %176, %172 ], [ %169, %179 ]
+  %183 = udiv i32 %170, 10
+  %184 = urem i32 %183, 10
+  %185 = trunc i32 %184 to i8
+  %186 = or i8 %185, 48
+  %187 = add nsw i32 %182, 1
+  %188 = sext i32 %182 to i64
+  %189 = getelementptr inbounds i8, ptr %3, i64 %188
+  store i8 %186, ptr %189, align 1
+  br label %190
+
+190:
+  %191 = phi i32 [ %187, %181 ], [ %169, %179 ]
+  %192 = urem i32 %170, 10
+  %193 = trunc i32 %192 to i8
+  %194 = or i8 %193, 48
+  %195 = add nsw i32 %191, 1
+  %196 = sext i32 %191 to i64
+  %197 = getelementptr inbounds i8, ptr %3, i64 %196
+  store i8 %194, ptr %197, align 1
+  br label %198
+
+198:
+  %199 = phi i32 [ %195, %190 ], [ %155, %129 ]
+  %200 = sext i32 %199 to i64
+  %201 = getelementptr inbounds i8, ptr %3, i64 %200
+  store i8 0, ptr %201, align 1
+  call fastcc void @append(ptr %0, ptr %3) #17
+  br label %202
+
+202:
+  ret void
 }
 
 define internal fastcc i32 @is_own(ptr %0) unnamed_addr #8 {
@@ -5306,7 +5730,7 @@ define internal fastcc double @change_of(ptr %0, i32 %1, double %2) unnamed_addr
 8:
   %9 = getelementptr inbounds i8, ptr %5, i64 8
   %10 = load i64, ptr %9, align 8
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %12 = icmp slt i64 %10, %11
   %13 = select i1 %12, double 1.000000e-08, double 1.000000e-04
   br label %32
@@ -5455,35 +5879,69 @@ define internal fastcc i32 @add(ptr %0, ptr %1, i64 %2, ptr %3, double %4) unnam
   ret i32 %50
 }
 
-define internal fastcc void @change_step(ptr %0, double %1) unnamed_addr #10 {
+define internal fastcc i64 @change_step(ptr %0, double %1) unnamed_addr #1 {
   %3 = tail call fastcc double @now(ptr %0) #17
-  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
-  %5 = icmp eq i64 %4, 0
-  br i1 %5, label %10, label %6
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 376), align 8
+  %5 = icmp ne i64 %4, 0
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
+  %7 = icmp ne i64 %6, 0
+  %8 = select i1 %5, i1 %7, i1 false
+  br i1 %8, label %9, label %10
 
-6:
-  %7 = getelementptr inbounds i8, ptr %0, i64 56
-  %8 = load double, ptr %7, align 8
-  %9 = fdiv double %1, %8
-  tail call fastcc void @rescale(ptr %0, double %9) #17
-  br label %15
+9:
+  tail call fastcc void @tolerate(ptr %0, double %1) #17
+  br label %10
 
 10:
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
-  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
-  %14 = getelementptr inbounds double, ptr %12, i64 %13
-  store double 0.000000e+00, ptr %14, align 8
-  br label %15
+  %11 = icmp eq i64 %4, 0
+  %12 = icmp eq i64 %6, 0
+  %13 = select i1 %11, i1 true, i1 %12
+  %14 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %15 = icmp ne i64 %14, 0
+  %16 = select i1 %13, i1 true, i1 %15
+  br i1 %16, label %26, label %17
 
-15:
-  %16 = getelementptr inbounds i8, ptr %0, i64 48
-  store double %3, ptr %16, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 64
-  store i64 0, ptr %17, align 8
-  %18 = getelementptr inbounds i8, ptr %0, i64 56
-  store double %1, ptr %18, align 8
-  ret void
+17:
+  %18 = getelementptr inbounds i8, ptr %0, i64 72
+  %19 = load i64, ptr %18, align 8
+  %20 = icmp eq i64 %19, 2
+  br i1 %20, label %27, label %21
+
+21:
+  %22 = getelementptr inbounds i8, ptr %0, i64 56
+  %23 = load double, ptr %22, align 8
+  %24 = fdiv double %1, %23
+  %25 = tail call fastcc i64 @shift_rates(ptr %0, double %24) #17
+  br label %27
+
+26:
+  br i1 %11, label %32, label %27
+
+27:
+  %28 = phi i64 [ 1, %26 ], [ 1, %17 ], [ %25, %21 ]
+  %29 = getelementptr inbounds i8, ptr %0, i64 56
+  %30 = load double, ptr %29, align 8
+  %31 = fdiv double %1, %30
+  tail call fastcc void @rescale(ptr %0, double %31) #17
+  br label %37
+
+32:
+  %33 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 208), align 8
+  %34 = tail call fastcc ptr @reals(ptr %0, i64 %33) #17
+  %35 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 360), align 8
+  %36 = getelementptr inbounds double, ptr %34, i64 %35
+  store double 0.000000e+00, ptr %36, align 8
+  br label %37
+
+37:
+  %38 = phi i64 [ 1, %32 ], [ %28, %27 ]
+  %39 = getelementptr inbounds i8, ptr %0, i64 48
+  store double %3, ptr %39, align 8
+  %40 = getelementptr inbounds i8, ptr %0, i64 64
+  store i64 0, ptr %40, align 8
+  %41 = getelementptr inbounds i8, ptr %0, i64 56
+  store double %1, ptr %41, align 8
+  ret i64 %38
 }
 
 define internal fastcc void @lead(ptr %0, double %1) unnamed_addr #10 {
@@ -5594,7 +6052,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %11 = getelementptr inbounds i8, ptr %5, i64 24
   store i64 %2, ptr %11, align 8
   %12 = getelementptr inbounds i8, ptr %5, i64 32
-  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 336), align 8
   %14 = add nsw i64 %13, 1
   store i64 %14, ptr %12, align 8
   %15 = getelementptr inbounds i8, ptr %5, i64 40
@@ -5608,20 +6066,20 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   store i64 0, ptr %19, align 8
   %20 = getelementptr inbounds i8, ptr %0, i64 48
   %21 = load double, ptr %20, align 8
-  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 232), align 8
+  %22 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 280), align 8
   %23 = call fastcc ptr @reals(ptr %0, i64 %22) #17
   store double %21, ptr %23, align 8
   %24 = getelementptr inbounds i8, ptr %0, i64 56
   %25 = load double, ptr %24, align 8
-  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 240), align 8
+  %26 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 288), align 8
   %27 = call fastcc ptr @reals(ptr %0, i64 %26) #17
   store double %25, ptr %27, align 8
   %28 = getelementptr inbounds i8, ptr %0, i64 64
   %29 = load i64, ptr %28, align 8
-  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 248), align 8
+  %30 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 304), align 8
   %31 = call fastcc ptr @integers(ptr %0, i64 %30) #17
   store i64 %29, ptr %31, align 8
-  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %32 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 312), align 8
   %33 = call fastcc ptr @integers(ptr %0, i64 %32) #17
   store i64 %1, ptr %33, align 8
   %34 = load ptr, ptr @pp_entries, align 8
@@ -5630,7 +6088,7 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %37 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 104), align 8
   %38 = getelementptr inbounds i8, ptr %36, i64 %37
   %39 = call fastcc i64 @address(ptr %38) #17
-  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 224), align 8
+  %40 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 272), align 8
   %41 = getelementptr inbounds i8, ptr %36, i64 %40
   %42 = call fastcc i64 @address(ptr %41) #17
   %43 = call fastcc i64 @address(ptr %5) #17
@@ -5730,12 +6188,516 @@ define internal fastcc i64 @advance(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   ret i64 %111
 }
 
+define internal fastcc void @tolerate(ptr %0, double %1) unnamed_addr #10 {
+  %3 = fmul double %1, 2.500000e-01
+  %4 = fmul double %1, %3
+  %5 = fmul double %4, 2.000000e-03
+  %6 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %7 = tail call fastcc ptr @reals(ptr %0, i64 %6) #17
+  %8 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 256), align 8
+  %9 = tail call fastcc ptr @reals(ptr %0, i64 %8) #17
+  %10 = fcmp ogt double %5, 0x3DA5FD7FE1796495
+  %11 = select i1 %10, double 0x3DA5FD7FE1796495, double %5
+  %12 = load double, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 424), align 8
+  %13 = fmul double %12, 4.000000e-15
+  %14 = fcmp olt double %11, %13
+  %15 = select i1 %14, double %13, double %11
+  %16 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 296), align 8
+  %17 = tail call fastcc ptr @reals(ptr %0, i64 %16) #17
+  store double %15, ptr %17, align 8
+  %18 = icmp ne i64 %6, 0
+  %19 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %20 = icmp sgt i64 %19, 0
+  %21 = select i1 %18, i1 %20, i1 false
+  br i1 %21, label %22, label %40
+
+22:
+  %23 = and i64 %19, 1
+  %24 = icmp eq i64 %19, 1
+  br i1 %24, label %29, label %25
+
+25:
+  %26 = and i64 %19, 9223372036854775806
+  br label %41
+
+27:
+  %28 = icmp eq i64 %23, 0
+  br i1 %28, label %40, label %29
+
+29:
+  %30 = phi i64 [ 0, %22 ], [ %61, %27 ]
+  %31 = icmp ne i64 %23, 0
+  tail call void @llvm.assume(i1 %31)
+  %32 = getelementptr inbounds double, ptr %9, i64 %30
+  %33 = load double, ptr %32, align 8
+  %34 = fmul double %33, 4.000000e-15
+  %35 = fcmp ogt double %15, %34
+  %36 = fdiv double %15, %33
+  %37 = fdiv double 1.000000e+00, %36
+  %38 = select i1 %35, double %37, double 0x42EC6BF52633FFFF
+  %39 = getelementptr inbounds double, ptr %7, i64 %30
+  store double %38, ptr %39, align 8
+  br label %40
+
+40:
+  ret void
+
+41:
+  %42 = phi i64 [ 0, %25 ], [ %61, %41 ]
+  %43 = phi i64 [ 0, %25 ], [ %62, %41 ]
+  %44 = getelementptr inbounds double, ptr %9, i64 %42
+  %45 = load double, ptr %44, align 8
+  %46 = fmul double %45, 4.000000e-15
+  %47 = fcmp ogt double %15, %46
+  %48 = fdiv double %15, %45
+  %49 = fdiv double 1.000000e+00, %48
+  %50 = select i1 %47, double %49, double 0x42EC6BF52633FFFF
+  %51 = getelementptr inbounds double, ptr %7, i64 %42
+  store double %50, ptr %51, align 8
+  %52 = or i64 %42, 1
+  %53 = getelementptr inbounds double, ptr %9, i64 %52
+  %54 = load double, ptr %53, align 8
+  %55 = fmul double %54, 4.000000e-15
+  %56 = fcmp ogt double %15, %55
+  %57 = fdiv double %15, %54
+  %58 = fdiv double 1.000000e+00, %57
+  %59 = select i1 %56, double %58, double 0x42EC6BF52633FFFF
+  %60 = getelementptr inbounds double, ptr %7, i64 %52
+  store double %59, ptr %60, align 8
+  %61 = add nuw nsw i64 %42, 2
+  %62 = add i64 %43, 2
+  %63 = icmp eq i64 %62, %26
+  br i1 %63, label %27, label %41
+}
+
+define internal fastcc i64 @shift_rates(ptr %0, double %1) unnamed_addr #1 {
+  %3 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
+  %4 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 328), align 8
+  %5 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 168), align 8
+  %6 = tail call fastcc ptr @reals(ptr %0, i64 %5) #17
+  %7 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 176), align 8
+  %8 = tail call fastcc ptr @reals(ptr %0, i64 %7) #17
+  %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 184), align 8
+  %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 192), align 8
+  %12 = tail call fastcc ptr @reals(ptr %0, i64 %11) #17
+  %13 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 120), align 8
+  %14 = tail call fastcc ptr @reals(ptr %0, i64 %13) #17
+  %15 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
+  %16 = tail call fastcc ptr @reals(ptr %0, i64 %15) #17
+  %17 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 136), align 8
+  %18 = tail call fastcc ptr @reals(ptr %0, i64 %17) #17
+  %19 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 152), align 8
+  %20 = tail call fastcc ptr @reals(ptr %0, i64 %19) #17
+  %21 = add nsw i64 %4, %3
+  %22 = shl i64 %21, 3
+  %23 = tail call fastcc ptr @allocate(ptr %0, i64 %22) #17
+  %24 = icmp eq ptr %23, null
+  br i1 %24, label %275, label %25
+
+25:
+  %26 = icmp slt i64 %3, 1
+  br i1 %26, label %46, label %27
+
+27:
+  %28 = and i64 %3, 3
+  %29 = icmp ult i64 %3, 4
+  br i1 %29, label %34, label %30
+
+30:
+  %31 = and i64 %3, 9223372036854775804
+  br label %54
+
+32:
+  %33 = icmp eq i64 %28, 0
+  br i1 %33, label %46, label %34
+
+34:
+  %35 = phi i64 [ 0, %27 ], [ %72, %32 ]
+  %36 = icmp ne i64 %28, 0
+  tail call void @llvm.assume(i1 %36)
+  br label %37
+
+37:
+  %38 = phi i64 [ %43, %37 ], [ %35, %34 ]
+  %39 = phi i64 [ %44, %37 ], [ 0, %34 ]
+  %40 = getelementptr inbounds double, ptr %16, i64 %38
+  %41 = load double, ptr %40, align 8
+  %42 = getelementptr inbounds double, ptr %23, i64 %38
+  store double %41, ptr %42, align 8
+  %43 = add nuw nsw i64 %38, 1
+  %44 = add i64 %39, 1
+  %45 = icmp eq i64 %44, %28
+  br i1 %45, label %46, label %37
+
+46:
+  %47 = icmp sgt i64 %4, 0
+  br i1 %47, label %48, label %89
+
+48:
+  %49 = getelementptr double, ptr %23, i64 %3
+  %50 = and i64 %4, 3
+  %51 = icmp ult i64 %4, 4
+  br i1 %51, label %77, label %52
+
+52:
+  %53 = and i64 %4, 9223372036854775804
+  br label %96
+
+54:
+  %55 = phi i64 [ 0, %30 ], [ %72, %54 ]
+  %56 = phi i64 [ 0, %30 ], [ %73, %54 ]
+  %57 = getelementptr inbounds double, ptr %16, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %23, i64 %55
+  store double %58, ptr %59, align 8
+  %60 = or i64 %55, 1
+  %61 = getelementptr inbounds double, ptr %16, i64 %60
+  %62 = load double, ptr %61, align 8
+  %63 = getelementptr inbounds double, ptr %23, i64 %60
+  store double %62, ptr %63, align 8
+  %64 = or i64 %55, 2
+  %65 = getelementptr inbounds double, ptr %16, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds double, ptr %23, i64 %64
+  store double %66, ptr %67, align 8
+  %68 = or i64 %55, 3
+  %69 = getelementptr inbounds double, ptr %16, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr inbounds double, ptr %23, i64 %68
+  store double %70, ptr %71, align 8
+  %72 = add nuw nsw i64 %55, 4
+  %73 = add i64 %56, 4
+  %74 = icmp eq i64 %73, %31
+  br i1 %74, label %32, label %54
+
+75:
+  %76 = icmp eq i64 %50, 0
+  br i1 %76, label %89, label %77
+
+77:
+  %78 = phi i64 [ 0, %48 ], [ %114, %75 ]
+  %79 = icmp ne i64 %50, 0
+  tail call void @llvm.assume(i1 %79)
+  br label %80
+
+80:
+  %81 = phi i64 [ %78, %77 ], [ %86, %80 ]
+  %82 = phi i64 [ 0, %77 ], [ %87, %80 ]
+  %83 = getelementptr inbounds double, ptr %18, i64 %81
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr double, ptr %49, i64 %81
+  store double %84, ptr %85, align 8
+  %86 = add nuw nsw i64 %81, 1
+  %87 = add i64 %82, 1
+  %88 = icmp eq i64 %87, %50
+  br i1 %88, label %89, label %80
+
+89:
+  %90 = tail call fastcc i64 @request(ptr %0, i64 4, i64 0) #17
+  br i1 %26, label %132, label %91
+
+91:
+  %92 = and i64 %3, 3
+  %93 = icmp ult i64 %3, 4
+  br i1 %93, label %119, label %94
+
+94:
+  %95 = and i64 %3, 9223372036854775804
+  br label %142
+
+96:
+  %97 = phi i64 [ 0, %52 ], [ %114, %96 ]
+  %98 = phi i64 [ 0, %52 ], [ %115, %96 ]
+  %99 = getelementptr inbounds double, ptr %18, i64 %97
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr double, ptr %49, i64 %97
+  store double %100, ptr %101, align 8
+  %102 = or i64 %97, 1
+  %103 = getelementptr inbounds double, ptr %18, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = getelementptr double, ptr %49, i64 %102
+  store double %104, ptr %105, align 8
+  %106 = or i64 %97, 2
+  %107 = getelementptr inbounds double, ptr %18, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = getelementptr double, ptr %49, i64 %106
+  store double %108, ptr %109, align 8
+  %110 = or i64 %97, 3
+  %111 = getelementptr inbounds double, ptr %18, i64 %110
+  %112 = load double, ptr %111, align 8
+  %113 = getelementptr double, ptr %49, i64 %110
+  store double %112, ptr %113, align 8
+  %114 = add nuw nsw i64 %97, 4
+  %115 = add i64 %98, 4
+  %116 = icmp eq i64 %115, %53
+  br i1 %116, label %75, label %96
+
+117:
+  %118 = icmp eq i64 %92, 0
+  br i1 %118, label %132, label %119
+
+119:
+  %120 = phi i64 [ 0, %91 ], [ %164, %117 ]
+  %121 = icmp ne i64 %92, 0
+  tail call void @llvm.assume(i1 %121)
+  br label %122
+
+122:
+  %123 = phi i64 [ %129, %122 ], [ %120, %119 ]
+  %124 = phi i64 [ %130, %122 ], [ 0, %119 ]
+  %125 = getelementptr inbounds double, ptr %23, i64 %123
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr inbounds double, ptr %16, i64 %123
+  store double %126, ptr %127, align 8
+  %128 = getelementptr inbounds double, ptr %20, i64 %123
+  store double 0.000000e+00, ptr %128, align 8
+  %129 = add nuw nsw i64 %123, 1
+  %130 = add i64 %124, 1
+  %131 = icmp eq i64 %130, %92
+  br i1 %131, label %132, label %122
+
+132:
+  br i1 %47, label %133, label %167
+
+133:
+  %134 = getelementptr double, ptr %23, i64 %3
+  %135 = fmul double %1, %1
+  %136 = fsub double 1.000000e+00, %135
+  %137 = and i64 %3, 1
+  %138 = icmp eq i64 %3, 1
+  %139 = and i64 %3, 9223372036854775806
+  %140 = icmp eq i64 %137, 0
+  %141 = icmp ne i64 %137, 0
+  br label %169
+
+142:
+  %143 = phi i64 [ 0, %94 ], [ %164, %142 ]
+  %144 = phi i64 [ 0, %94 ], [ %165, %142 ]
+  %145 = getelementptr inbounds double, ptr %23, i64 %143
+  %146 = load double, ptr %145, align 8
+  %147 = getelementptr inbounds double, ptr %16, i64 %143
+  store double %146, ptr %147, align 8
+  %148 = getelementptr inbounds double, ptr %20, i64 %143
+  store double 0.000000e+00, ptr %148, align 8
+  %149 = or i64 %143, 1
+  %150 = getelementptr inbounds double, ptr %23, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = getelementptr inbounds double, ptr %16, i64 %149
+  store double %151, ptr %152, align 8
+  %153 = getelementptr inbounds double, ptr %20, i64 %149
+  store double 0.000000e+00, ptr %153, align 8
+  %154 = or i64 %143, 2
+  %155 = getelementptr inbounds double, ptr %23, i64 %154
+  %156 = load double, ptr %155, align 8
+  %157 = getelementptr inbounds double, ptr %16, i64 %154
+  store double %156, ptr %157, align 8
+  %158 = getelementptr inbounds double, ptr %20, i64 %154
+  store double 0.000000e+00, ptr %158, align 8
+  %159 = or i64 %143, 3
+  %160 = getelementptr inbounds double, ptr %23, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = getelementptr inbounds double, ptr %16, i64 %159
+  store double %161, ptr %162, align 8
+  %163 = getelementptr inbounds double, ptr %20, i64 %159
+  store double 0.000000e+00, ptr %163, align 8
+  %164 = add nuw nsw i64 %143, 4
+  %165 = add i64 %144, 4
+  %166 = icmp eq i64 %165, %95
+  br i1 %166, label %117, label %142
+
+167:
+  %168 = icmp eq i64 %90, 1
+  br i1 %168, label %215, label %273
+
+169:
+  %170 = phi i64 [ 0, %133 ], [ %193, %190 ]
+  %171 = getelementptr double, ptr %134, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = getelementptr inbounds double, ptr %18, i64 %170
+  store double %172, ptr %173, align 8
+  %174 = getelementptr inbounds double, ptr %10, i64 %170
+  %175 = load double, ptr %174, align 8
+  %176 = getelementptr inbounds double, ptr %8, i64 %170
+  store double %175, ptr %176, align 8
+  br i1 %26, label %190, label %177
+
+177:
+  %178 = mul nuw nsw i64 %170, %3
+  %179 = getelementptr double, ptr %6, i64 %178
+  br i1 %138, label %181, label %195
+
+180:
+  br i1 %140, label %190, label %181
+
+181:
+  %182 = phi double [ %175, %177 ], [ %211, %180 ]
+  %183 = phi i64 [ 0, %177 ], [ %212, %180 ]
+  tail call void @llvm.assume(i1 %141)
+  %184 = getelementptr double, ptr %179, i64 %183
+  %185 = load double, ptr %184, align 8
+  %186 = getelementptr inbounds double, ptr %14, i64 %183
+  %187 = load double, ptr %186, align 8
+  %188 = fmul double %185, %187
+  %189 = fadd double %182, %188
+  store double %189, ptr %176, align 8
+  br label %190
+
+190:
+  %191 = phi double [ %175, %169 ], [ %211, %180 ], [ %189, %181 ]
+  %192 = fmul double %136, %191
+  store double %192, ptr %176, align 8
+  %193 = add nuw nsw i64 %170, 1
+  %194 = icmp eq i64 %193, %4
+  br i1 %194, label %167, label %169
+
+195:
+  %196 = phi double [ %211, %195 ], [ %175, %177 ]
+  %197 = phi i64 [ %212, %195 ], [ 0, %177 ]
+  %198 = phi i64 [ %213, %195 ], [ 0, %177 ]
+  %199 = getelementptr double, ptr %179, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr inbounds double, ptr %14, i64 %197
+  %202 = load double, ptr %201, align 8
+  %203 = fmul double %200, %202
+  %204 = fadd double %196, %203
+  store double %204, ptr %176, align 8
+  %205 = or i64 %197, 1
+  %206 = getelementptr double, ptr %179, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = getelementptr inbounds double, ptr %14, i64 %205
+  %209 = load double, ptr %208, align 8
+  %210 = fmul double %207, %209
+  %211 = fadd double %204, %210
+  store double %211, ptr %176, align 8
+  %212 = add nuw nsw i64 %197, 2
+  %213 = add i64 %198, 2
+  %214 = icmp eq i64 %213, %139
+  br i1 %214, label %180, label %195
+
+215:
+  %216 = tail call fastcc i64 @request(ptr %0, i64 6, i64 0) #17
+  %217 = icmp eq i64 %216, 1
+  br i1 %217, label %218, label %273
+
+218:
+  %219 = tail call fastcc i32 @all_finite(ptr %12, i64 %3) #17
+  %220 = icmp eq i32 %219, 0
+  %221 = or i1 %220, %26
+  br i1 %221, label %273, label %222
+
+222:
+  %223 = add nsw i64 %3, -1
+  %224 = and i64 %3, 3
+  %225 = icmp ult i64 %223, 3
+  br i1 %225, label %259, label %226
+
+226:
+  %227 = and i64 %3, 9223372036854775804
+  br label %228
+
+228:
+  %229 = phi i64 [ 0, %226 ], [ %254, %228 ]
+  %230 = phi i64 [ 0, %226 ], [ %255, %228 ]
+  %231 = getelementptr inbounds double, ptr %12, i64 %229
+  %232 = load double, ptr %231, align 8
+  %233 = getelementptr inbounds double, ptr %14, i64 %229
+  %234 = load double, ptr %233, align 8
+  %235 = fadd double %232, %234
+  store double %235, ptr %233, align 8
+  %236 = or i64 %229, 1
+  %237 = getelementptr inbounds double, ptr %12, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = getelementptr inbounds double, ptr %14, i64 %236
+  %240 = load double, ptr %239, align 8
+  %241 = fadd double %238, %240
+  store double %241, ptr %239, align 8
+  %242 = or i64 %229, 2
+  %243 = getelementptr inbounds double, ptr %12, i64 %242
+  %244 = load double, ptr %243, align 8
+  %245 = getelementptr inbounds double, ptr %14, i64 %242
+  %246 = load double, ptr %245, align 8
+  %247 = fadd double %244, %246
+  store double %247, ptr %245, align 8
+  %248 = or i64 %229, 3
+  %249 = getelementptr inbounds double, ptr %12, i64 %248
+  %250 = load double, ptr %249, align 8
+  %251 = getelementptr inbounds double, ptr %14, i64 %248
+  %252 = load double, ptr %251, align 8
+  %253 = fadd double %250, %252
+  store double %253, ptr %251, align 8
+  %254 = add nuw nsw i64 %229, 4
+  %255 = add i64 %230, 4
+  %256 = icmp eq i64 %255, %227
+  br i1 %256, label %257, label %228
+
+257:
+  %258 = icmp eq i64 %224, 0
+  br i1 %258, label %273, label %259
+
+259:
+  %260 = phi i64 [ 0, %222 ], [ %254, %257 ]
+  %261 = icmp ne i64 %224, 0
+  tail call void @llvm.assume(i1 %261)
+  br label %262
+
+262:
+  %263 = phi i64 [ %270, %262 ], [ %260, %259 ]
+  %264 = phi i64 [ %271, %262 ], [ 0, %259 ]
+  %265 = getelementptr inbounds double, ptr %12, i64 %263
+  %266 = load double, ptr %265, align 8
+  %267 = getelementptr inbounds double, ptr %14, i64 %263
+  %268 = load double, ptr %267, align 8
+  %269 = fadd double %266, %268
+  store double %269, ptr %267, align 8
+  %270 = add nuw nsw i64 %263, 1
+  %271 = add i64 %264, 1
+  %272 = icmp eq i64 %271, %224
+  br i1 %272, label %273, label %262
+
+273:
+  %274 = phi i64 [ %216, %215 ], [ %90, %167 ], [ 1, %218 ], [ 1, %262 ], [ 1, %257 ]
+  tail call fastcc void @release(ptr %0, ptr %23) #17
+  br label %275
+
+275:
+  %276 = phi i64 [ %274, %273 ], [ 1, %2 ]
+  ret i64 %276
+}
+
+define internal fastcc i32 @is_called_in(ptr %0, i32 %1, i32 %2, ptr %3) unnamed_addr #1 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 104
+  %6 = load i64, ptr %5, align 8
+  %7 = zext i32 %1 to i64
+  %8 = icmp sge i64 %6, %7
+  %9 = zext i32 %2 to i64
+  %10 = icmp sle i64 %6, %9
+  %11 = select i1 %8, i1 %10, i1 false
+  %12 = getelementptr inbounds i8, ptr %0, i64 88
+  %13 = load i64, ptr %12, align 8
+  %14 = icmp ne i64 %13, 0
+  %15 = select i1 %14, i1 %11, i1 false
+  br i1 %15, label %18, label %16
+
+16:
+  %17 = select i1 %14, ptr %3, ptr @.str.60
+  tail call fastcc void @fail(ptr %0, ptr %17) #17
+  br label %18
+
+18:
+  %19 = load i64, ptr %12, align 8
+  %20 = icmp ne i64 %19, 0
+  %21 = select i1 %20, i1 %11, i1 false
+  %22 = zext i1 %21 to i32
+  ret i32 %22
+}
+
 define internal fastcc i32 @fits(ptr %0, i64 %1, i64 %2) unnamed_addr #1 {
   %4 = icmp eq i64 %1, %2
   br i1 %4, label %6, label %5
 
 5:
-  tail call fastcc void @fail(ptr %0, ptr @.str.56) #17
+  tail call fastcc void @fail(ptr %0, ptr @.str.68) #17
   br label %6
 
 6:
@@ -5757,14 +6719,14 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 8:
   %9 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 128), align 8
   %10 = tail call fastcc ptr @reals(ptr %0, i64 %9) #17
-  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 264), align 8
+  %11 = load i64, ptr getelementptr inbounds (i8, ptr @pp_numbers, i64 320), align 8
   %12 = tail call fastcc i32 @all_finite(ptr %10, i64 %11) #17
   %13 = icmp eq i32 %12, 0
   br i1 %13, label %14, label %16
 
 14:
   %15 = phi i64 [ %6, %5 ], [ 4, %8 ]
-  tail call fastcc void @stop(ptr %0, ptr @.str.57, i64 %15, ptr @.str.58) #17
+  tail call fastcc void @stop(ptr %0, ptr @.str.69, i64 %15, ptr @.str.70) #17
   br label %20
 
 16:
@@ -5782,6 +6744,8 @@ define internal fastcc i32 @accelerate(ptr %0) unnamed_addr #1 {
 }
 
 declare double @llvm.fabs.f64(double) #15
+
+declare i32 @llvm.smin.i32(i32, i32) #15
 
 declare i64 @llvm.umax.i64(i64, i64) #15
 

@@ -88,14 +88,14 @@ API Status fmi3DoStep(Component c, double t, double size, Bool keep, Bool *event
   *last = now(c);
   return s;
 }
-API Status fmi3EnterEventMode(Component c) { return fOK; }
+API Status fmi3EnterEventMode(Component c) { return enter_events(c); }
 API Status fmi3UpdateDiscreteStates(Component c, Bool *again, Bool *terminate, Bool *nominals, Bool *states, Bool *next, double *at) {
   *again = *terminate = *nominals = *states = *next = 0;
   *at = 0.0;
-  return fOK;
+  return update_events(c);
 }
-API Status fmi3EnterContinuousTimeMode(Component c) { return fOK; }
-API Status fmi3CompletedIntegratorStep(Component c, Bool keep, Bool *event, Bool *terminate) { *event = 0; *terminate = 0; return fOK; }
+API Status fmi3EnterContinuousTimeMode(Component c) { return enter_continuous(c); }
+API Status fmi3CompletedIntegratorStep(Component c, Bool keep, Bool *event, Bool *terminate) { *event = 0; *terminate = 0; return complete_step(c); }
 API Status fmi3SetTime(Component c, double t) { return set_time(c, t); }
 API Status fmi3SetContinuousStates(Component c, const double *x, size_t n) { return set_states(c, x, n); }
 API Status fmi3GetContinuousStates(Component c, double *x, size_t n) { return get_states(c, x, n); }

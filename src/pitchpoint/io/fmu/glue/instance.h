@@ -29,9 +29,9 @@ typedef struct { i64 offset, first, count, shared; double base; } Place;
 typedef struct {
   i64 size, n_moved, n_code, n_variables, n_indicators, n_drives;
   i64 n_entries, n_free, n_free_balancing, n_balancing, n_instants, n_spins, n_gaps;
-  i64 ctl, q, v, a, lam, fr, R, A, row, real, clock, al, ap, lp, ev1, order, order_t0, order_h, order_first, order_n;
+  i64 ctl, q, v, a, lam, fr, R, A, G, g, gt, x, row, real, clock, al, ap, lp, ev1, weight, per_q, order, order_t0, order_h, order_tol, order_first, order_n;
   i64 nd, nc, no, ne, slope_at, past, valid, implicit, exchange, driven;
-  double t0, h, rate;
+  double t0, h, rate, far;
 } Numbers;
 typedef i64 (*Entry)(i64, i64, i64);
 extern const Numbers pp_numbers;
@@ -48,7 +48,7 @@ extern const i64 pp_n_sentences;
 /* equilibrium: rows, columns and places of the matrix; free coordinates, also while the balancing bodies are held;
    spin and input of each balancing torque; times and weights of a mean; spins that advance with the time;
    size of each coordinate whose rounding error it has at least; channels of the deflections of meshes with a broken
-   tooth, and their largest values in an equilibrium */
+   tooth, and their largest values in an equilibrium. far: largest distance of a body from the origin, at least 1 m */
 extern const u32 pp_entries_of_matrix[], pp_free[], pp_free_balancing[], pp_balancing[], pp_spins[], pp_gaps[];
 extern const double pp_instants[], pp_extents[], pp_depths[];
 extern int pp_processor(void);          /* 1: the processor has the instructions of the code */
@@ -61,7 +61,7 @@ typedef struct {
 /* Head of elements.drive.RECORD, and its forms. */
 typedef struct { i64 i, j, ii, ij, ji, jj, form, dof_i, spin_i, q_i, linear, row; double angle, speed, since, gain; } Drive;
 enum { RAMP = 3, RATE = 4 };
-enum { OBSERVE = 2, EVENTS = 3, ACCELERATE = 4 };
+enum { OBSERVE = 2, EVENTS = 3, ACCELERATE = 4, SOLVE = 6 };
 enum { OK = 1, NOT_FINITE = 4 };
 
 /* ---------------------------------------------------------------------------------------------- instance */
@@ -79,7 +79,8 @@ typedef struct {
   void *step_finished, *environment;
 } Callbacks;
 enum { UNCHANGED, VALUES_SET, POSITIONS_SET, BEGUN };
-enum { INSTANTIATED, INITIALISING, RUNNING, TERMINATED }; /* phase; part of a saved state, as in FMI */
+/* phase; part of a saved state, as in FMI. RUNNING: in model exchange the event mode */
+enum { INSTANTIATED, INITIALISING, RUNNING, CONTINUOUS, TERMINATED };
 /* FRESH: channels are those of the state; STALE: to be observed; JUMPED: the forces have changed, too */
 enum { FRESH, STALE, JUMPED };
 typedef struct { double t0, h; i64 steps, stale, failed, exchange, begun, phase; } Clock; /* begun: what the initialisation has set, or that it has ended */
@@ -110,6 +111,44 @@ static void append(Instance *f, Str more) {
   while (f->text[n]) n++;
   for (; *more && n + 1 < sizeof f->text; n++, more++) f->text[n] = *more;
   f->text[n] = 0;
+}
+/* six digits, with an exponent if it is large or small */
+static void append_number(Instance *f, double x) {
+  char s[24];
+  if (!finite_number(x)) { append(f, "infinite or not a number"); return; }
+  int n = 0, exponent = 0, digits = 6;
+  if (x < 0) { s[n++] = '-'; x = -x; }
+  while (x >= 10) { x /= 10; exponent++; }
+  while (x > 0 && x < 1) { x *= 10; exponent--; }
+  i64 whole = (i64)(x * 1e5 + 0.5);
+  if (whole >= 1000000) { whole /= 10; exponent++; }
+  while (digits > 1 && whole % 10 == 0) { whole /= 10; digits--; }
+  char d[8];
+  for (int k = digits; k-- > 0; whole /= 10) d[k] = (char)('0' + whole % 10);
+  int power = exponent < -3 || exponent > 5 ? exponent : 0, point = exponent - power; /* digits before the point, less one */
+  for (int k = point < 0 ? point : 0; k < digits || k <= point; k++) {
+    s[n++] = k >= 0 && k < digits ? d[k] : '0';
+    if (k == point && k + 1 < digits) s[n++] = '.';
+  }
+  if (power) {
+    s[n++] = 'e';
+    if (power < 0) { s[n++] = '-'; power = -power; }
+    if (power > 99) s[n++] = (char)('0' + power / 100);
+    if (power > 9) s[n++] = (char)('0' + power / 10 % 10);
+    s[n++] = (char)('0' + power % 10);
+  }
+  s[n] = 0;
+  append(f, s);
+}
+/* sentence with two numbers; its parts stand before, between and after them */
+static Status fail_with(Instance *f, Str before, double x, Str between, double y, Str after) {
+  f->text[0] = 0;
+  append(f, before);
+  append_number(f, x);
+  append(f, between);
+  append_number(f, y);
+  append(f, after);
+  return fail(f, f->text);
 }
 /* the run cannot go on: what happened, why, and what to do */
 static Status stop(Instance *f, Str what, i64 status, Str remedy) {
@@ -318,8 +357,9 @@ static Status set_numbers(Instance *f, const VR *vr, size_t n, const double *val
     if (kind == OUTPUT || kind == SLOPE || kind == TIME || kind == INDICATOR)
       return fail(f, "this variable is neither an input nor a parameter");
     if (!finite_number(value[k])) return fail(f, "an input or parameter is not finite");
-    if (value[k] < pp_variables[vr[k]].least || value[k] > pp_variables[vr[k]].most)
-      return fail(f, "a parameter is out of the range in its description");
+    const Variable *v = pp_variables + vr[k];
+    if (value[k] < v->least) return fail_with(f, "a parameter is out of the range in its description: ", value[k], " is below ", v->least, "");
+    if (value[k] > v->most) return fail_with(f, "a parameter is out of the range in its description: ", value[k], " is above ", v->most, "");
   }
   for (size_t k = 0; k < n; k++) {
     const Variable *v = pp_variables + vr[k];
@@ -373,6 +413,7 @@ static Status restore(Instance *f, const char *s) {
   memcpy(f->values, s += sizeof(Clock), n);
   relocate(f, s + n);
   f->c.exchange = exchange;
+  if (!exchange && f->c.phase == CONTINUOUS) f->c.phase = RUNNING;
   return fOK;
 }
 static Status drop_state(Instance *f, void **state) {

@@ -5,11 +5,36 @@
 #define PP_MODEL_EXCHANGE_H
 #include "instance.h"
 
+/* whether a function is available in the phases from `first` to `last` */
+static int is_called_in(Instance *f, int first, int last, Str otherwise) {
+  int right = f->c.phase >= first && f->c.phase <= last;
+  if (!f->c.exchange) fail(f, "this instance is for co-simulation, and this function for model exchange");
+  else if (!right) fail(f, otherwise);
+  return f->c.exchange && right;
+}
+static Status enter_events(Instance *f) {
+  if (!is_called_in(f, RUNNING, CONTINUOUS, "the event mode follows the initialisation or the continuous-time mode")) return fError;
+  f->c.phase = RUNNING;
+  return fOK;
+}
+static Status update_events(Instance *f) {
+  return is_called_in(f, RUNNING, RUNNING, "discrete states are updated in the event mode") ? fOK : fError;
+}
+static Status enter_continuous(Instance *f) {
+  if (!is_called_in(f, RUNNING, RUNNING, "the continuous-time mode follows the event mode")) return fError;
+  f->c.phase = CONTINUOUS;
+  return fOK;
+}
+static Status complete_step(Instance *f) {
+  return is_called_in(f, CONTINUOUS, CONTINUOUS, "integrator steps are completed in the continuous-time mode") ? fOK : fError;
+}
+static const char early[] = "states, derivatives and event indicators are known from the begin of the initialisation on";
 static int fits(Instance *f, size_t n, i64 needed) {
   if ((i64)n != needed) fail(f, "the number of states or indicators is not that of the model description");
   return (i64)n == needed;
 }
 static Status set_time(Instance *f, double t) {
+  if (!is_called_in(f, RUNNING, CONTINUOUS, "the time is set after the initialisation and before the termination")) return fError;
   if (!finite_number(t)) return fail(f, "the time is not finite");
   if (t != now(f)) f->c.stale = JUMPED;
   f->c.t0 = t;
@@ -18,6 +43,7 @@ static Status set_time(Instance *f, double t) {
 }
 static Status set_states(Instance *f, const double *x, size_t n) {
   i64 nd = pp_numbers.nd;
+  if (!is_called_in(f, CONTINUOUS, CONTINUOUS, "states are set in the continuous-time mode")) return fError;
   if (!fits(f, n, 2 * nd)) return fError;
   if (!all_finite(x, 2 * nd)) return fail(f, "a state is not finite");
   memcpy(reals(f, pp_numbers.q), x, 8 * (size_t)nd);
@@ -27,6 +53,7 @@ static Status set_states(Instance *f, const double *x, size_t n) {
 }
 static Status get_states(Instance *f, double *x, size_t n) {
   i64 nd = pp_numbers.nd;
+  if (!is_called_in(f, INITIALISING, TERMINATED, early)) return fError;
   if (!fits(f, n, 2 * nd)) return fError;
   memcpy(x, reals(f, pp_numbers.q), 8 * (size_t)nd);
   memcpy(x + nd, reals(f, pp_numbers.v), 8 * (size_t)nd);
@@ -42,6 +69,7 @@ static Status accelerate(Instance *f) {
 }
 static Status get_slopes(Instance *f, double *x, size_t n) {
   i64 nd = pp_numbers.nd;
+  if (!is_called_in(f, INITIALISING, TERMINATED, early)) return fError;
   if (!fits(f, n, 2 * nd)) return fError;
   f->c.failed = 0; /* the importing program may reject a trial state */
   Status s = accelerate(f);
@@ -51,6 +79,7 @@ static Status get_slopes(Instance *f, double *x, size_t n) {
   return fOK;
 }
 static Status get_indicators(Instance *f, double *x, size_t n) {
+  if (!is_called_in(f, INITIALISING, TERMINATED, early)) return fError;
   if (!fits(f, n, pp_numbers.n_indicators)) return fError;
   if (!n) return fOK;
   i64 s = request(f, EVENTS, address(f->m + pp_numbers.ev1));
