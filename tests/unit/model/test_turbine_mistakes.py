@@ -50,6 +50,11 @@ def problems_of(text: str) -> list[str]:
             "winds.steady (line 36): has no height",
         ),
         ("step: 10 ms}", "step: 10 s}", "(limit >= 0 and <= 100 ms); write a value >= 0 and <= 100 ms"),
+        (
+            "position: [0, 1], torsion: [4.7275e11, 8.913e10], axial",
+            "axial",
+            "gives axial without position; give",
+        ),
         ("{hub: hub, aero", "{aero", "add hub: BODY or BODY.MARKER"),
         (
             "onshore/AeroDyn.dat",

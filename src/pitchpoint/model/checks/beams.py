@@ -95,8 +95,11 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
     if files:
         for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
             report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
-        if files[0] == "elastodyn" and given and ("position" in given) != (len(given) > 1):
-            report.problem(at, "has lists and positions that do not belong together", remedy="give both")
+        others = [name for name in given if name != "position"]
+        if files[0] == "elastodyn" and ("position" in given) != bool(others):
+            text = f"gives {', '.join(given)} without {'position' if others else 'lists at these positions'}"
+            report.problem(at, text, remedy="give position and one value of each list for each of them")
+            return
     elif part.stiffness:
         if missing := [name for name in ("position", "inertia") if name not in given]:
             report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists with stiffness")
