@@ -82,9 +82,24 @@ WIDE = """
   const nameless = stops.filter((e) => !(e.textContent.trim() || e.title || e.labels?.length
     || e.ariaLabel)).length;
   const {ready} = document.documentElement.dataset, count = all(".plot").length;
+
+  // plots below each other are aligned; a band with the mean becomes samples when zoomed
+  const timed = all(".plot").filter((plot) => plot.layout?.meta?.clock), groups = {};
+  for (const plot of timed) {
+    const {left} = plot.getBoundingClientRect(), section = plot.closest("section").id;
+    (groups[[section, plot.layout.xaxis.title.text, Math.round(left)]] ??= []).push(plot._fullLayout._size.l);
+  }
+  const uneven = Math.max(...Object.values(groups).map((edges) => Math.max(...edges) - Math.min(...edges)));
+  const dense = timed.find((plot) => /^#.{8}$/.test(plot.data[0].fillcolor));
+  const drawnLine = () => dense.data.find((trace) => trace.mode === "lines" && !trace.fill);
+  const [from, to] = dense._fullLayout.xaxis.range, coarse = drawnLine().x.length;
+  const near = [from + 0.5 * (to - from), from + 0.501 * (to - from)];
+  await Plotly.relayout(dense, {"xaxis.range": near});
+  const zoomed = [...drawnLine().x].filter((t) => near[0] <= t && t <= near[1]).length;
   return {drawn, count, ready, empty, asked, colours, cursor, others,
     clicked, expected: (a + 0.25 * (b - a)) / node.layout.meta.clock, dragged, wanted, sought,
-    still, corner, folded, paper, cut, shown, place, order, lost, nameless};
+    still, corner, folded, paper, cut, shown, place, order, lost, nameless,
+    uneven, coarse, zoomed};
 """
 
 
@@ -98,6 +113,16 @@ def wide(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFacto
 def test_every_plot_is_drawn_and_none_is_empty(wide: dict[str, Any], report: str) -> None:
     assert wide["count"] == wide["drawn"] == int(wide["ready"]) == report.count('<div class="plot"') > 15
     assert wide["empty"] == 0
+
+
+def test_plots_below_each_other_are_aligned(wide: dict[str, Any]) -> None:
+    assert wide["uneven"] < 1.5
+
+
+def test_zooming_shows_the_samples(wide: dict[str, Any]) -> None:
+    """A line of one point per pixel at first; then of a thousandth of the record."""
+    assert 200 < wide["coarse"] < 2000
+    assert wide["zoomed"] >= 8
 
 
 def test_nothing_is_asked_of_a_network(wide: dict[str, Any]) -> None:

@@ -49,8 +49,12 @@ def scene() -> Scene:
             )
         ],
         channels=[
-            SceneChannel(name="f", label="force", least=low, most=high, first=True, **part),
-            SceneChannel(name="g", label="twice", least=2 * low, most=2 * high, first=True, **part),
+            SceneChannel(
+                name="f", label="force", least=low, most=high, mean=0.5 * (low + high), first=True, **part
+            ),
+            SceneChannel(
+                name="g", label="twice", least=2 * low, most=2 * high, mean=low + high, first=True, **part
+            ),
         ],
         spectra=[SceneSpectrum("f", "N", 2.5 * np.arange(1.0, 200.0), 1.0 / np.arange(1.0, 200.0), "", 2.5)],
     )

@@ -48,7 +48,7 @@ OTHERWISE = {
         "torque": "dimension",
     },
     "report/rolls.py": {"force": "dimension"},
-    "report/scene/build.py": {"torque": "quantity"},
+    "report/scene/curves.py": {"torque": "quantity"},
     "report/scene/bearings.py": {"bearing": "class of a solid and of an arrow in the scene"},
     "report/scene/forces.py": {"bearing": "class of an arrow in the scene"},
     "report/scene/live.py": {"bearing": "class of an arrow in the scene"},

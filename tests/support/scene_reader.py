@@ -52,15 +52,15 @@ class Seen:
         columns = np.cumsum(columns, axis=1) if where["differences"] else columns
         return (columns if where.get("across") else columns.T).reshape(shape)
 
-    def channel(self, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Instants, least and most value of a curve."""
+    def channel(self, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Instants, least, most and mean value of a curve."""
         entry = next(c for c in self.header["channels"] if c["name"] == name)
         table, column = entry["curve"]
         curve = self.header["curves"][table]
         least = self.array(curve["least"])[:, column]
-        most = least + (self.array(curve["span"])[:, column] if "span" in curve else 0)
+        span, share = (self.array(curve[k])[:, column] if k in curve else 0 for k in ("span", "mean"))
         offset, step = entry["from"]
-        return self.array(curve["times"]), offset + step * least, offset + step * most
+        return self.array(curve["times"]), *(offset + step * (least + k * span) for k in (0, 1, share / 63))
 
     @property
     def times(self) -> np.ndarray:

@@ -215,6 +215,8 @@ export class Arrows {
     const kept = this.hidden ? new Set() : this.#kept(onScreen);
     const slight = this.sparse ? SLIGHT * this.size : 0;
     const longest = Math.min(this.longest, LONGEST * this.scale * this.share * visible || Infinity);
+    /** Length of an arrow per force [m/N], 0 without arrows. */
+    this.perForce = kept.size && this.size > 0 ? longest / this.size : 0;
     this.now.forEach((force, k) => {
       const on = kept.has(k);
       const { parts, ball } = this.drawn[k];

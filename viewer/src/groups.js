@@ -8,6 +8,13 @@ function over(tables, pick) {
   return { data, shape: [data.length], width: 1, count: data.length };
 }
 
+/** @param {{data: ArrayLike<number>}[]} tables */
+function mean(tables) {
+  const sum = over(tables, (a, b) => a + b);
+  for (let k = 0; k < sum.data.length; k++) sum.data[k] /= tables.length;
+  return sum;
+}
+
 /**
  * Channels of a result with one more for each group: the range of its members, shown in place of them.
  * @param {any[]} channels
@@ -34,6 +41,7 @@ export function withGroups(channels) {
       members: members.map((member) => member.name),
       least: over(members.map(({ least }) => least), Math.min),
       most: over(members.map(({ least, most }) => most ?? least), Math.max),
+      mean: mean(members.map(({ least, mean }) => mean ?? least)),
       first: members.some((member) => member.first),
     });
     for (const member of members)

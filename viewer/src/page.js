@@ -6,7 +6,7 @@ import { Hover } from "./hover.js";
 import { FlankBox, flankRows } from "./flanks.js";
 import { keys, KEYS } from "./keys.js";
 import { Legend } from "./legend.js";
-import { duration, length } from "./numbers.js";
+import { duration, length, force } from "./numbers.js";
 import { markRows } from "./marks_panel.js";
 import { namesOf } from "./names.js";
 import { Modes } from "./modes.js";
@@ -120,7 +120,7 @@ export class Page {
     this.legends = stage.pictures.map(({ arrows }) => new Legend(arrows.arrows));
     this.boxes = stage.pictures.map(({ flanks }) => new FlankBox(flanks));
     this.scales = stage.pictures.map(() =>
-      el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i")),
+      el("div", { className: "ppv-scale", "aria-hidden": "true" }, el("span"), el("i"), el("span"), el("b")),
     );
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
@@ -286,10 +286,17 @@ export class Page {
     this.scales.forEach((scale, k) => {
       const pixel = pictures[k].factor * this.orbit.pixel;
       const size = round125(wide * pixel);
-      const [text, bar] = scale.children;
+      const [text, bar, words, arrow] = scale.children;
       scale.hidden = alike && k > 0;
       text.textContent = length(size);
       bar.style.width = `${size / pixel}px`;
+      const { perForce = 0, size: largest, hidden } = pictures[k].arrows;
+      const load = perForce > 0 ? round125((wide * pixel) / perForce) : 0;
+      // far away, arrows are too short for a scale
+      words.hidden = arrow.hidden = hidden || !(load > 0 && load <= 2 * largest);
+      if (arrow.hidden) return;
+      words.textContent = force(load, "N").replace(/\.0+(?=\D)/, "");
+      arrow.style.width = `${(load * perForce) / pixel}px`;
     });
     const { body, names } = this.views;
     const following = body >= 0 ? `following ${names[body]}` : "";

@@ -55,8 +55,11 @@ export function mixed(data, count, mix, offset) {
   return out;
 }
 
+/** Steps of a mean between minimum and maximum. */
+const MEAN = 63;
+
 /**
- * Assign times, minimum and maximum to each channel, from columns of tables that channels share.
+ * Assign times, minimum, mean and maximum to each channel, from columns of tables that channels share.
  * @param {any} scene
  */
 export function spreadChannels(scene) {
@@ -64,7 +67,7 @@ export function spreadChannels(scene) {
     if (!channel.curve) continue;
     const [number, column] = channel.curve;
     const [offset, step] = channel.from;
-    const { times, least, span } = scene.curves[number];
+    const { times, least, span, mean } = scene.curves[number];
     const pick = (value) => {
       const data = Float64Array.from({ length: least.count }, (_, k) => offset + step * value(k));
       return { data, shape: [least.count], width: 1, count: least.count };
@@ -73,6 +76,8 @@ export function spreadChannels(scene) {
     channel.times = times;
     channel.least = pick((k) => at(least, k));
     const wide = span && channel.least.data.some((_, k) => at(span, k) !== 0);
-    if (wide) channel.most = pick((k) => at(least, k) + at(span, k));
+    if (!wide) continue;
+    channel.most = pick((k) => at(least, k) + at(span, k));
+    if (mean) channel.mean = pick((k) => at(least, k) + (at(mean, k) / MEAN) * at(span, k));
   }
 }

@@ -241,17 +241,20 @@ export class Plots {
       found.forEach((channel, result) => {
         if (!channel) return;
         const dash = result ? [6, 4] : undefined;
-        const line = { stroke: tints[result], width: 1.4, dash, points: { show: false }, spanGaps: true };
+        const line = { stroke: tints[result], width: 1.4, dash, pxAlign: 0, points: { show: false }, spanGaps: true };
         const table = [middles(channel), shown(channel, channel.least)];
         if (channel.most) {
+          // the range of each piece, and the mean as a line
           table.push(shown(channel, channel.most));
           bands.push({
             series: [series.length + 1, series.length],
-            fill: `color-mix(in srgb, ${tints[result]} ${result ? 8 : 30}%, transparent)`,
+            fill: `color-mix(in srgb, ${tints[result]} ${result ? 12 : 26}%, transparent)`,
           });
-          series.push({ ...line, width: 1 });
-        }
-        series.push({ ...line, width: channel.most ? 1 : 1.4 });
+          const edge = `color-mix(in srgb, ${tints[result]} 40%, transparent)`;
+          series.push({ ...line, stroke: edge, width: 0.6 }, { ...line, stroke: edge, width: 0.6 });
+          if (channel.mean) table.push(shown(channel, channel.mean));
+          if (channel.mean) series.push(line);
+        } else series.push(line);
         tables.push(table);
       });
     });

@@ -93,6 +93,19 @@ function ruler(pen, scale, x, height) {
   pen.lineTo(x + length, height - 10);
   pen.lineTo(x + length, height - 15);
   pen.stroke();
+  const [, , force, arrow] = scale.children;
+  if (arrow.hidden) return;
+  const from = x + Math.max(length, pen.measureText(text.textContent).width) + 14;
+  const to = from + parseFloat(arrow.style.width);
+  pen.fillText(force.textContent, from, height - 30);
+  pen.beginPath();
+  pen.moveTo(from, height - 12);
+  pen.lineTo(to, height - 12);
+  for (const side of [-4, 4]) {
+    pen.moveTo(to, height - 12);
+    pen.lineTo(to - 7, height - 12 + side);
+  }
+  pen.stroke();
 }
 
 /** Colour scale of the flanks and text of the gap, above the scale bar. */

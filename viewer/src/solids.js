@@ -24,6 +24,9 @@ function material(colour, seeThrough) {
   return made;
 }
 
+/** Kinds of parts on which the forces of a scene act. */
+const DRIVE = new Set(["gear", "bearing", "element"]);
+
 export class Solids {
   /**
    * @param {any} scene result of readScene
@@ -235,7 +238,8 @@ export class Solids {
     const whole = this.#around(this.parts);
     const held = open.length && open.length < this.parts.length ? this.#around(open) : whole;
     const fits = whole.radius < LARGE_COVER * held.radius ? whole : held;
-    return { ...fits, size: held.radius, whole };
+    const drive = this.parts.filter(({ solid }) => DRIVE.has(solid.kind) && !solid.schematic);
+    return { ...fits, size: held.radius, whole, drive: drive.length ? this.#around(drive).radius : held.radius };
   }
 
   /** @param {any[]} parts */

@@ -80,6 +80,9 @@ class Picture {
   }
 }
 
+/** Largest radius of a scene, relative to its gears and bearings, whose arrows are larger with it. */
+const AROUND = 3;
+
 export class Stage {
   /**
    * @param {HTMLElement} host @param {any[]} scenes @param {boolean} software
@@ -101,7 +104,8 @@ export class Stage {
     this.meet(this.pictures.map(() => new Vector3()), this.pictures.map((picture) => picture.bounds.size));
     // Results that are compared have a common scale of arrows and colours.
     const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
-    const radius = this.alike ? Math.max(...this.pictures.map((picture) => picture.bounds.size)) : bounds.size;
+    const reach = ({ size: whole, drive }) => Math.min(whole, AROUND * drive);
+    const radius = this.alike ? Math.max(...this.pictures.map((picture) => reach(picture.bounds))) : reach(bounds);
     const greatest = Math.max(...this.pictures.map((picture) => picture.flanks.greatest));
     for (const { arrows, flanks, factor } of this.pictures) {
       Object.assign(arrows, { size, radius: factor * radius });

@@ -237,9 +237,9 @@ def _outputs(record):
     return ROTOR if record["first"] else ()
 
 
-def _on_hub(record):
-    """Whether this is the first station of a rotor whose blades are fixed to the hub."""
-    return bool(record["first"]) and record["i"] == record["k"] and record["j"] == 0
+def _adds_up(record):
+    """Whether this is the station with the sums of a rotor."""
+    return bool(record["first"])
 
 
 PAIRS = (
@@ -267,5 +267,5 @@ KIND = Kind(
     large=True,
     sections={"wind_rotors": ""},
     names_modes=False,
-    power=Power("rotor_torque[{}]", source="wind", where=_on_hub),
+    power=Power(total="aerodynamic_power[{}]", body="k", source="wind", where=_adds_up),
 )

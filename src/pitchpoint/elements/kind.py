@@ -113,8 +113,14 @@ class Power:
     source
         Word for an element that supplies power from outside, such as "load"; "" for one that transmits it
         from body i to body j.
+    total
+        Channel of the whole power of a source on one body, in place of `torque`.
+    body
+        Field of this body.
     where
         Whether a record transmits power; default: all do.
+    unknown
+        Whether a record of a source exchanges power that no channel contains; default: none does.
     energy
         Energy that a record stores at a torque on body i [J], for kinds whose state is this torque.
     """
@@ -122,7 +128,10 @@ class Power:
     torque: str = ""
     loss: str = "damping"
     source: str = ""
+    total: str = ""
+    body: str = "i"
     where: Callable[[np.void], bool] | None = None
+    unknown: Callable[[np.void], bool] | None = None
     energy: Callable[[np.void, Any], Any] | None = None
 
 

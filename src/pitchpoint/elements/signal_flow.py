@@ -26,6 +26,7 @@ from pitchpoint.elements.signals.actuators import act
 from pitchpoint.elements.signals.record import (
     ANGULAR_ACCELERATION,
     CHANNEL,
+    FORCE,
     FORMULA,
     HELD,
     LINEAR,
@@ -35,6 +36,7 @@ from pitchpoint.elements.signals.record import (
     ROW,
     SATURATION,
     STATE,
+    STRUT,
     TABLE,
     TIME,
     TORQUE,
@@ -232,6 +234,16 @@ def law_call(record: np.void, frames: Any, pool: Any, t: float) -> tuple[float, 
     return float(pool[int(record["a"])]), int(record["start"]), int(record["n"])
 
 
+def _turns(record: np.void) -> bool:
+    """Whether this is the actuator of a torque about the axis of its body."""
+    return bool(record["op"] == TORQUE)
+
+
+def _pushes(record: np.void) -> bool:
+    """Whether this is the actuator of a force or of a moment of fixed direction."""
+    return bool(record["op"] in (STRUT, FORCE))
+
+
 KIND = Kind(
     name="signal_flow",
     channel=FRAME,
@@ -243,6 +255,6 @@ KIND = Kind(
     spins=FREE,
     sections={"sensors": "", "blocks": "", "controllers": "", "actuators": ""},
     title="signal",
-    power=Power(),
+    power=Power("signal[{}]", source="actuator", where=_turns, unknown=_pushes),
     law_call=law_call,
 )

@@ -11,4 +11,4 @@ from pitchpoint.elements.signal_flow import RECORD, entry
 
 __all__ = ["KIND", "RECORD", "entry"]
 
-KIND = replace(signal_flow.KIND, name="signal_of_loads", channel=FRICTION, power=None)
+KIND = replace(signal_flow.KIND, name="signal_of_loads", channel=FRICTION)

@@ -2,7 +2,8 @@
 """Mean power dissipated by the damping of elastic elements: bearings, springs, shafts.
 
 P_d = (f(q, 0) - f(q, v)) v with the generalised forces f of the elements, which at rest are the elastic ones.
-Rates are differences of the recorded coordinates, so the record must contain all steps.
+With distributed mass, P_d = (f(q, -v) - f(q, v)) v / 2: centrifugal and Coriolis forces do not depend on the
+sign of the rates. Rates are differences of the recorded coordinates, so the record must contain all steps.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import RAYLEIGH, WITH_STATE
 from pitchpoint.report.scene.motion import coordinates
-from pitchpoint.report.stored_energy import move_to
+from pitchpoint.report.stored_energy import move_to, rates_of_tilts, rotation_vectors
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.system import evaluate
@@ -78,23 +79,39 @@ def damping_loss(
     """
     if not on or time.size < 3:
         return 0.0
-    q, _, _ = coordinates(system, time.size, read)
+    q, charts, _ = coordinates(system, time.size, read)
     v = np.gradient(q, time, axis=0, edge_order=2)
+    v += rates_of_tilts(system, _angular_velocities(charts, time))
     chosen, weights = _drawn(time)
+    places, v, time = (q[chosen], charts[chosen]), v[chosen], time[chosen]
+    light = {name: rows for name, rows in on.items() if registry.find(name).massless}
     lost = np.zeros(chosen.size)
-    # inertia forces are in both residuals
-    for sign, elements in ((1.0, on), (-1.0, {})):
+    # inertia forces of the bodies are in both residuals
+    for sign, elements in ((1.0, light), (-1.0, {})) if light else ():
         with switched(system, elements):
-            lost += sign * _powers(system, q[chosen], v[chosen], time[chosen])
+            lost += sign * _powers(system, places, v, time, 0.0)
+    heavy = {name: rows for name, rows in on.items() if name not in light}
+    if heavy:
+        with switched(system, heavy):
+            lost += 0.5 * _powers(system, places, v, time, -1.0)
     return float(weights @ lost)
 
 
-def _powers(system: System, q: Array, v: Array, time: Array) -> Array:
-    """Power against the rates, without that of the same positions at rest [W], shape (n,)."""
+def _angular_velocities(charts: Array, time: Array) -> Array:
+    """Angular velocities of tumbling bodies relative to their parents, body axes, shape (n, charts, 3)."""
+    low, high = np.maximum(np.arange(time.size) - 1, 0), np.minimum(np.arange(time.size) + 1, time.size - 1)
+    turned = np.swapaxes(charts[low], -1, -2) @ charts[high]
+    return rotation_vectors(turned) / (time[high] - time[low])[:, None, None]
+
+
+def _powers(system: System, places: tuple[Array, Array], v: Array, time: Array, other: float) -> Array:
+    """Power against the rates, without that of the forces at `other` times the rates [W], shape (n,)."""
     found, state = np.empty(time.size), system.initial_state()
     for k, t in enumerate(time):
-        move_to(system, state, q[k])
+        move_to(system, state, places[0][k])
+        state.charts[:] = places[1][k]
         state.t = float(t)
+        state.v[:] = other * v[k]
         rest = evaluate.residual(system, state)
         state.v[:] = v[k]
         found[k] = (evaluate.residual(system, state) - rest) @ v[k]

@@ -75,6 +75,8 @@ def external_torques(
         if isinstance(actuator, TorqueActuator):
             bodies = [split(end)[0] for end in (*actuator.bodies, GROUND)][:2]
             found.append(External(("actuators", name), bodies[0], reaction=bodies[1]))
+    for name, rotor in model.wind_rotors.items():
+        found.append(External(("wind_rotors", name), split(rotor.hub)[0]))
     for name, row in scissors_of_model(model).items():  # preload of the spring
         found.append(External(("torsion_springs", name), name, row["spring_torque"], row["body"]))
     sticking: list[Link] = []

@@ -80,7 +80,8 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
             break
         if scene.solids:
             # the page contains all curves; only the most important channels are shown below the scene
-            scene = replace(scene, channels=[c for c in scene.channels if c.name.partition("[")[0] in READ])
+            kept = [c for c in scene.channels if c.first or c.name.partition("[")[0] in READ]
+            scene = replace(scene, channels=kept)
             hint = "Click a curve of this run to set the time of the scene."
             hint += "" if len(runs) < 2 else " Use pitchpoint view for other runs or two side by side."
             words = f"The scene shows {name}. {lost}".strip()

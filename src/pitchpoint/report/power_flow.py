@@ -18,8 +18,10 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import MESH, RATIO, RAYLEIGH, Kind, Power
+from pitchpoint.multibody.joints import TUMBLING
 from pitchpoint.report.damping_losses import damped_kinds, damping_loss, started
 from pitchpoint.report.jump_powers import NEEDED, jump_phases, jump_power
+from pitchpoint.report.kinetic_energy import body_energy, element_energy
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.report.stored_energy import Deflections, elastic_kinds
@@ -39,10 +41,10 @@ Array = NDArray[np.float64]
 LOSSES = {"friction": "friction_power", "damping": "damping_power"}
 ROUND_OFF = 1e-12
 """Relative loss of a link below which it counts as lossless."""
-
-
 SMALL = 1e-8
 """The same for the difference of two powers, each with the error of the trapezoidal rule."""
+COARSE = 1e-5
+"""The same for a negative loss, which is the error of a record with few samples per vibration."""
 UNKNOWN = "springs, whose deflections the result does not determine"
 
 Place = tuple[str, int]
@@ -111,7 +113,8 @@ class Machine:
         self.deflections = Deflections(system, self.ends)
         self.spin: dict[int, Array] = {}
         for b, one in enumerate(system.bodies, start=1):
-            if not one.state and any(name == "spin" for name, _ in one.coordinates):
+            turns = any(name == "spin" for name, _ in one.coordinates)
+            if turns and not one.state and one.motion not in TUMBLING:
                 self.spin[b] = self.channel(f"speed[{self.names[b]}]")
         self.blocks, self.block_of = self._blocks(model)
         self.jump_phases = jump_phases(model)
@@ -119,7 +122,7 @@ class Machine:
         self.damped: tuple[str, ...] = ()
         if self.deflections.known and not self.decimated:
             self.damped = damped_kinds(system, self.springs)
-        self.strain = [self.elastic(self.within(block)) for block in range(len(self.blocks))]
+        self.strain = [self.kept(block) for block in range(len(self.blocks))]
 
     def channel(self, name: str) -> Array:
         """Channel over the evaluated span."""
@@ -186,6 +189,10 @@ class Machine:
     def sources(self) -> Iterator[PowerLink]:
         """Links of drives and loads, and of their reactions on other bodies."""
         for power, record, name, _ in self.passing(source=True):
+            if power.total:
+                mean = self.mean_of(power.total.format(name))
+                yield self.link(name, power.source, (0, int(record[power.body])), (-mean, mean))
+                continue
             i, j = int(record["i"]), int(record["j"])
             on_i = self.power(power.torque.format(name), self.turning(i, self.axis[i]))
             on_j = -self.power(power.torque.format(name), self.turning(j, self.axis[i]))
@@ -201,7 +208,7 @@ class Machine:
         """
         for kind, records in self.system.records.items():
             power = registry.find(kind).power
-            if power is None or not power.torque or bool(power.source) != source:
+            if power is None or not (power.torque or power.total) or bool(power.source) != source:
                 continue
             for k, (record, name) in enumerate(zip(records, self.system.names.get(kind, ()), strict=False)):
                 wanted = power.where is None or power.where(record)
@@ -251,11 +258,19 @@ class Machine:
             stored = (float(energy) + self.elastic([place])) / self.duration
             found = replace(found, stored=stored if abs(stored) > ROUND_OFF * found.given else 0.0)
             lost = found.given - found.taken - stored
-            yield _with_losses(found, {power.loss: lost if abs(lost) > SMALL * found.given else 0.0})
+            # a damper supplies no power
+            lost = lost if not -COARSE * found.given < lost < SMALL * found.given else 0.0
+            yield _with_losses(found, {power.loss: lost})
 
     def elastic(self, places: Iterable[Place]) -> float:
         """Change of the elastic energy of springs over the span [J]."""
         return self.deflections.change(_by_kind(places, self.springs))
+
+    def kept(self, block: int) -> float:
+        """Change of the elastic and kinetic energy of the springs and beams of a block [J]."""
+        places = self.within(block)
+        first, last = element_energy(self, _by_kind(places, self.springs))
+        return self.elastic(places) + float(last - first)
 
     def damping(self) -> float:
         """Mean power of Rayleigh damping and of springs that are not links, such as bearings [W]."""
@@ -311,7 +326,7 @@ class Machine:
 
     def stored(self, block: int) -> float:
         """Mean rate of the energy of a block: rotation, motion about its carriers, torsion of a shaft [W]."""
-        energy = sum(self.energy(b) for b, k in self.block_of.items() if k == block)
+        energy = sum(body_energy(self, b) for b, k in self.block_of.items() if k == block)
         first, last = np.broadcast_to(energy, 2)
         return (float(last - first) + self.strain[block]) / self.duration
 
@@ -326,19 +341,6 @@ class Machine:
                     found.append((kind, k))
         return found
 
-    def energy(self, b: int) -> Array:
-        """Kinetic energy of a body at both ends of the span, at its rest position [J]."""
-        record, axes = self.system.program["body"][b], self.axes[b]
-        inertia = axes @ record["inertia"] @ axes.T
-        center = axes @ record["com"]
-        turn, speed = np.zeros((2, 3)), np.zeros((2, 3))
-        for a in self.carriers(b):
-            spin = np.outer(self.spin[a][[0, -1]], self.axis[a])
-            turn += spin
-            speed += np.cross(spin, self.place[b] - self.place[a])
-        along = (speed * (speed + 2.0 * np.cross(turn, center))).sum(axis=1)
-        return np.asarray(0.5 * (float(record["mass"]) * along + ((turn @ inertia) * turn).sum(axis=1)))
-
     def unfollowed(self) -> list[str]:
         """Elements that may exchange power but are not among the links, in words."""
         found = []
@@ -346,7 +348,9 @@ class Machine:
             kind = registry.find(name)
             if name in self.damped and (kind.power is None or kind.power.where is not None):
                 continue
-            if kind.power is None or not all(self.follows(kind.power, record) for record in records):
+            power = kind.power
+            lacking = power is not None and power.unknown is not None and any(map(power.unknown, records))
+            if power is None or lacking or not all(self.follows(power, record) for record in records):
                 found.append(kind.plural or kind.words)
         return found
 
@@ -364,7 +368,7 @@ class Machine:
             span=(float(self.time[0]), float(self.time[-1])),
             blocks=[PowerBlock(name=self.blocks[k], speed=speed[k], stored=self.stored(k)) for k in kept],
             links=[_numbered(link, number) for link in links],
-            elastic=(teeth + self.elastic(self.within(OUTSIDE))) / self.duration,
+            elastic=(teeth + self.kept(OUTSIDE)) / self.duration,
             damped=self.damping(),
             booked=self.booked,
             unseparated=self.unseparated,

@@ -52,12 +52,37 @@ def kept_samples(values: Array, limit: int = 8000) -> NDArray[np.int64]:
     limit = max(4, int(limit))
     if n <= limit:
         return np.arange(n, dtype=np.int64)
-    buckets = limit // 4
-    edges = np.linspace(0, n, buckets + 1).round().astype(np.int64)
+    return np.unique(bucket_samples(values, limit)[0])
+
+
+def bucket_samples(values: Array, limit: int) -> tuple[NDArray[np.int64], Array]:
+    """Drawn samples of every bucket of a long record, and the mean of all its samples.
+
+    Parameters
+    ----------
+    values
+        Samples, shape (n,).
+    limit
+        Maximum number of kept samples; at least 4 and less than n.
+
+    Returns
+    -------
+    tuple of NDArray
+        Ascending indices of the first, minimum, maximum and last sample of the buckets, shape (k, 4), with
+        repetitions, and the means of the samples that are not NaN, shape (k,).
+
+    Examples
+    --------
+    >>> kept, mean = bucket_samples(np.array([0.0, 3.0, 1.0, 0.0, 5.0, 5.0, 6.0, 8.0]), 8)
+    >>> kept.tolist(), mean.tolist()
+    ([[0, 0, 1, 3], [4, 4, 7, 7]], [1.0, 6.0])
+    """
+    edges = np.linspace(0, values.size, limit // 4 + 1).round().astype(np.int64)
+    starts, ends = edges[:-1], edges[1:]
     low = np.where(np.isnan(values), np.inf, values)
     high = np.where(np.isnan(values), -np.inf, values)
-    kept = np.empty((buckets, 4), dtype=np.int64)
-    for k in range(buckets):
-        first, end = edges[k], edges[k + 1]
-        kept[k] = first, first + np.argmin(low[first:end]), first + np.argmax(high[first:end]), end - 1
-    return np.unique(kept)
+    least = [a + int(np.argmin(low[a:b])) for a, b in zip(starts, ends, strict=True)]
+    most = [a + int(np.argmax(high[a:b])) for a, b in zip(starts, ends, strict=True)]
+    known = np.add.reduceat(np.isfinite(values).astype(np.float64), starts)
+    mean = np.add.reduceat(np.nan_to_num(values, nan=0.0), starts) / np.where(known > 0.0, known, np.nan)
+    return np.sort(np.column_stack([starts, least, most, ends - 1]), axis=1), mean

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import base64
+import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 Array = NDArray[np.float64]
-Packed = tuple[dict[str, str] | None, list[float]]
+Packed = tuple[dict[str, Any] | None, list[float]]
 
 FLOATS = {"f4": "<f4", "f8": "<f8"}
 LONG = 100
@@ -27,6 +28,7 @@ def figure_json(figure: go.Figure) -> str:
 
     [value of 0, value of a step] is used with two bytes per number, or with one byte for the difference from
     the previous number. [first value, step, count] represents equally spaced numbers, without further data.
+    `meta.means`, the mean for every four numbers of a long record, is packed like a coordinate.
 
     Parameters
     ----------
@@ -45,8 +47,12 @@ def figure_json(figure: go.Figure) -> str:
             values = None if _logarithmic(found["layout"].get(axis)) else _numbers(trace.get(letter))
             if values is not None:
                 trace[letter], steps[letter] = _on_grid(values) or _in_steps(values)
+        meta = dict(trace.get("meta") or {})
+        means = _numbers(meta.pop("means", None))
+        if means is not None and "y" in steps:
+            meta["means"], steps["means"] = _in_steps(means)
         if steps:
-            trace["meta"] = {**(trace.get("meta") or {}), "steps": steps}
+            trace["meta"] = {**meta, "steps": steps}
     return str(to_json_plotly(found))
 
 
@@ -64,17 +70,21 @@ def _numbers(values: Any) -> Array | None:
 
 
 def _on_grid(values: Array) -> Packed | None:
-    """First number, step and count of equally spaced, ascending numbers, such as sample times."""
+    """First number, step and count of equally spaced, ascending numbers, such as sample times.
+
+    Repeated numbers have the distance zero.
+    """
     gaps = np.diff(values)
-    if gaps.min() <= 0.0 or gaps.max() > 250.5 * gaps.min():
+    least = float(np.min(gaps, where=gaps > 0.0, initial=np.inf))
+    if gaps.min() < 0.0 or not np.isfinite(least) or gaps.max() > 250.5 * least:
         return None
     # single precision rounds the spacings: single ones differ, their sum gives the step
-    counts = np.rint(gaps / gaps.min())
+    counts = np.rint(gaps / least)
     places = np.append(0.0, np.cumsum(counts))
     first, step = float(values[0]), float(values[-1] - values[0]) / float(places[-1])
     if np.abs(first + step * places - values).max() > 0.5 * float(np.ptp(values)) / STEPS:
         return None
-    if counts.max() == 1.0:
+    if counts.min() == counts.max() == 1.0:
         return None, [first, step, values.size]
     return _bytes(np.append(0.0, counts), "u1"), [first, step]
 
@@ -82,9 +92,23 @@ def _on_grid(values: Array) -> Packed | None:
 def _in_steps(values: Array) -> Packed:
     low, high = float(values.min()), float(values.max())
     step = (high - low) / STEPS or 1.0
-    return _bytes(np.rint((values - low) / step), "u2"), [low, step]
+    return _bytes((values - low) / step, "u2"), [low, step]
 
 
-def _bytes(values: Array, kind: str) -> dict[str, str]:
-    data = values.astype(np.dtype(kind).newbyteorder("<")).tobytes()
-    return {"dtype": kind, "bdata": base64.b64encode(data).decode("ascii")}
+def _bytes(values: Array, kind: str) -> dict[str, Any]:
+    """Whole numbers as bytes in base 64; in packed form, DEFLATE, if that is shorter.
+
+    Packed are the differences of numbers of two bytes, as 2 d or -2 d - 1, with all low bytes first.
+    """
+    whole = np.rint(values).astype(np.int64)
+    plain = whole.astype(np.dtype(kind).newbyteorder("<")).tobytes()
+    planes = plain
+    if kind == "u2":
+        gaps = np.diff(whole, prepend=0)
+        signed = ((gaps << 1) ^ (gaps >> 63)).astype("<u4")
+        planes = b"".join((signed >> shift & 255).astype(np.uint8).tobytes() for shift in (0, 8, 16))
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    packed = packer.compress(planes) + packer.flush()
+    if len(packed) < len(plain):
+        return {"dtype": kind, "packed": base64.b64encode(packed).decode("ascii"), "size": whole.size}
+    return {"dtype": kind, "bdata": base64.b64encode(plain).decode("ascii")}

@@ -243,7 +243,7 @@ class _Band:
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Name, power and loss, each with its style."""
-        lost = _loss(self.link) if self.link.lost > 0.0 else ""
+        lost = _loss(self.link) if self.link.lost > ROUND_OFF * self.link.given else ""
         # the blocks show the planets on each carrier
         name = "" if self.link.kind == "carrier" else self.link.name
         words = (name, "pp-halo"), (self.unit.text(self.link.given), "pp-small"), (lost, "pp-small")
@@ -333,7 +333,7 @@ def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tu
     """Drop for the loss of a straight band; name and power above the band, the loss below it."""
     words = ((link.name, "pp-halo"), (unit.text(link.given), "pp-small"))
     labels = [Label(x, y - 0.5 * width - 10.0 - LINE, "middle", words)]
-    if not link.lost > 0.0:
+    if not link.lost > ROUND_OFF * link.given:
         return "", labels
     below, drop = y + 0.5 * width, min(max(THINNEST, width * link.lost / link.given), 40.0)
     line = (

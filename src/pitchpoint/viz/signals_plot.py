@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.downsampling import kept_samples
+from pitchpoint.viz.downsampling import bucket_samples
 from pitchpoint.viz.quantities import Array, Channel, Scale, channel_scale, scale
 
 if TYPE_CHECKING:
@@ -147,7 +147,10 @@ def add_curve(
 ) -> None:
     """Add a channel as the curve `index` of a figure, in a row from 1, with the units of both axes."""
     clock, unit = units
-    kept = kept_samples(channel.values, points)
+    meta, kept = None, np.arange(time.size)
+    if time.size > points:
+        places, mean = bucket_samples(channel.values, points)
+        kept, meta = places.reshape(-1), {"means": (mean * unit.factor).astype(np.float32)}
     figure.add_scatter(
         # single precision is sufficient for any screen and halves the size of a report
         x=(time[kept] * clock.factor).astype(np.float32),
@@ -155,6 +158,7 @@ def add_curve(
         yaxis=f"y{row}" if row > 1 else "y",
         mode="lines",
         name=channel.label,
+        meta=meta,
         # the decimation of plotly leaves gaps in dense curves; the samples were selected above
         line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
     )

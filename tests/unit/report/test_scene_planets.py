@@ -94,6 +94,7 @@ def test_channels_get_the_name_of_their_group():
             times=np.zeros(1),
             least=np.zeros(1),
             most=np.zeros(1),
+            mean=np.zeros(1),
         )
         for name in names
     ]

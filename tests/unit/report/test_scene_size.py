@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The promise of `docs/view.md`: ten gears and 2000 frames are a page of at most 3 MB, viewer included.
+"""The promise of `docs/view.md`: ten gears and 2000 frames are a page of at most 4.5 MB, viewer included.
 
 The record is noise throughout, no channel follows from another, and none is smooth from frame to frame:
 nothing packs worse. What is read back is as exact as `docs/scene_format.md` says.
@@ -20,7 +20,7 @@ from tests.support.scene_reader import Seen
 
 PAIRS, SAMPLES, RATE = 5, 19_991, 500.0
 SPEED, RATIO = 150.0, 23 / 41
-MAX_BYTES = 3e6
+MAX_BYTES = 4.5e6
 
 GEARS = """\
   a{k}: {{number_of_teeth: 23, normal_module: {m} mm, helix_angle: 15 deg, hand: left, face_width: 30 mm, profile_shift_coefficient: 0.2}}
@@ -89,7 +89,7 @@ def long():
     return scene, Seen(*scene_texts(scene)), result
 
 
-def test_ten_gears_with_2000_frames_take_less_than_3_megabytes(long):
+def test_ten_gears_with_2000_frames_take_less_than_5_megabytes(long):
     scene, read, _ = long
     header = read.header
     assert sum(solid["kind"] == "gear" for solid in header["solids"]) == 2 * PAIRS
@@ -149,10 +149,11 @@ def test_curves_spectra_and_solids_are_as_exact_as_the_format_says(long):
     scene, read, _ = long
     assert len(scene.channels) > 200
     for channel in scene.channels:
-        times, least, most = read.channel(channel.name)
+        times, least, most, mean = read.channel(channel.name)
         way = channel.most.max() - channel.least.min()
         for kept, truth in ((least, channel.least), (most, channel.most)):
             near(kept, truth, 0.501 * way / (65535 if channel.first else 2047))
+        assert np.abs(mean - channel.mean).max() <= way * (0.502 / 63 + 2 / 2047)
         assert np.array_equal(times, channel.times)
     for spectrum, entry in zip(scene.spectra, read.header["spectra"], strict=True):
         assert read.array(entry["lines"]) == pytest.approx(spectrum.lines, rel=1e-6)

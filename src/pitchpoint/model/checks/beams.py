@@ -33,6 +33,12 @@ def check_beams(parts: Parts, report: Reader) -> None:
             report.problem(at, "has the name of a body", remedy="choose a unique name for the beam")
         if beam.section is not None and (*at, "section") not in report.tainted:
             _section(beam.section, (*at, "section"), report)
+        if beam.diameters and beam.section is not None:
+            remedy = "remove them: the section has its shape"
+            report.problem((*at, "diameters"), "are for beams with properties", remedy=remedy)
+        if len(beam.diameters) == 1:
+            remedy = "give the diameters at both ends, and more between them"
+            report.problem((*at, "diameters"), "is one diameter", limit="at least 2", remedy=remedy)
         if beam.properties is not None and (*at, "properties") not in report.tainted:
             _properties(beam.properties, (*at, "properties"), report, reported)
         if (*at, "ends") not in report.tainted:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of axis directions, and of CAD solids of gears, shafts and bodies."""
+"""Checks of axis directions, of shapes, and of CAD solids of gears, shafts and bodies."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.marker import Axes
+    from pitchpoint.model.components.shape import Shape
     from pitchpoint.model.components.solid import SolidReference
 
 
@@ -27,6 +28,11 @@ def check_directions(parts: Parts, report: Reader) -> None:
         check_axes(body.axes, ("bodies", name, "axes"), report)
         for word, marker in body.markers.items():
             check_axes(marker.axes, ("bodies", name, "markers", word, "axes"), report)
+        for word, shape in body.shapes.items():
+            at = ("bodies", name, "shapes", word)
+            check_axes(shape.axes, (*at, "axes"), report)
+            if not any(at == path[: len(at)] for path in report.tainted):
+                _check_shape(shape, at, report)
     for name, joint in parts.joints.items():
         check_axes(joint.axes, ("joints", name, "axes"), report)
 
@@ -56,6 +62,36 @@ def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
             limit="90 deg",
             remedy="correct one of them, or remove x",
         )
+
+
+def _check_shape(shape: Shape, at: Place, report: Reader) -> None:
+    """Check that a shape is one of a box and a body of revolution."""
+    turned = bool(shape.heights or shape.diameters)
+    if (shape.box is not None) == turned:
+        message = "is two shapes" if turned else "has no size"
+        report.problem(at, message, remedy="give box, or heights and diameters")
+    elif shape.box is not None:
+        if min(shape.box) <= 0.0:
+            limit = "> 0"
+            report.problem((*at, "box"), "is a size", value=f"{min(shape.box):.6g} m", limit=limit)
+        elif shape.rounding > 0.5 * min(shape.box):
+            report.problem(
+                (*at, "rounding"),
+                "is larger than half of the smallest size of the box",
+                value=f"{shape.rounding:.6g} m",
+                limit=f"<= {0.5 * min(shape.box):.6g} m",
+            )
+    elif len(shape.heights) != len(shape.diameters) or len(shape.heights) < 2:
+        report.problem(
+            (*at, "heights"),
+            "and the diameters do not make an outline",
+            value=f"{len(shape.heights)} and {len(shape.diameters)} values",
+            remedy="give at least two heights, and a diameter for each",
+        )
+    elif any(b < a for a, b in zip(shape.heights, shape.heights[1:], strict=False)):
+        report.problem((*at, "heights"), "do not ascend", remedy="order them along z")
+    elif shape.heights[0] == shape.heights[-1] or max(shape.diameters) == 0.0:
+        report.problem(at, "has no volume", remedy="give different heights, and a diameter above 0")
 
 
 def check_solids(parts: Parts, report: Reader) -> None:

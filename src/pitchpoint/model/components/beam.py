@@ -257,6 +257,15 @@ class Beam(Component):
         one_of="section",
         later=True,
     )
+    diameters: tuple[float, ...] = quantities(
+        "length",
+        "with properties: outer diameters at equal distances from the first to the second end, for the scene",
+        (),
+        minimum=0.0,
+        above=True,
+        display="3 % of the length",
+        later=True,
+    )
     axis: tuple[float, float, float] | None = quantities(
         "dimensionless",
         "direction of axis 1 of the section, in the world",

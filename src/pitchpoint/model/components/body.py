@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.model.component import Component
 from pitchpoint.model.components.marker import Axes, Marker, Triple
+from pitchpoint.model.components.shape import Shape
 from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
 
@@ -102,6 +103,9 @@ class Body(Component):
         "of the world",
     )
     markers: Mapping[str, Marker] = key("components", "points with axes of their own, by name", {}, of=Marker)
+    shapes: Mapping[str, Shape] = key(
+        "components", "boxes and bodies of revolution for the scene, by name", {}, of=Shape, later=True
+    )
     origin: Triple | None = derived()
     """Origin of the body in the world [m]: as given, or from its joints, meshes and couplings."""
     orientation: Axes | None = derived()

@@ -19,10 +19,15 @@ if TYPE_CHECKING:
     from pitchpoint.system.rules.wind_rotor import Station
 
 Array = NDArray[np.float64]
-CORNERS = 24
+CORNERS = 32
 """Corners of a section."""
-THICKNESS = 0.22
-"""Thickness of sections with lift over the chord; airfoil files have no shapes."""
+BETWEEN = 4
+"""Sections drawn per distance of two stations."""
+THIN, THICK, DECAY = 0.18, 0.35, 10.0
+"""Thickness over the chord at the tip, at a root with lift, and how fast it decreases over the radius; files
+have no shapes of sections. A cylindrical root has a thickness of 1."""
+ROUND, SHARP = 1.0, 0.45
+"""Thickness over the chord from which a section is a circle, and below which it has a sharp edge."""
 AHEAD = 0.25
 """Distance of the aerodynamic centre from the leading edge over the chord."""
 
@@ -66,18 +71,34 @@ def rigid_blades(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def _rings(rotor: Rotor, stations: list[Station]) -> Array:
-    """Sections of one blade: pointed at the trailing edge where there is lift, circles elsewhere."""
+    """Sections of one blade from the root to the tip: circles, then sections with lift that become thin."""
+    from scipy.interpolate import PchipInterpolator
+
+    places = np.array([station.place for station in stations])
+    chords = rotor.blade.chord[:, None] * np.array([station.chord for station in stations])
+    spans = np.array([station.span for station in stations])
+    way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1)))
+    _, kept = np.unique(way, return_index=True)
+    columns = np.column_stack([places, chords, spans, _thickness(rotor, way)])[kept]
+    count = BETWEEN * (len(kept) - 1) + 1
+    fine = np.interp(np.arange(count) / BETWEEN, np.arange(len(kept)), way[kept])
+    found = PchipInterpolator(way[kept], columns)(fine)
+    place, chord, span, thick = found[:, :3], found[:, 3:6], found[:, 6:9], found[:, 9]
+    normal = np.cross(span / np.linalg.norm(span, axis=1)[:, None], chord)
     angle = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
+    x, y = 0.5 * np.cos(angle), 0.5 * np.sin(angle)
+    circle = np.clip((thick - SHARP) / (ROUND - SHARP), 0.0, 1.0)[:, None]
+    along = x - (1.0 - circle) * (0.5 - AHEAD)
+    height = thick[:, None] * y * (circle + (1.0 - circle) * 1.4 * (0.55 + x) ** 0.6)
+    rings: Array = place[:, None] + along[:, :, None] * chord[:, None] + height[:, :, None] * normal[:, None]
+    return rings
+
+
+def _thickness(rotor: Rotor, way: Array) -> Array:
+    """Thickness over the chord of the stations at some distances from the root [m]."""
     lifting = [separation(polar) is not None for polar in rotor.blade.polars]
-    found = []
-    for station, chord, polar in zip(stations, rotor.blade.chord, rotor.blade.polar_index, strict=True):
-        normal = np.cross(station.span, station.chord)
-        along = 0.5 * np.cos(angle)
-        if lifting[polar]:
-            thick = 0.5 * THICKNESS * np.sin(angle) * (0.55 + along) ** 0.6 * 1.4
-            along = along - (0.5 - AHEAD)
-        else:
-            thick = 0.5 * np.sin(angle)
-        ring = chord * (along[:, None] * station.chord + thick[:, None] * normal)
-        found.append(station.place + ring)
-    return np.array(found)
+    first = next((k for k, row in enumerate(rotor.blade.polar_index) if lifting[row]), len(way))
+    start = way[max(first - 1, 0)]
+    most = ROUND if first else THICK
+    share = np.maximum(way - start, 0.0) / max(float(way[-1] - start), 1e-9)
+    return THIN + (most - THIN) * np.exp(-DECAY * share)

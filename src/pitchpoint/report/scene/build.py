@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.report.main_channels import main_channels
 from pitchpoint.report.scene.bearings import cage_bodies
 from pitchpoint.report.scene.contact_lines import ContactLines
+from pitchpoint.report.scene.curves import scene_curves
 from pitchpoint.report.scene.elastic import elastic_parts
 from pitchpoint.report.scene.flexible_rims import with_rims
 from pitchpoint.report.scene.forces import force_arrows
@@ -26,7 +28,7 @@ from pitchpoint.report.scene.planets import grouped
 from pitchpoint.report.scene.solids import scene_solids
 from pitchpoint.report.scene.spectra import scene_spectra
 from pitchpoint.report.scene.tooth_contacts import scene_contacts
-from pitchpoint.viz.quantities import Channel, channel_scale, settle_time_of
+from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.scene.contacts import SceneContact
 from pitchpoint.viz.scene.content import Scene, SceneArrow, SceneChannel, SceneMark
 from pitchpoint.viz.scene.spectrum import SceneMap, SceneSpectrum
@@ -41,14 +43,6 @@ Array = NDArray[np.float64]
 MAX_FRAMES = 2000
 NUMBERS = 8e5
 """Maximum count of numbers of all tracks: more bodies have fewer frames."""
-PIECES = (500, 200)
-"""Maximum and minimum number of segments of a curve."""
-CURVES = 1e5
-"""Maximum number of segments of all curves together."""
-FIRST = ("normal_force", "transmission_error")
-"""Quantities with curves shown by default."""
-SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed", "displacement")
-"""Fallback quantities: the first varying channel is shown if none of these exists."""
 
 
 def scene_of(
@@ -127,7 +121,7 @@ def scene_of(
         times=record.times,
         arrows=arrows,
         contacts=contacts,
-        channels=grouped(record.curves(), model),
+        channels=grouped(record.curves(model), model),
         marks=marks,
         spectra=spectra,
         maps=maps,
@@ -204,44 +198,9 @@ class _Record:
         values = np.asarray(self.result[name].values[self.samples], dtype=np.float64)
         return values if np.isfinite(values).all() else None
 
-    def curves(self) -> Sequence[SceneChannel]:
-        """All channels over time, decimated to the minimum and maximum of each segment."""
+    def curves(self, model: Model) -> Sequence[SceneChannel]:
+        """All channels over time."""
         if self.result is None:
             return []
-        time = np.asarray(self.result["time"].values, dtype=np.float64)
-        most = int(min(PIECES[0], max(PIECES[1], CURVES / max(1, len(self.result.data_vars)))))
-        edges = np.unique(np.linspace(0, time.size, min(most, time.size) + 1).round().astype(np.int64))[:-1]
-        found = []
-        for name, values in self.result.data_vars.items():
-            if values.dims != ("time",):
-                continue
-            x = np.asarray(values.values, dtype=np.float64)
-            if not np.isfinite(x).all():
-                continue
-            unit = str(values.attrs.get("units", "1"))
-            shown = channel_scale(str(name), unit, x)
-            found.append(
-                SceneChannel(
-                    name=str(name),
-                    label=Channel(str(name), x).label,
-                    unit=unit,
-                    shown_unit=shown.unit,
-                    scale=shown.factor,
-                    times=time[edges],
-                    least=np.minimum.reduceat(x, edges),
-                    most=np.maximum.reduceat(x, edges),
-                    first=str(name).split("[")[0] in FIRST,
-                )
-            )
-        if found and not any(channel.first for channel in found):
-            order = {quantity: k for k, quantity in enumerate(SECOND)}
-
-            def rank(k: int) -> tuple[bool, int]:
-                """Sort key: varying channels before constant ones, main quantities first."""
-                least, most = float(found[k].least.min()), float(found[k].most.max())
-                level = most - least <= 1e-9 * max(abs(least), abs(most))
-                return level, order.get(found[k].name.split("[")[0], len(order))
-
-            best = min(range(len(found)), key=rank)
-            found[best] = replace(found[best], first=True)
-        return found
+        names, scenario = map(str, self.result.data_vars), str(self.result.attrs.get("scenario", ""))
+        return scene_curves(self.result, main_channels(model, names, scenario))

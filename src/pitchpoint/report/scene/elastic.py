@@ -73,7 +73,11 @@ def _beam(model: Model, name: str, part: Beam, at: Places, blade: Array | None =
     count = RINGS * part.pieces + 1
     share = np.linspace(0.0, 1.0, count)
     ring = outline[:, :1] * x + outline[:, 1:] * y
-    points = (root + share[:, None] * (tip - root))[:, None, :] + ring
+    wide = np.ones(count)
+    if part.diameters:
+        known = 0.5 * np.array(part.diameters)
+        wide = np.interp(share, np.linspace(0.0, 1.0, len(known)), known) / np.linalg.norm(outline[0])
+    points = (root + share[:, None] * (tip - root))[:, None, :] + wide[:, None, None] * ring
     n = len(outline)
     if blade is not None:
         points, n, count = blade, blade.shape[1], len(blade)

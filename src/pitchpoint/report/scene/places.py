@@ -60,6 +60,9 @@ class Places:
         if carriers:
             train = float(np.linalg.norm(np.ptp(np.array(carriers), axis=0))) + max(gears)
             self.size = train if self.size > FAR * train else self.size
+        elif shaped := _shape_sizes(model):
+            train = max(shaped)
+            self.size = train if self.size > FAR * train else self.size
 
     def origin(self, body: str) -> Array:
         """Origin of a body in world coordinates [m]."""
@@ -131,6 +134,12 @@ class Places:
         place = place_of(self.model, end)
         point = np.zeros(3) if place is None else place
         return self.at_world(body, point, axes_of(self.model, end))
+
+
+def _shape_sizes(model: Model) -> list[float]:
+    """Largest sizes of the boxes and bodies of revolution of all bodies [m]."""
+    shapes = [shape for body in model.bodies.values() for shape in body.shapes.values()]
+    return [max(s.box or (*s.diameters, s.heights[-1] - s.heights[0])) for s in shapes]
 
 
 def placed_solid(

@@ -96,6 +96,22 @@ def box(size: ArrayLike, place: ArrayLike = (0.0, 0.0, 0.0), axes: Array | None 
     return moved((corner, faces), place, axes)
 
 
+def rounded_box(size: ArrayLike, radius: float, steps: int = 6) -> Surface:
+    """A box with round edges, its middle at the origin [m]; `steps` divide a quarter of a circle."""
+    if radius <= 0.0:
+        return box(size)
+    half = 0.5 * np.asarray(size, float) - radius
+    quarter = np.linspace(0.0, 0.5 * math.pi, steps + 1)
+    turns = np.concatenate([quarter + 0.5 * math.pi * k for k in range(4)])
+    corners = np.repeat([[1, 1], [-1, 1], [-1, -1], [1, -1]], steps + 1, axis=0)
+    rings = []
+    for tilt, side in [(t, -1.0) for t in -quarter[::-1]] + [(t, 1.0) for t in quarter]:
+        beside = radius * math.cos(tilt) * np.column_stack([np.cos(turns), np.sin(turns)])
+        height = np.full(turns.size, radius * math.sin(tilt) + side * half[2])
+        rings.append(np.column_stack([beside + corners * half[:2], height]))
+    return np.concatenate(rings), skin(len(rings), turns.size)
+
+
 def tube(line: ArrayLike, radius: float, sides: int = 6) -> Surface:
     """A tube of small radius along a line of points [m], its ends closed."""
     points = np.asarray(line, float)

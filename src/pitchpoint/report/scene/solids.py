@@ -28,6 +28,7 @@ from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.gears import gear_part
 from pitchpoint.report.scene.ratios import ratio_parts
 from pitchpoint.report.scene.schematics import schematics
+from pitchpoint.report.scene.shapes import moved, rounded_box, turned_profile
 from pitchpoint.report.scene.supports import carriers, covers, housings, spindle_radius
 from pitchpoint.viz.scene.content import Blend, SceneSolid
 
@@ -92,6 +93,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
                 notes.append(f"body {name} is not drawn: {error}")
         elif name not in model.shafts and (part.gears or part.bevel_gears):
             found += _spindle(model, name, at)
+        found += body_shapes(model, name, at)
     found += bearing_solids(model, at)
     plates = carriers(model, at)
     found += [solid for part in plates.values() for solid in part]
@@ -107,7 +109,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     if plates:
         notes.append("plates of carriers show positions, not sizes")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
-    shapes |= {n for n, p in model.bodies.items() if p.of_housing}
+    shapes |= {n for n, p in model.bodies.items() if p.of_housing or p.shapes}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
     wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}
@@ -204,6 +206,33 @@ def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
     number, place, axes = at.at_world(name if pin is None else pin.body, *start)
     word = "spindle" if pin is None else "pin"
     return [_solid(f"{name} ({word})", "shaft", number, corners @ axes.T + place, schematic=True)]
+
+
+def body_shapes(model: Model, name: str, at: Places) -> list[SceneSolid]:
+    """Boxes and bodies of revolution of a body; covers are transparent."""
+    found = []
+    for word, shape in model.bodies[name].shapes.items():
+        if shape.box is not None:
+            surface = rounded_box(shape.box, shape.rounding)
+        else:
+            line = [(0.5 * d, h) for h, d in zip(shape.heights, shape.diameters, strict=True)]
+            ends = [line[0]] * (line[0][0] > 0.0), [line[-1]] * (line[-1][0] > 0.0)
+            surface = turned_profile(
+                [*((0.0, h) for _, h in ends[0]), *line, *((0.0, h) for _, h in ends[1])], ROUND
+            )
+        points, triangles = moved(surface, shape.position, frame(shape.axes))
+        number, place, axes = at.own(name)
+        found.append(
+            SceneSolid(
+                name=f"{name}.{word}",
+                kind="housing" if shape.cover else "body",
+                body=number,
+                points=points @ axes.T + place,
+                triangles=triangles,
+                see_through=shape.cover,
+            )
+        )
+    return found
 
 
 def _has_spindle(model: Model, name: str) -> bool:

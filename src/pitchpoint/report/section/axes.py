@@ -64,7 +64,11 @@ class Joined:
 
 
 def drawn_bodies(model: Model) -> list[str]:
-    """Bodies of the power flow: with gears, shafts, carriers, and rigid ones that links connect."""
+    """Bodies of the power flow: with gears, shafts, carriers, and rigid ones that links connect.
+
+    Of those without gears and shafts, only bodies parallel to one with them: not the nacelle that turns about
+    a tower.
+    """
     from pitchpoint.model.mechanism import base_of
     from pitchpoint.model.speed_ratios import links_of
 
@@ -78,11 +82,15 @@ def drawn_bodies(model: Model) -> list[str]:
             linked.add(seat.body)  # carriers
         linked |= {carrier for carrier in [carrier_of(model, name)] if carrier is not None}
     linked |= {name for name in model.bodies if seat_shaft(model, name) is not None}
-    return [
-        name
-        for name, body in model.bodies.items()
-        if body.gears or body.bevel_gears or name in model.shafts or name in linked
-    ]
+    geared = [n for n, b in model.bodies.items() if b.gears or b.bevel_gears or n in model.shafts]
+    ways = [body_frame(model, name)[1][:, 2] for name in geared]
+
+    def along(name: str) -> bool:
+        """Whether the axis of a body is parallel to that of a gear or shaft."""
+        z = body_frame(model, name)[1][:, 2]
+        return any(float(np.linalg.norm(np.cross(way, z))) < PARALLEL for way in ways)
+
+    return [name for name in model.bodies if name in geared or (name in linked and along(name))]
 
 
 def carrier_of(model: Model, body: str) -> str | None:

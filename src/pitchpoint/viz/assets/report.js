@@ -48,16 +48,29 @@
     return Array.from(values.dtype === "f8" ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer));
   }
 
+  // Whole numbers of one or two bytes, plain, or packed as differences.
+  function whole({ dtype, bdata, packed, size }) {
+    const bytes = Uint8Array.from(atob(packed || bdata), (c) => c.charCodeAt(0));
+    if (!packed) return dtype === "u2" ? new Uint16Array(bytes.buffer) : bytes;
+    if (dtype === "u1") return inflate(bytes, size);
+    const planes = inflate(bytes, 3 * size), found = new Uint16Array(size);
+    for (let k = 0, sum = 0; k < size; k++) {
+      const gap = planes[k] | (planes[size + k] << 8) | (planes[2 * size + k] << 16);
+      found[k] = sum += gap & 1 ? -(gap + 1) / 2 : gap / 2;
+    }
+    return found;
+  }
+
   // Lines whose numbers stand in the page as steps (figure_file.py).
   function unpacked(text) {
     const figure = JSON.parse(text);
     for (const trace of figure.data) {
       for (const [letter, [offset, step, even]] of Object.entries((trace.meta || {}).steps || {})) {
-        const bytes = even ? null : Uint8Array.from(atob(trace[letter].bdata), (c) => c.charCodeAt(0));
+        const owner = letter === "means" ? trace.meta : trace;
         let sum = 0;
-        trace[letter] = even ? Float64Array.from({ length: even }, (_, k) => offset + step * k)
-          : trace[letter].dtype === "u1" ? Float64Array.from(bytes, (gap) => offset + step * (sum += gap))
-          : Float64Array.from(new Uint16Array(bytes.buffer), (k) => offset + step * k);
+        owner[letter] = even ? Float64Array.from({ length: even }, (_, k) => offset + step * k)
+          : owner[letter].dtype === "u1" ? Float64Array.from(whole(owner[letter]), (gap) => offset + step * (sum += gap))
+          : Float64Array.from(whole(owner[letter]), (k) => offset + step * k);
       }
     }
     return figure;
@@ -98,12 +111,125 @@
     });
   }
 
+  // Where a column of pixels has several samples, a curve is the mean of each column, in a transparent band from the
+  // least to the largest sample; zooming shows the samples.
+  const COLUMNS = 600, ASIDE = 60, DENSE = 2.5;
+
+  function between(curve, low, high, columns, line, band) {
+    const { x, y, means } = curve;
+    if (high - low <= DENSE * columns) {
+      for (let k = low; k < high; k++) line.x.push(x[k]), line.y.push(y[k]);
+      return;
+    }
+    const places = [], least = [], most = [];
+    for (let column = 0; column < columns; column++) {
+      const first = low + Math.floor((column * (high - low)) / columns);
+      const end = low + Math.floor(((column + 1) * (high - low)) / columns);
+      let sum = 0, down = y[first], up = y[first];
+      for (let k = first; k < end; k++) {
+        sum += means ? means[k >> 2] : y[k];
+        if (y[k] < down) down = y[k];
+        if (y[k] > up) up = y[k];
+      }
+      places.push(column ? 0.5 * (x[first] + x[end - 1]) : x[first]);
+      least.push(down);
+      most.push(up);
+      line.y.push(sum / (end - first));
+    }
+    places[columns - 1] = x[high - 1];
+    line.x.push(...places);
+    band.x.push(...places, ...places.reverse(), null);
+    band.y.push(...least, ...most.reverse(), null);
+  }
+
+  // Line and band of a curve within a range of its axis; the ranges of the axes stay those of the whole record.
+  function thinned(curve, [from, to], columns) {
+    const { x } = curve, line = { x: [], y: [] }, band = { x: [], y: [] };
+    const place = (t) => {
+      let low = 0, high = x.length;
+      while (low < high) {
+        const middle = (low + high) >> 1;
+        if (x[middle] < t) low = middle + 1;
+        else high = middle;
+      }
+      return low;
+    };
+    const low = Math.max(0, place(from) - 1), high = Math.min(x.length, place(to) + 1);
+    between(curve, 0, low, ASIDE, line, band);
+    between(curve, low, high, columns, line, band);
+    between(curve, high, x.length, ASIDE, line, band);
+    return [line, band];
+  }
+
+  const width = (node) => Math.max(200, Math.round(node.clientWidth));
+
+  // Curves over time with more samples than a screen has columns; their bands come first, behind all lines.
+  function longCurves(node, figure) {
+    if (!figure.layout.meta || !figure.layout.meta.clock) return [];
+    const long = figure.data.filter(({ x, y }) => y instanceof Float64Array && x instanceof Float64Array &&
+      y.length > DENSE * COLUMNS);
+    const bands = long.map(({ name, xaxis, yaxis, line: { color } }) => ({ type: "scatter", mode: "lines", name, xaxis, yaxis,
+      fill: "toself", fillcolor: `${color}44`, line: { width: 0 }, hoverinfo: "skip", showlegend: false, meta: {} }));
+    const curves = long.map((trace, k) => ({ trace, band: bands[k], curve: { x: trace.x, y: trace.y, means: trace.meta.means } }));
+    for (const { trace, band, curve } of curves) {
+      const [line, own] = thinned(curve, [-Infinity, Infinity], width(node));
+      Object.assign(trace, line);
+      Object.assign(band, own);
+    }
+    figure.data.unshift(...bands);
+    return curves.map(({ trace, band, curve }) => ({ curve, at: [figure.data.indexOf(trace), figure.data.indexOf(band)] }));
+  }
+
+  function followZoom(node, long) {
+    let last = "";
+    node.on("plotly_relayout", () => {
+      const { xaxis } = node._fullLayout;
+      const range = xaxis.range.slice(), columns = Math.max(200, Math.round(xaxis._length));
+      if (last === (last = [...range, columns].join())) return;
+      const drawn = long.flatMap(({ curve }) => thinned(curve, range, columns));
+      Plotly.restyle(node, { x: drawn.map(({ x }) => x), y: drawn.map(({ y }) => y) }, long.flatMap(({ at }) => at));
+    });
+  }
+
+  // Plots below each other over the same axis: all labels get the room of the widest, so that the axes are aligned.
+  function align(section) {
+    const groups = new Map();
+    for (const { node } of plots) {
+      if (node.closest("section") !== section || !node.layout.xaxis.title) continue;
+      const key = [node.layout.xaxis.title.text, Math.round(node.getBoundingClientRect().left)].join();
+      groups.set(key, [...(groups.get(key) || []), node]);
+    }
+    for (const group of groups.values()) {
+      const rooms = group.flatMap((node) => Object.keys(node.layout)
+        .filter((name) => /^yaxis\d*$/.test(name) && node.layout[name].visible !== false && node.layout[name].title)
+        .map((name) => {
+          const labels = node.querySelectorAll(`.y${name.slice(5)}tick text`);
+          const wide = Math.max(0, ...[...labels].map((label) => label.getBoundingClientRect().width));
+          return { node, name, wide, standoff: node.layout[name].title.standoff || 0 };
+        }));
+      if (rooms.length < 2) continue;
+      const widest = Math.max(...rooms.map(({ wide }) => wide));
+      const moved = group.map((node) => {
+        const update = {};
+        for (const { name, wide, standoff } of rooms.filter((room) => room.node === node))
+          update[`${name}.title.standoff`] = standoff + widest - wide;
+        return Plotly.relayout(node, update);
+      });
+      Promise.all(moved).then(() => {
+        const edge = (side) => Math.max(...group.map((node) => node._fullLayout._size[side]));
+        const [left, right] = [edge("l"), edge("r")];
+        for (const node of group) Plotly.relayout(node, { "margin.l": left, "margin.r": right });
+      });
+    }
+  }
+
   // Plots are drawn one after the other, those in sight first, so that a long page answers from the start.
   function draw(node) {
     if (node.dataset.drawn) return;
     node.dataset.drawn = "1";
     const text = node.nextElementSibling.textContent;
     const figure = unpacked(text);
+    const long = longCurves(node, figure);
     // what is shown here is nobody else's: the button of the library that uploads a plot goes
     const config = { responsive: true, displaylogo: false, showSendToCloud: false, plotlyServerURL: "",
       displayModeBar: hovering ? "hover" : false,
@@ -114,8 +240,11 @@
     const { meta } = figure.layout;
     // the library writes into the figure it is given; what is offered starts from an untouched one
     if (meta && meta.orders) offerShafts(node, unpacked(text));
+    if (long.length) followZoom(node, long);
     if (meta && meta.clock && node.closest(".linked")) link(node, meta.clock);
     Plotly.relayout(node, look(node.layout, current()));
+    const section = node.closest("section");
+    if (section && !section.querySelector(".plot:not([data-drawn])")) align(section);
   }
 
   // The time of the scene stands in every curve of its run, and a click into a curve moves the scene.

@@ -174,22 +174,25 @@ def _table(flow: PowerFlow) -> str:
     most = max((abs(link.stored) for link in flow.links), default=0.0)
     holds, kept = most > NEGLIGIBLE * flow.put_in, scale("W", [most])
     body = []
+    small = 0.0
     for link in flow.links:
         # equal decimals: a small power next to a large one is not more exact
-        cells = "".join(
-            f'<td class="num">{_fixed(p * unit.factor, places)}</td>' for p in (link.given, link.taken)
-        )
+        powers = [_fixed(p * unit.factor, places) for p in (link.given, link.taken)]
+        kept_words = number(link.stored * kept.factor, 4) if link.stored else "–"
+        if not any(float(p.replace("−", "-")) for p in powers) and link.lost < NEGLIGIBLE * flow.put_in:
+            small = max(small, link.given, link.taken)
+            continue
+        cells = "".join(f'<td class="num">{power}</td>' for power in powers)
         cells += "".join(f'<td class="num">{_loss(link, word, lost)}</td>' for word in kinds)
-        cells += (
-            f'<td class="num">{number(link.stored * kept.factor, 4) if link.stored else "–"}</td>' * holds
-        )
+        cells += f'<td class="num">{kept_words}</td>' * int(holds)
         body.append(
             f'<tr><th scope="row">{escape(link.name)} ({link.kind})</th>'
             f"<td>{escape(_end(flow, link.start))} → {escape(_end(flow, link.end))}</td>{cells}</tr>"
         )
     head = ["element", "from → to", f"input [{unit.unit}]", f"output [{unit.unit}]"]
     head += [f"loss, {word} [{lost.unit}]" for word in kinds] + [f"stored [{kept.unit}]"] * holds
-    return plain_table(head, body)
+    words = f"<p>Not listed: elements with powers up to {escape(amount(small, 'W'))}.</p>" if small else ""
+    return plain_table(head, body) + words
 
 
 def _places(largest: float) -> int:

@@ -40,7 +40,7 @@ MAX_RUNS = 4
 """Runs next to each other in one table; more continue in another table."""
 MAX_ENDS = 4
 """Inputs or outputs named for one run."""
-NO_POWER = 1e-4
+NO_POWER = 1e-3
 """Power relative to the largest one below which an element does not count as input or output."""
 SPEEDS = "Speeds of input and output"
 """Title of the speeds among the curves of a run."""
@@ -171,6 +171,7 @@ def _ends(flow: PowerFlow, links: Sequence[PowerLink], torques: Mapping[str, flo
     powers = {link.name: link.given if starts else link.taken for link in links}
     # elements against ground transmit torques without power
     links = [link for link in links if powers[link.name] > NO_POWER * max(powers.values(), default=0.0)]
+    links.sort(key=lambda link: -powers[link.name])
     for link in links[:MAX_ENDS]:
         speed = flow.blocks[link.end if starts else link.start].speed
         power = link.given if starts else link.taken

@@ -37,8 +37,8 @@ MAX_PARTS = 2
 DETAIL_PERIODS = 12
 ROUND_OFF = 1e-8
 """Size of a channel relative to the largest one of the same unit in its group that counts as zero."""
-WIDE, HALF = 5000, 2400
-"""Points of a curve across the page, and of one of two next to each other: above one bucket per pixel."""
+SAMPLES = 20_000
+"""Maximum number of samples of a curve; longer records keep the minimum and maximum of equal pieces."""
 SAME = 2e-3
 """Difference of two curves relative to their variation that is within the width of a line."""
 
@@ -211,9 +211,8 @@ def _add_signals(
         # the last periods are settled: their ranges determine the curves that share an axis
         rows = signal_rows(last)
         shown = None if state is None else state[part]
-        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows, half=True)
-    points = WIDE if end is None else HALF
-    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows, half=end is not None)
+        end = plot_signals(time[part], last, contact_state=shown, points=SAMPLES, rows=rows, half=True)
+    whole = plot_signals(time, drawn, contact_state=state, points=SAMPLES, rows=rows, half=end is not None)
     long = drawn[0].long_name if len(drawn) == 1 else ""
     section.add_figure(
         whole, f"{long[:1].upper()}{long[1:]}." if long else "", name=drawn[0].quantity, beside=end
@@ -237,7 +236,7 @@ def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel]
         shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
         where = "over the last periods" if part.start is not None else "over the whole run"
         section.add_figure(
-            plot_force_parts(time[part], shown, points=WIDE),
+            plot_force_parts(time[part], shown, points=SAMPLES),
             f"Components of the tooth force of {mesh}, {where}.",
             name=f"tooth_force[{mesh}]",
         )

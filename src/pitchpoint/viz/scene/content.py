@@ -217,7 +217,7 @@ class SceneArrow:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneChannel:
-    """Curve below the scene: minimum and maximum of every segment of the record.
+    """Curve below the scene: samples, or minimum, maximum and mean of every piece of the record.
 
     Attributes
     ----------
@@ -225,8 +225,8 @@ class SceneChannel:
         Name in the result, and readable name.
     unit, shown_unit, scale
         SI unit, displayed unit, and the factor between them.
-    times, least, most
-        Shape (k,), [s] and SI.
+    times, least, most, mean
+        Shape (k,), [s] and SI; all three values are equal for samples.
     first
         Whether it is shown by default.
     group, group_label, planet
@@ -242,6 +242,7 @@ class SceneChannel:
     times: Array
     least: Array
     most: Array
+    mean: Array
     first: bool = False
     group: str = ""
     group_label: str = ""

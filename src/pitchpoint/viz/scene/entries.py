@@ -16,6 +16,8 @@ from pitchpoint.viz.scene.spectrum import Array, SceneMap, SceneSpectrum
 
 FINE, COARSE = 65535, 2047
 """Quantisation steps of a curve: shown by default, and others."""
+MEAN = 63
+"""Quantisation steps of a mean between minimum and maximum."""
 
 
 def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str, Any]:
@@ -36,21 +38,23 @@ def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str,
     tables: dict[tuple[int, bytes], _Table] = {}
     entries = []
     for channel in channels:
-        if not (np.isfinite(channel.least).all() and np.isfinite(channel.most).all()):
+        values = (channel.least, channel.most, channel.mean)
+        if not all(np.isfinite(x).all() for x in values):
             raise ValueError(f"{channel.name}: contains non-finite numbers")
         steps = FINE if channel.first else COARSE
         table = tables.setdefault((steps, channel.times.tobytes()), _Table(len(tables), channel))
         low, high = float(channel.least.min()), float(channel.most.max())
         # an offset in full precision: a torque of 1e5 N m may have a ripple of 1 N m
         step, low = float(f"{(high - low) / steps * (1.0 + 1e-5):.10g}"), float(f"{low:.12g}")
-        parts = [np.rint((x - low) / (step or 1.0)).astype(np.int64) for x in (channel.least, channel.most)]
+        least, most, mean = (np.rint((x - low) / (step or 1.0)).astype(np.int64) for x in values)
+        share = np.rint(MEAN * (mean - least) / np.maximum(most - least, 1)).astype(np.int64)
         entry: dict[str, Any] = {
             "name": channel.name,
             "label": channel.label,
             "unit": channel.unit,
             "shown_unit": channel.shown_unit,
             "scale": channel.scale,
-            "curve": [table.number, table.column(*parts)],
+            "curve": [table.number, table.column(least, most, share)],
             "from": [low, step],
         }
         if channel.first:
@@ -66,19 +70,22 @@ class _Table:
 
     def __init__(self, number: int, first: SceneChannel) -> None:
         self.number, self.times = number, first.times
-        self.columns: dict[bytes, tuple[int, np.ndarray, np.ndarray]] = {}
+        self.columns: dict[bytes, tuple[int, np.ndarray, np.ndarray, np.ndarray]] = {}
 
-    def column(self, least: np.ndarray, most: np.ndarray) -> int:
+    def column(self, least: np.ndarray, most: np.ndarray, share: np.ndarray) -> int:
         """Index of the column with these steps."""
-        key = least.tobytes() + most.tobytes()
-        return self.columns.setdefault(key, (len(self.columns), least, most))[0]
+        key = least.tobytes() + most.tobytes() + share.tobytes()
+        return self.columns.setdefault(key, (len(self.columns), least, most, share))[0]
 
     def entry(self, block: Block) -> dict[str, Any]:
         """Header entry; numbers are written to the block."""
-        least = np.stack([column[1] for column in self.columns.values()], axis=1)
-        most = np.stack([column[2] for column in self.columns.values()], axis=1)
+        least, most, share = (
+            np.stack([column[k] for column in self.columns.values()], axis=1) for k in (1, 2, 3)
+        )
         found = {"times": block.put(self.times, "f8"), "least": block.put_whole(least)}
-        return {**found, "span": block.put_whole(most - least)} if np.any(most != least) else found
+        if np.any(most != least):
+            found |= {"span": block.put_whole(most - least), "mean": block.put_whole(share)}
+        return found
 
 
 _LOADS, _FORCES = 255, 8191

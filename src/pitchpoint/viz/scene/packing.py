@@ -25,6 +25,8 @@ LENGTH = 25e-9
 _TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
 _MIXED = 9
 """Maximum number of columns for the reduction to fewer ones."""
+_TRIED = 200_000
+"""Numbers of a table from which the best order of differences is found."""
 _LEFT = 0.2
 """Share of the permitted error for the columns omitted from such a table."""
 
@@ -124,16 +126,11 @@ class Block:
 
     def _planes(self, levels: NDArray[np.int64], shape: tuple[int, ...]) -> Entry:
         """Integers as byte planes of their differences of the order that compresses best."""
-        best: tuple[int, int, bytes, int] | None = None
-        for order in range(min(3, max(1, len(levels)))):
-            zigzag = _differences(levels, order).T
-            count = max(1, -(-int(zigzag.max(initial=0)).bit_length() // 8))
-            planes = b"".join(((zigzag >> 8 * p) & 255).astype(np.uint8).tobytes() for p in range(count))
-            size = len(zlib.compress(planes, 6))
-            if best is None or size < best[0]:
-                best = size, order, planes, count
-        assert best is not None
-        _, order, planes, count = best
+        few = levels[:, :: 1 + levels.size // _TRIED]
+        order = min(
+            range(min(3, max(1, len(levels)))), key=lambda order: len(zlib.compress(_bytes(few, order)[0], 6))
+        )
+        planes, count = _bytes(levels, order)
         found = self._add(f"planes {count} {order}", shape, planes)
         return {**found, "type": "planes", "bytes": count, "differences": order}
 
@@ -150,6 +147,13 @@ def unseen(values: Array, within: float) -> float:
     """Invisible error of a motion, also if magnified: a distance, or a fraction of the range if smaller."""
     way = float(np.ptp(values, axis=0).max(initial=0.0))
     return min(within, UNSEEN * way) if way > 0.0 else within
+
+
+def _bytes(levels: NDArray[np.int64], order: int) -> tuple[bytes, int]:
+    """Byte planes of the differences of some order, and their number."""
+    zigzag = _differences(levels, order).T
+    count = max(1, -(-int(zigzag.max(initial=0)).bit_length() // 8))
+    return b"".join(((zigzag >> 8 * p) & 255).astype(np.uint8).tobytes() for p in range(count)), count
 
 
 def _differences(levels: NDArray[np.int64], order: int) -> NDArray[np.int64]:
