@@ -17,7 +17,8 @@ EXAMPLE = Path(__file__).parents[3] / "examples" / "wind-turbine" / "model.yaml"
 def problems_of(text: str) -> list[str]:
     with pytest.raises(ModelError) as error:
         loads_model(text, file=str(EXAMPLE))
-    return [str(p) for p in error.value.problems]
+    assert all(p.line for p in error.value.problems)
+    return [re.sub(r"line \d+", "line N", str(p)) for p in error.value.problems]
 
 
 @pytest.mark.parametrize(
@@ -26,9 +27,9 @@ def problems_of(text: str) -> list[str]:
         (
             "[blade_1, blade_2, blade_3], wind",
             "[blade_1, blade_2, tower], wind",
-            "rotor.beams[2] (line 43): 89.42 m is the distance of the root of blade 3 from the end of tower",
+            "rotor.beams[2] (line N): 89.42 m is the distance of the root of blade 3 from the end of tower",
         ),
-        ("{hub: hub, aero", "{hub: ground, aero", "hub (line 42): is on ground, which does not turn"),
+        ("{hub: hub, aero", "{hub: ground, aero", "hub (line N): is on ground, which does not turn"),
         (
             "hub_radius: 1.5 m",
             "hub_radius: 1500 m",
@@ -42,12 +43,12 @@ def problems_of(text: str) -> list[str]:
         (
             "{points: [[10 s, 1]",
             "{points: [[10 m, 1]",
-            "points[0][0] (line 88): '10 m': 'm' is not the unit of",
+            "points[0][0] (line N): '10 m': 'm' is not the unit of",
         ),
         (
             "speed: 8 m/s, height: 90 m, profile",
             "speed: 8 m/s, profile",
-            "winds.steady (line 36): has no height",
+            "winds.steady (line N): has no height",
         ),
         ("step: 10 ms}", "step: 10 s}", "(limit >= 0 and <= 100 ms); write a value >= 0 and <= 100 ms"),
         (
@@ -80,9 +81,7 @@ def test_beams_in_the_wrong_order() -> None:
 def test_an_unknown_name_in_many_places_is_one_problem() -> None:
     text = re.sub(r"  hub: \{mass.*\n.*\n", "", EXAMPLE.read_text(encoding="utf-8"))
     [problem] = problems_of(text)
-    assert (
-        "(line 14): names the body 'hub', which does not exist; so do 13 other values: lines 15, " in problem
-    )
+    assert "(line N): names the body 'hub', which does not exist; so do 13 other values: lines " in problem
     told = problems_of(EXAMPLE.read_text(encoding="utf-8").replace("include:", "#"))
     assert len(told) <= 10
     assert any("define sampling in parameters" in each and "so are 5 other values" in each for each in told)
