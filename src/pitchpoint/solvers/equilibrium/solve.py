@@ -70,6 +70,8 @@ TOLERANCE = 1e-9
 NEGLIGIBLE = 1e-12
 """Residual over the loads of the initial state, up to which any state is in equilibrium, however close to one
 the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
+RESOLVED = 1e-13
+"""Newton step over the size of a coordinate that is no more than its rounding error, in hundreds of terms."""
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 NEAR = 1.0
@@ -255,6 +257,10 @@ def _pseudo_time(
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 1e-3)
             state, R = trial, new
             continue
+        if drift is None and (left <= tolerance * loads).all():  # rounding of many terms may exceed the goal
+            whole_step = inverse_of(whole[free][:, free] + 1e-3 * mass, root)(R[free])
+            if (np.abs(whole_step) <= RESOLVED * (np.abs(state.q) + size)[free]).all():
+                return Rest(state, R), count, 0, -1
         length = float(np.abs(step * system.weight[free]).max(initial=0.0))
         if length < SHORT and (surfaces := crossed(system, state, trial)):
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
