@@ -129,6 +129,7 @@ class Course(Component):
         "points [time, value], linear between them and constant beyond the ends, or a text file",
         None,
         one_of="course",
+        dimension="time",
     )
     formula: str | None = key("formula", "formula of the time t", None, one_of="course")
 
