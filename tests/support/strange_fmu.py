@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import platform
 import shutil
+import struct
 import subprocess
 import zipfile
 from pathlib import Path
@@ -31,6 +33,15 @@ DESCRIPTION = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
+def elf_header(processor: int = 0, end: int = 0) -> bytes:
+    """Header of a library of Linux without sections, by the System V ABI; `end` is the place of a table."""
+    machine = processor or {"x86_64": 62, "aarch64": 183}.get(platform.machine(), 62)
+    head = struct.pack(
+        "<6s10xHHIQQQIHHHHHH", b"\x7fELF\2\1", 3, machine, 1, 0, 0, end, 0, 64, 56, 0, 64, 0, 0
+    )
+    return head if not end else head[:60] + struct.pack("<HH", 9, 0)
+
+
 def write_fmu(
     path: Path, entries: dict[str, bytes | str] | None = None, changes: dict[str, str] | None = None
 ) -> Path:
@@ -41,7 +52,7 @@ def write_fmu(
         text = text.replace(old, new)
     library = f"binaries/{own_platform()}/strange.so"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in ({"modelDescription.xml": text, library: b"\x7fELF"} | (entries or {})).items():
+        for name, data in ({"modelDescription.xml": text, library: elf_header()} | (entries or {})).items():
             archive.writestr(name, data)
     return path
 

@@ -121,7 +121,7 @@ def _included(name: str) -> list[str]:
 
 def _include_list(path: Path) -> list[str]:
     """Files in the key `include` of a model file."""
-    from pitchpoint.io.includes import INCLUDE
+    from pitchpoint.model.keys import INCLUDE
     from pitchpoint.model.reading.yaml_tree import Tree, TreeError
 
     try:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import common, model_file, quantity, scenario, writes
+from pitchpoint.cli.options import common, model_file, quantity, scenario, with_suffix, writes
 from pitchpoint.cli.output import emit_json, show, shown
 from pitchpoint.cli.settings import set_option
 from pitchpoint.cli.tunable_numbers import input_option, parameter_option, ranges_of, show_settable
@@ -55,7 +55,7 @@ def export(
 
     if how["fmu"] is None:
         raise click.UsageError("name a file to write: --fmu OUT.fmu")
-    target = check_target(how["fmu"], "fmu", [file])
+    target = check_target(with_suffix(how["fmu"], ".fmu", "--fmu"), "fmu", [file])
     platforms = _platforms(how["platforms"])
     for each in platforms:
         check_linker(each)

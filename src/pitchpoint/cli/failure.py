@@ -5,7 +5,7 @@
 |---|---|
 | 0 | success |
 | 1 | internal error of pitchpoint (or stdout was closed early) |
-| 2 | invalid input: command line, model file, units, impossible gears, unreadable files |
+| 2 | invalid input: command line, model file, units, impossible gears, unreadable files, missing extras |
 | 3 | the computation failed, or the disk is full or defective; partial results are kept |
 | 129 | the terminal was closed (SIGHUP); partial results are kept |
 | 130 | interrupted with Ctrl-C; partial results are kept |
@@ -27,7 +27,7 @@ OK, FAULT, BAD_INPUT, FAILED = 0, 1, 2, 3
 
 def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
     """Report an error on stderr and return its exit code."""
-    from pitchpoint.core.errors import MissingDependencyError, PitchpointError, SolverError
+    from pitchpoint.core.errors import PitchpointError, SolverError
     from pitchpoint.io.target import is_disk_fault
 
     if debug and not isinstance(error, click.ClickException):
@@ -35,7 +35,10 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
 
         traceback.print_exception(error, file=sys.stderr)
     if isinstance(error, click.ClickException):
-        error.show(file=sys.stderr)
+        if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):
+            error.show(file=sys.stderr)
+        else:
+            say(f"error: {_line_of(error)}")
         return BAD_INPUT
     if isinstance(error, click.Abort) and isinstance(error.__cause__, EOFError):  # click's name for both
         error = error.__cause__
@@ -48,9 +51,6 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return code_of_interruption()
     if isinstance(error, SolverError):
         return _failed(error)
-    if isinstance(error, MissingDependencyError):
-        say(f"error: {error}")
-        return FAILED
     if isinstance(error, PitchpointError):
         from pitchpoint.io.measured.record import as_options
 
@@ -72,6 +72,20 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         "with the command, the model file and the output of the same command with --debug."
     )
     return FAULT
+
+
+def _line_of(error: click.ClickException) -> str:
+    """Error of the command line in one line: the option with its wrong value, or where to find the names."""
+    text = error.format_message().rstrip(".")
+    if not isinstance(error, click.UsageError):
+        return text
+    if type(error) is click.BadParameter:
+        hint = error.param_hint or (error.param.get_error_hint(error.ctx) if error.param else None)
+        names = [hint] if isinstance(hint, str) else list(hint or ())
+        place = " / ".join(names).replace("'", "")
+        text = error.message.rstrip(".")
+        return f"{place}: {text}" if place else text
+    return f"{text}; see {error.ctx.command_path} --help" if error.ctx else text
 
 
 def _failed(error: BaseException) -> int:

@@ -12,7 +12,29 @@ import click
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-model_file = click.argument("file", type=click.Path(exists=True, dir_okay=False))
+
+class ModelFile(click.Path):
+    """Existing file; for a missing one, the model file of the same folder with the nearest name."""
+
+    def __init__(self) -> None:
+        super().__init__(exists=True, dir_okay=False)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Check the file."""
+        try:
+            return super().convert(value, param, ctx)
+        except click.BadParameter:
+            path = Path(os.fsdecode(value))
+            if path.exists() or not path.parent.is_dir():
+                raise
+            from pitchpoint.core.nearest import similar_file
+
+            near = similar_file(Path(), str(path), (".yaml", ".yml")).strip()
+            text = f"the file {value} does not exist{f'; {near}' if near else ''}"
+            raise click.BadParameter(text, ctx, param) from None
+
+
+model_file = click.argument("file", type=ModelFile())
 as_json = click.option("--json", "as_json", is_flag=True, help="Print only JSON, in SI units and radians.")
 allow_code = click.option(
     "--allow-code",
@@ -104,8 +126,8 @@ def first_missing(target: Path) -> Path | None:
     return missing[-1] if missing else None
 
 
-def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
-    """Option that takes a quantity with a unit and returns its SI value."""
+def quantity(flag: str, dimension: str, description: str, *, unit: bool = False) -> Callable[[F], F]:
+    """Option that takes a quantity and returns its SI value; with `unit` it refuses numbers without unit."""
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
         """Convert the text of the option to SI; a number without unit is in SI."""
@@ -119,6 +141,10 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
             value = float(text)
         except ValueError:
             value = None
+        if unit and value is not None:
+            from pitchpoint.core.unit_table import DIMENSIONS
+
+            raise click.BadParameter(f"{text} has no unit; write '{text} {DIMENSIONS[dimension].si}'")
         try:
             found = parse_quantity(text if value is None else value, dimension, positive=True)
         except UnitError as error:
@@ -127,6 +153,21 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
         return found
 
     return click.option(flag, metavar="QUANTITY", callback=convert, help=description)
+
+
+def with_suffix(path: str, suffix: str, option: str = "OUTPUT") -> str:
+    """Check the ending of the name of an output file.
+
+    Examples
+    --------
+    >>> with_suffix("unit.FMU", ".fmu")
+    'unit.FMU'
+    """
+    if Path(path).suffix.lower() != suffix:
+        has = f"has the ending {Path(path).suffix}" if Path(path).suffix else "has no ending"
+        remedy = f"write {Path(path).with_suffix(suffix)}"
+        raise click.BadParameter(f"{path} {has} (limit {suffix}); {remedy}", param_hint=option)
+    return path
 
 
 def one_of(name: str | None, names: Sequence[str], what: str) -> str:

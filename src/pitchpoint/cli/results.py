@@ -143,6 +143,7 @@ def finished(begun: float, target: Path | None, notes: Sequence[str] = ()) -> di
     }
 
 
+<<<<<<< HEAD
 def failed(begun: float, target: Path | None, notes: Sequence[str], error: BaseException) -> dict[str, Any]:
     """Head of the output of `--json` of a computation with a partial result; see `finished`."""
     from pitchpoint.io.writing import how_it_ended
@@ -152,17 +153,29 @@ def failed(begun: float, target: Path | None, notes: Sequence[str], error: BaseE
 
 
 def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
+=======
+def unless_it_cannot_begin(
+    compute: Callable[[], Computed], empty: Mapping[str, Any], target: Path | None = None
+) -> Computed:
+>>>>>>> main
     """Compute; a failure or stop before the first step gives a summary with empty tables.
 
-    `output` then names a file only if it contains samples, as on a full disk.
+    `output` then names a file only if it contains samples, as on a full disk. After an interrupt the error
+    states what became of the file `target`, if there is one.
     """
     from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INTERRUPTED
     from pitchpoint.io.writing import how_it_ended
 
     begun = time.perf_counter()
+    before = None if target is None else _stamp(target)
     try:
         return compute()
     except (SolverError, KeyboardInterrupt) as error:
+        if isinstance(error, KeyboardInterrupt):
+            fate = "" if target is None else _fate(target, before)
+            text = f"before the first sample: nothing has been computed{fate}"
+            error = SolverError(text, INTERRUPTED)
         status, sentence, _ = how_it_ended(error)
         wall_s = time.perf_counter() - begun
         partial = getattr(error, "partial", None)
@@ -174,6 +187,27 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
             "notes": [],
         }
         return summary | dict(empty), error
+
+
+def _stamp(target: Path) -> tuple[int, int] | None:
+    """Identity of a file; None if it does not exist."""
+    try:
+        found = target.stat()
+    except OSError:
+        return None
+    return found.st_ino, found.st_mtime_ns
+
+
+def _fate(target: Path, before: tuple[int, int] | None) -> str:
+    """What became of a file in which nothing was stored."""
+    after = _stamp(target)
+    if after is not None and after == before:
+        return f"; the older {target} is unchanged"
+    if after is None:
+        return (
+            f", and {target} was not written" if before is None else f", and the older {target} was removed"
+        )
+    return f"; {target} has no samples"
 
 
 def statistics_table(

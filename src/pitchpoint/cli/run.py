@@ -132,6 +132,7 @@ def run(
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, file, name, target, decimate=decimate or 1, reduce=reduce, quiet=quiet),
         NOT_BEGUN,
+        target,
     )
     inner = summary.pop("inner", ())
     errors: dict[str, tuple[float, str]] = {}
@@ -170,7 +171,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
 
     target = result_path(output, file, name)
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN
+        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN, target
     )
     if as_json:
         emit_json(summary)
@@ -202,7 +203,7 @@ def compute(
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError, with_time
     from pitchpoint.core.kernel import expect
-    from pitchpoint.core.status import OK
+    from pitchpoint.core.status import INTERRUPTED, OK
     from pitchpoint.io.writing import Channel, ResultWriter
     from pitchpoint.report.bearing_loads import loads_above_ratings
     from pitchpoint.solvers.fixed_steps import loop_of
@@ -264,6 +265,9 @@ def compute(
         **({"contact_solver": done.contact_solver} if done.contact_solver else {}),
         **inner,
     }
+    if done.status == INTERRUPTED and not done.steps:
+        text = f"before the first sample: nothing has been computed; {target} has no samples"
+        return summary, SolverError(text, INTERRUPTED)
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))
 
 

@@ -64,7 +64,7 @@ def sweep(
         return run_varied(model, file, name, goal, vary, jobs=jobs, as_json=as_json, quiet=quiet)
     target = result_path(output, file, name)
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN
+        lambda: compute(model, file, name, target, quiet=quiet), NOT_BEGUN, target
     )
     if as_json:
         emit_json(summary)

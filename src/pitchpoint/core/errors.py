@@ -112,7 +112,7 @@ class Message(str):
         file: str | None = None,
     ) -> Message:
         """Compose the sentence."""
-        file = getattr(line, "file", file)
+        file, limit = getattr(line, "file", file), limit or None
         at = ", ".join(part for part in (file, f"line {line}" if line is not None else "") if part)
         place = f"{where} ({at})".lstrip() if at else where
         sentence = f"{place}: " if place else ""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 
 LISTED = 12
 """Maximum number of names in a hint."""
@@ -65,6 +66,26 @@ def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:
     """
     near = nearest(name, names, count)
     return f"did you mean {' or '.join(near)}? " if near else ""
+
+
+def similar_file(folder: Path, name: str, suffixes: Iterable[str] = ()) -> str:
+    """Question with the file whose name is nearest, in the folder of a missing file; '' if none is similar.
+
+    Parameters
+    ----------
+    folder, name
+        Folder, and name of the missing file relative to it.
+    suffixes
+        Endings of the files in question; default: that of the missing file.
+    """
+    wanted = Path(name)
+    endings = tuple(suffixes) or (wanted.suffix.lower(),)
+    try:
+        files = [each.name for each in (folder / wanted).parent.iterdir() if each.is_file()]
+    except (OSError, ValueError):
+        return ""
+    near = nearest(wanted.name, sorted(each for each in files if Path(each).suffix.lower() in endings))
+    return f"did you mean {wanted.with_name(near[0]).as_posix()}? " if near else ""
 
 
 def hint(name: object, names: Iterable[str], count: int = 1) -> str:

@@ -44,7 +44,8 @@ _SENTENCES = {
     "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
     UNBOUNDED: "the solution grew without bound",
     OFF_SPEED: "the mean speed left the speed of the sweep",
-    OUTSIDE_BOX: "a blade left the box of turbulence; use a file with a larger grid or a longer duration",
+    OUTSIDE_BOX: "a blade left the box of turbulence; use a larger grid (pitchpoint wind --width) "
+    "or a longer duration",
     NOT_WRITTEN: "the result cannot be written to the disk",
 }
 

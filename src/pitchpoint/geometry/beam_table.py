@@ -103,9 +103,20 @@ class BeamTable:
     def _problems(self) -> list[Message]:
         found = []
         x = self.position
-        if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0 or not (np.diff(x) > 0.0).all():
+        falling = np.flatnonzero(~(np.diff(x) > 0.0))
+        if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0:
             shown = f"{x.size} values" if x.size < 2 else f"{x[0]:g} to {x[-1]:g}"
-            found.append(Message("position", "is not a list of increasing places", shown, "0 to 1"))
+            text, remedy = (
+                "is not a list of increasing places",
+                "give the places from the first end to the last",
+            )
+            found.append(Message("position", text, shown, "0 to 1", remedy))
+        elif falling.size:
+            k = int(falling[0]) + 1
+            remedy = "sort the places"
+            found.append(
+                Message(f"position[{k}]", "does not increase", f"{x[k]:g}", f"> {x[k - 1]:g}", remedy)
+            )
         for name in _COLUMNS:
             values = getattr(self, name)
             if values.size != x.size and (values.size or name in _NEEDED):

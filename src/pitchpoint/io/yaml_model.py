@@ -12,10 +12,11 @@ from typing import Any, TextIO
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.io.includes import INCLUDE, Whole, with_included
+from pitchpoint.io.includes import MEANT, Whole, means_include, with_included
 from pitchpoint.io.model_tables import read_tables
 from pitchpoint.model.build import build_model
 from pitchpoint.model.changes import Paths, named, put
+from pitchpoint.model.keys import INCLUDE
 from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.reading.yaml_tree import Tree, TreeError, text_of
@@ -120,10 +121,15 @@ def loads_model(
     0.003
     """
     changes = dict(changes or {})
-    whole = _whole(text, file, progress, changes.pop(INCLUDE, None))
+    names = options or dict.fromkeys(changes, "changes")
+    if wrong := [path for path in changes if means_include(path)]:
+        raise ModelError([Message(p, "is an unknown key", remedy=MEANT, file=names[p]) for p in wrong], file)
+    included = changes.pop(INCLUDE, None)
+    whole = _whole(text, file, progress, included)
     directory = str(Path(file).parent if file is not None else Path())
-    if missing := [problem for problem in whole.problems if problem.where == INCLUDE]:
-        raise ModelError(missing, file)  # names of missing files would be unknown everywhere
+    if whole.incomplete:  # names of missing files would be unknown everywhere
+        by_option = {INCLUDE: names.get(INCLUDE, "changes")} if included is not None else {}
+        raise ModelError([p if p.file else next(iter(named([p], by_option))) for p in whole.problems], file)
 
     def build(data: Any, more: list[Message]) -> Model:
         """Model of the data of the file, or of these with changes."""
@@ -134,7 +140,6 @@ def loads_model(
 
     if not changes:
         return build(whole.data, [])
-    names = options or dict.fromkeys(changes, "changes")
     try:
         model = build(whole.data, [])
     except ModelError:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,7 @@ from pitchpoint.core.errors import GeometryError, Message, ModelError
 from pitchpoint.core.nearest import nearest
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.polar import Polar
-from pitchpoint.geometry.rotor.polar_range import extrapolate_polar
+from pitchpoint.geometry.rotor.polar_range import extrapolate_polar, range_problem
 from pitchpoint.model.components.blade import LISTS
 from pitchpoint.model.files import read_once
 from pitchpoint.model.openfast.airfoil import read_airfoil
@@ -80,6 +81,14 @@ def _station_problems(part: BladeStations, hub_radius: float) -> list[Message]:
             remedy = "give one value for each station"
             found.append(Message(name, "is the number of values", str(size), f"{count} as of radius", remedy))
     radius = np.array(part.radius)
+    for name, most, unit, factor, limit in (
+        ("chord", radius[-1], "m", 1.0, f"<= {radius[-1]:.6g} m, the radius of the rotor"),
+        ("twist", 0.5 * math.pi, "deg", 180.0 / math.pi, "-90 to 90 deg"),
+    ):
+        values = np.array(getattr(part, name))
+        for k in np.flatnonzero(np.abs(values) > most * (1.0 + _SAME))[:1]:
+            shown, remedy = f"{values[k] * factor:.6g} {unit}", "correct the value and its unit"
+            found.append(Message(f"{name}.{k}", "is out of range", shown, limit, remedy))
     for k in np.flatnonzero(np.diff(radius) <= 0.0)[:1]:
         limit, remedy = f"> {radius[k]:.6g} m", "sort the stations from root to tip"
         found.append(Message(f"radius.{k + 1}", "does not increase", f"{radius[k + 1]:.6g} m", limit, remedy))
@@ -118,9 +127,10 @@ def _polar(name: str, table: BladePolar) -> Polar:
         except GeometryError as error:
             raise ModelError([error.problem.changed(where="")]) from None
     if not polar.complete:
-        ends = f"{math.degrees(polar.alpha[0]):g} to {math.degrees(polar.alpha[-1]):g} deg"
         remedy = "complete the table, or give aspect_ratio to continue it as a stalled plate"
-        raise ModelError([Message("", "is the range of the angles", ends, "-180 to 180 deg", remedy)])
+        found = range_problem(polar, remedy)
+        name = "" if table.file is None else f"{Path(table.file).name}: "
+        raise ModelError([found.changed(where="" if not name else "file", value=f"{name}{found.value}")])
     return polar
 
 

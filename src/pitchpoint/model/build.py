@@ -10,13 +10,16 @@ from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.checks.validate import check
 from pitchpoint.model.component import without_arrays
-from pitchpoint.model.keys import BAD, keys_of, remedy_for_key
+from pitchpoint.model.keys import BAD, INCLUDE, keys_of, remedy_for_key
 from pitchpoint.model.model import Model
 from pitchpoint.model.origin import Origin
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.laws import MATERIALS, note_materials
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.sections import GROUPS
+
+MANY = 4
+"""Number of values with the same unknown name from which they are one problem."""
 
 
 def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple[str, ...] = ()) -> Model:
@@ -44,7 +47,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     keys = keys_of(Model)
     for name in [name for name in data if name not in keys]:
         sections.find(str(name))  # register sections of other packages
-    reader.unknown(data, keys, ())
+    reader.unknown(data, {INCLUDE: None, **keys} if reader.lines else keys, ())
     names = _names(data, (*GROUPS, *(n for n in keys if sections.is_other(n))))
     values = {}
     for name, key in keys.items():
@@ -63,11 +66,33 @@ def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple
     check(parts, reader)
     if reader.problems:
         ordered = sorted(
-            reader.problems, key=lambda p: (p.file or "", p.line if p.line is not None else 10**9)
+            _in_one(reader.problems), key=lambda p: (p.file or "", p.line if p.line is not None else 10**9)
         )
         raise ModelError(ordered, file)
     origin = Origin(reader.sources, tuple(reader.bare), files)
     return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code, origin=origin)
+
+
+def _in_one(problems: list[Message]) -> list[Message]:
+    """Problems, with those of one unknown name that many places have in one."""
+    groups: dict[tuple[str | None, ...], list[Message]] = {}
+    for problem in problems:
+        groups.setdefault((problem.value, problem.text, problem.remedy), []).append(problem)
+    found = []
+    for (_, text, remedy), each in groups.items():
+        names = str(text).startswith("names the ") and str(text).endswith("which does not exist")
+        if len(each) < MANY or not (names or "in parameters" in str(remedy)):
+            found += each
+            continue
+        first = each[0]
+        lines = sorted(
+            {p.line for p in each[1:] if p.line not in (None, first.line) and p.file == first.file}
+        )
+        at = f": {'lines' if lines[1:] else 'line'} {', '.join(map(str, lines))}" if lines else ""
+        found.append(
+            first.changed(text=f"{text}; so {'do' if names else 'are'} {len(each) - 1} other values{at}")
+        )
+    return found
 
 
 def _names(data: Mapping[Any, Any], groups: tuple[str, ...]) -> dict[str, set[str]]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.nearest import similar_file
 
 MAX_BYTES = 20_000_000
 """Largest text file that is read."""
@@ -29,7 +30,8 @@ def contents(path: str | os.PathLike[str]) -> bytes:
             data = stream.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        problem = Message("", f"cannot be read: {reason}", remedy="check the name")
+        near = similar_file(Path(path).parent, Path(path).name)
+        problem = Message("", f"cannot be read: {reason}", remedy=f"{near}check the name")
         raise ModelError([problem], str(path)) from None
     if len(data) > MAX_BYTES:
         raise ModelError([Message("", f"the file is larger than {MAX_BYTES // 10**6} MB")], str(path))

@@ -21,6 +21,8 @@ BAD: Any = object()
 
 TYPE = "type"
 """Key for the kind of a component, in sections with several kinds."""
+INCLUDE = "include"
+"""Key for included files, which the reader of files replaces by their contents."""
 
 Place: TypeAlias = tuple[str | int, ...]
 """Path of a value in a file: names of keys and indices of list entries."""

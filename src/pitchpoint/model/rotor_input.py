@@ -82,7 +82,8 @@ def _windio(part: WindRotor) -> RotorInput:
         raise at_key(error, "windio") from None
     if given.rotor.blades != part.blades:
         limit = f"{given.rotor.blades} as in the file"
-        raise ModelError([Message("blades", "is the number of blades", str(part.blades), limit)])
+        remedy = "correct one of them"
+        raise ModelError([Message("blades", "is the number of blades", str(part.blades), limit, remedy)])
     flow = RotorFlow()
     if part.tower_flow:
         if given.tower is None:

@@ -129,6 +129,7 @@ class Course(Component):
         "points [time, value], linear between them and constant beyond the ends, or a text file",
         None,
         one_of="course",
+        dimension="time",
     )
     formula: str | None = key("formula", "formula of the time t", None, one_of="course")
 
@@ -241,6 +242,14 @@ class Scenario(Component):
         "time step",
         None,
         display="1/200 of the shortest period of meshes and modes; of elastic bodies, excited modes only",
+    )
+    long_step: float | None = positive(
+        "time",
+        "time step of all bodies outside of gear trains; these take several steps `step` in it. Without gear "
+        "trains all bodies take `step`",
+        None,
+        display="step",
+        later=True,
     )
     tolerance: float = positive(
         "dimensionless", "relative tolerance of methods with step-size control", 1e-7, maximum=0.1

@@ -8,12 +8,11 @@ import math
 from typing import Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.model.keys import TYPE, Key, defaults_of, keys_of
+from pitchpoint.model.keys import INCLUDE, TYPE, Key, defaults_of, keys_of
 from pitchpoint.model.model import Model
 from pitchpoint.model.sections import load_others
 from pitchpoint.model.write import quantity_text
 
-INCLUDE = "include"
 FILES = Key("names", "model files, by their paths from the folder of this file, whose sections are added")
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 

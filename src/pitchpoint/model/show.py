@@ -103,6 +103,8 @@ def example(description: Key) -> str:
     samples = {
         "integer": str(int(max(description.minimum, 20))),
         "names": "[a, b]",
+        "end": "BODY or BODY.MARKER",
+        "ends": "[BODY, BODY]",
         "text": "a name",
         "file": "a file name",
         "library": "a file name",

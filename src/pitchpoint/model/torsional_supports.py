@@ -7,6 +7,7 @@ it has a torsional support."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -24,10 +25,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.law import Law
     from pitchpoint.model.components.spring import Spring
     from pitchpoint.model.frames import Array
+    from pitchpoint.model.mechanism import Seat
     from pitchpoint.model.parts import Parts
 
 SAME = 1e-9
 """Relative stiffness, deviation of a cosine from one, and distance [m] that count as zero."""
+INCLINED = math.sqrt(0.5)
+"""Cosine of the angle between two axes from which a rotation about one of them is not one about the other."""
 
 
 def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
@@ -51,10 +55,12 @@ def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
         owner = parts.body_of(name)
         if owner and rim is not None and rim.supports is not None and rim.supports.tangential > 0.0:
             found.append(owner)
-    for bushing in parts.bushings.values():
-        body = _held(parts, [split(end)[0] for end in bushing.ends])
-        if body is not None and _resists(parts, bushing, body):
-            found.append(body)
+    coaxial = bushed_pairs(parts)
+    for name, bushing in parts.bushings.items():
+        ends = [split(end)[0] for end in bushing.ends]
+        body = _held(parts, ends)
+        turning = [body] if body is not None else [] if name in coaxial else _framed(parts, ends)
+        found += [one for one in turning if _resists(parts, bushing, one)]
     for name, clutch in parts.clutches.items():
         body = braked_body(parts, clutch)
         if body is not None and closed_at_start(clutch.capacity) and not is_open(name, clutch, engaged):
@@ -83,6 +89,28 @@ def _held(parts: Parts, ends: Sequence[str]) -> str | None:
     """The moving one of two bodies, if the other is ground or fixed."""
     moving = [e for e in ends if e != GROUND and not (e in parts.bodies and parts.bodies[e].moves == "fixed")]
     return moving[0] if len(moving) == 1 and moving[0] in parts.mechanism.seats else None
+
+
+def _framed(parts: Parts, ends: Sequence[str]) -> list[str]:
+    """Those of two bodies that spin about an axis about which the joints of the other one do not.
+
+    Such as a gearbox on torque arms of a machine frame that only yaws.
+    """
+    seats, found = parts.mechanism.seats, []
+    for body, other in (ends, ends[::-1]):
+        if body not in seats or other not in seats or "spin" not in seats[body].coordinates:
+            continue
+        axis = seat_frame(parts, seats[body])[1][:, 2]
+        while other in seats and not _spins_about(parts, seats[other], axis):
+            other = seats[other].parent
+        if other == GROUND:
+            found.append(body)
+    return found
+
+
+def _spins_about(parts: Parts, seat: Seat, axis: Array) -> bool:
+    """Whether a body spins on its joint about an axis within 45 deg of the given one."""
+    return "spin" in seat.coordinates and bool(abs(seat_frame(parts, seat)[1][:, 2] @ axis) > INCLINED)
 
 
 def _has_lever(parts: Parts, spring: Spring, body: str) -> bool:

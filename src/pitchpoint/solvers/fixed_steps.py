@@ -15,6 +15,18 @@ if TYPE_CHECKING:
 FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
 
 
+def start_run(system: System, state: State, scenario: Scenario, h: float) -> Any:
+    """Start the run of a scenario, with its long steps of bodies outside of gear trains if it has them."""
+    count = round((scenario.long_step or h) / h)
+    if count < 2:
+        return start_fixed_steps(system, state, scenario, h)
+    from pitchpoint.solvers.implicit import gear_part  # imported and compiled on demand
+
+    if not gear_part.fast_bodies(system):
+        return start_fixed_steps(system, state, scenario, h)
+    return gear_part.start(system, state, h, count)
+
+
 def loop_of(method: str) -> Any:
     """Compiled loop of a method, as an entry for `core.kernel.expect`."""
     if method in ("generalized_alpha", "kinematics"):  # kinematics has no loop

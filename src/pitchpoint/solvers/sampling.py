@@ -233,7 +233,7 @@ class Statistics:
     Parameters
     ----------
     count
-        Number of steps.
+        Number of steps, of the channels with most of them.
     mean, rms, least, most
         Mean, rms of the alternating part, minimum and maximum.
     share_negative, share_zero
@@ -262,7 +262,7 @@ def read_statistics(accumulators: Accumulators) -> Statistics:
     mean = sums[:, SUM] / n
     variance = np.maximum(sums[:, SQUARES] / n - mean**2, 0.0)
     return Statistics(
-        count=int(sums[0, COUNT]) if len(sums) else 0,
+        count=int(sums[:, COUNT].max()) if len(sums) else 0,
         mean=sums[:, REFERENCE] + mean,
         rms=np.sqrt(variance),
         least=np.where(n > 0.0, sums[:, MINIMUM], np.nan),
@@ -273,23 +273,27 @@ def read_statistics(accumulators: Accumulators) -> Statistics:
 
 
 @kernel(inline=True)
+def add_value(x, s):
+    """Add a channel value to the running statistics of this channel."""
+    if s[COUNT] == 0.0:
+        s[REFERENCE] = x
+        s[MINIMUM] = x
+        s[MAXIMUM] = x
+    d = x - s[REFERENCE]
+    s[COUNT] += 1.0
+    s[SUM] += d
+    s[SQUARES] += d * d
+    s[MINIMUM] = min(s[MINIMUM], x)
+    s[MAXIMUM] = max(s[MAXIMUM], x)
+    s[NEGATIVE] += 1.0 if x < 0.0 else 0.0
+    s[ZERO] += 1.0 if x == 0.0 else 0.0
+
+
+@kernel(inline=True)
 def accumulate(row, sums):
     """Add one row of channel values to the running statistics."""
-    if row.size > 0 and sums[0, COUNT] == 0.0:
-        for k in range(row.size):
-            sums[k, REFERENCE] = row[k]
-            sums[k, MINIMUM] = row[k]
-            sums[k, MAXIMUM] = row[k]
     for k in range(row.size):
-        x = row[k]
-        d = x - sums[k, REFERENCE]
-        sums[k, COUNT] += 1.0
-        sums[k, SUM] += d
-        sums[k, SQUARES] += d * d
-        sums[k, MINIMUM] = min(sums[k, MINIMUM], x)
-        sums[k, MAXIMUM] = max(sums[k, MAXIMUM], x)
-        sums[k, NEGATIVE] += 1.0 if x < 0.0 else 0.0
-        sums[k, ZERO] += 1.0 if x == 0.0 else 0.0
+        add_value(row[k], sums[k])
 
 
 @kernel

@@ -157,12 +157,13 @@ def whole_steps(span: float, h: float) -> tuple[int, float]:
     return count, rest if rest > ROUND_OFF * span else 0.0
 
 
-def next_chunk(n: int, seconds: float) -> int:
-    """Number of steps of the next chunk, from the wall time [s] of the last n steps.
+def next_chunk(n: int, seconds: float, whole: int = 1) -> int:
+    """Number of steps of the next chunk, from the wall time [s] of the last n steps; a multiple of `whole`.
 
     Examples
     --------
-    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001)
-    (500, 8000)
+    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001), next_chunk(1000, 0.3, 30)
+    (500, 8000, 480)
     """
-    return max(1, int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))))
+    wanted = int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4))))
+    return max(whole, wanted - wanted % whole)

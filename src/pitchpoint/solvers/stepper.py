@@ -8,7 +8,7 @@ equal time steps; the method restarts after a change of an input. The loop is th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -131,7 +131,8 @@ class Stepper(EndsControllers):
             raise ModelError([Message(where, text, chosen.method, limit, remedy)])
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
-        self._loop = Loop(started(system, chosen), chosen, self._record)
+        everywhere = replace(chosen, long_step=None)
+        self._loop = Loop(started(system, chosen), everywhere, self._record)
         self._end_with(self._loop.sampler)
         self._system = self._loop.system
         try:

@@ -21,7 +21,7 @@ from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
 from pitchpoint.solvers.divergence import FAILURES, fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
-from pitchpoint.solvers.fixed_steps import start_fixed_steps
+from pitchpoint.solvers.fixed_steps import start_run
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sample_notes import sample_notes
@@ -158,7 +158,7 @@ class Loop:
             return KinematicRun(self.system, self.start.state, self.h)
         if not self.adaptive:
             self.more = {"picked": self.channels} if scenario.method in EXPLICIT_METHODS else {}
-            return start_fixed_steps(self.system, self.start.state, scenario, self.h)
+            return start_run(self.system, self.start.state, scenario, self.h)
         from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
 
         rtol = scenario.tolerance  # absolute tolerances scale with it, or they would limit the accuracy
@@ -225,7 +225,7 @@ class Loop:
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
-            n = min(next_chunk(n, time.perf_counter() - begun), total)  # controllers may shorten chunks
+            n = min(next_chunk(n, time.perf_counter() - begun, getattr(self.run_, "count", 1)), total)
         return self._last_step(rest) if rest > 0.0 else OK
 
     def _last_step(self, h: float) -> int:

@@ -93,6 +93,15 @@ MACH = np.dtype(
             "watch",  # address of `heard` if signals read observations, else 0
             "constant_mass",  # 1: M is independent of q, and forces are independent of accelerations
             "settles",  # 1: forces depend on accelerations, see `linear.solve_acceleration`
+            *(
+                "own",
+                "nown",
+                "fixes",
+                "nfixes",
+                "chosen",
+                "nchosen",
+                "shift",
+            ),  # of a part of the coordinates, see `system.part`
         )
     ],
     align=True,

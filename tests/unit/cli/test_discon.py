@@ -171,8 +171,8 @@ def test_library_of_an_installed_package(
 POINTS = [[k, k] for k in range(300)]
 WRONG = {
     "no library": (("libprobe.so", "libprob.so"), "library", "names a file that does not exist"),
-    "text": (("libprobe.so", "rotor.yaml"), "library", "which is not a shared library"),
-    "other": (("libprobe.so", "other.so"), "library", "which is for another system"),
+    "text": (("libprobe.so", "rotor.yaml"), "library", "is a text file, not a shared library"),
+    "other": (("libprobe.so", "other.so"), "library", "is for another system, "),
     "procedure": (("period:", "procedure: discon, period:"), "library", "write procedure: DISCON"),
     "no input file": (("pi.in", "no.in"), "input_file", "names a file that does not exist"),
     "record": (("{pitch_demand:", "{pitch_deman:"), "outputs.pitch_deman", "did you mean pitch_demand?"),

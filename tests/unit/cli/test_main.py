@@ -92,7 +92,7 @@ def test_bad_command_lines_exit_2(
         (SolverError("diverged at t = 0.1 s", st.DIVERGED, Path("out.h5")), 3, "in out.h5"),
         (SolverError("NaN", st.NOT_FINITE), 3, f"(status {st.NOT_FINITE}): NaN"),
         (SolverError("stopped at t = 0.1 s", st.INTERRUPTED, "out.h5"), 130, "interrupted"),
-        (MissingDependencyError("install pitchpoint[cad]"), 3, "pitchpoint[cad]"),
+        (MissingDependencyError("install pitchpoint[cad]"), 2, "pitchpoint[cad]"),
         (KeyboardInterrupt(), 130, "interrupted"),
         (MemoryError(), 3, "not enough memory"),
         (PermissionError(13, "Permission denied", "x.h5"), 2, "x.h5: permission denied"),

@@ -220,6 +220,41 @@ def test_ctrl_c_stops_within_a_second_and_keeps_the_result(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize(
+    ("where", "fates"),
+    [
+        ("pitchpoint.system.compile.compile_model", ("was not written", "is unchanged")),
+        ("pitchpoint.io.writing.ResultWriter._make_variables", ("was not written", "was removed")),
+        ("pitchpoint.solvers.time.run_time", ("has no samples", "has no samples")),
+    ],
+)
+def test_an_interrupt_before_the_first_sample_states_what_is_left(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    where: str,
+    fates: tuple[str, str],
+) -> None:
+    """Without and with an older result, while the model is compiled, the file is made, the run begins."""
+    file, target = written(tmp_path, SHORT), tmp_path / "out.h5"
+
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    for older, fate in zip((False, True), fates, strict=True):
+        target.unlink(missing_ok=True)
+        if older:
+            ResultWriter(target, Header("time"), [Channel("speed[a]", "rad/s")]).finish()
+        with monkeypatch.context() as patch:
+            patch.setattr(where, interrupted)
+            assert run_command(["run", file, "-s", "steady", "-o", str(target), "--json"]) == 130
+        out, err = capsys.readouterr()
+        assert err.startswith("interrupted (status 9): before the first sample: nothing has been computed")
+        assert fate in err and "out.h5" in err
+        assert json.loads(out)["output"] is None
+        assert target.exists() == (fate in ("is unchanged", "has no samples"))
+
+
+@pytest.mark.parametrize(
     ("beta", "driven", "words"),
     [
         (

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 import signal
-import struct
 import subprocess
 import sys
 import threading
@@ -14,7 +13,6 @@ import time
 import numpy as np
 import pytest
 
-from pitchpoint.core.discon.library_file import exported_names, library_problem, own_platform, platforms_of
 from pitchpoint.core.discon.process import OWN, ControllerError, Discon, _Watch
 from pitchpoint.core.discon.records import RECORDS, SIZE, find_record
 from tests.support.discon_library import discon_library, input_file, processes_of_controllers
@@ -186,29 +184,6 @@ def test_libraries_that_cannot_be_loaded(tmp_path):
     with pytest.raises(ControllerError, match="cannot load its library 'libother.so': "):
         Discon(other)
     assert not processes_of_controllers()
-
-
-def test_headers_of_libraries(tmp_path):
-    data = bytearray(discon_library().read_bytes())
-    assert platforms_of(data) == (own_platform(),)
-    assert "DISCON" in exported_names(bytes(data))
-    assert library_problem(str(discon_library()), "DISCON") is None
-    found = library_problem(str(discon_library()), "discon")
-    assert "has no procedure discon" in found.text and found.remedy == "write procedure: DISCON"
-    struct.pack_into("<H", data, 18, 183 if own_platform().endswith("x86-64") else 62)
-    (tmp_path / "arm.so").write_bytes(data)
-    found = library_problem(str(tmp_path / "arm.so"), "DISCON")
-    assert "another system" in found.text and found.limit == own_platform() != found.value
-    for start in (b"", b"\x7fELF", b"MZ", b"hello", b"\xca\xfe\xba\xbe", bytes(data[:64])):
-        assert len(platforms_of(start)) <= 1
-        assert exported_names(start) is None or start[:4] == b"\x7fELF"
-    windows = b"MZ" + bytes(58) + struct.pack("<I", 64) + b"PE\0\0" + struct.pack("<H", 0x8664)
-    assert platforms_of(windows) == ("Windows x86-64",)
-    mac = struct.pack(">II", 0xCAFEBABE, 2) + struct.pack(">IIIII", 0x0100000C, 0, 0, 0, 0)
-    assert platforms_of(mac + struct.pack(">IIIII", 0x01000007, 0, 0, 0, 0)) == (
-        "macOS ARM64",
-        "macOS x86-64",
-    )
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="signals of POSIX")

@@ -102,6 +102,16 @@ def test_messages_name_the_included_file(files):
         ),
         ({"model": MAIN.replace("gears.yaml", "/etc/g.yaml")}, "is not the relative name of a model file"),
         ({"model": MAIN.replace("gears.yaml", "gear.yaml")}, "'gear.yaml' names a file that does not exist"),
+        (
+            {"model": MAIN.replace("gears.yaml", "gear.yaml")},
+            "'gear.yaml' names a file that does not exist; did you mean gears.yaml? file names are",
+        ),
+        ({"drives/load": "", "model": MAIN.replace("loads.y", "laods.y")}, "did you mean drives/loads.yaml?"),
+        ({"model": MAIN.replace("gears.yaml", "drives")}, "include (line 2): 'drives' names a folder"),
+        (
+            {"model": MAIN.replace("include", "includes")},
+            "includes (line 2): is an unknown key; did you mean include?",
+        ),
         ({"model": MAIN.replace("gears.yaml", "3")}, "3 is not the name of a file"),
         ({"model": MAIN.replace("[gears.yaml, drives/loads.yaml]", "{a: b}")}, "is not a list of files"),
         (
@@ -125,6 +135,40 @@ def test_messages_name_the_included_file(files):
 def test_what_cannot_be_included_is_refused_with_file_and_line(files, changes, words):
     found = problems_of(files(**changes))
     assert any(words in problem for problem in found), found
+    assert len(found) == 1 or "drives" in str(changes), found
+
+
+def test_two_variants_are_one_problem(files, tmp_path):
+    """Files that define the same parts exclude each other; names that only differ in a part do not."""
+    four = GEARS + "".join(
+        f"  {n}: {{number_of_teeth: 30, normal_module: 3 mm, face_width: 9 mm}}\n" for n in "cd"
+    )
+    [found] = problems_of(files(gears=four, other=four, model=MAIN.replace("gears.y", "other.yaml, gears.y")))
+    assert found == (
+        "gears.pinion (gears.yaml, line 3): is given twice, also in other.yaml, line 3; so are gears.wheel, "
+        "gears.c and 1 other of these two files; include one of them only"
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"include": "gears.yml"}, "include (--set): 'gears.yml' names a file that does not exist"),
+        ({"include": 3}, "include (--set): 3 is not a list of files; write [gears.yaml]"),
+        ({"includ": "gears.yaml"}, "includ (--set): is an unknown key; did you mean include?"),
+    ],
+)
+def test_an_include_of_an_option_names_the_option(files, changes, words):
+    file = files()
+    with pytest.raises(ModelError) as found:
+        loads_model(MAIN, file=str(file), changes=changes, options=dict.fromkeys(changes, "--set"))
+    [problem] = found.value.problems
+    assert words in str(problem)
+
+
+def test_include_is_among_the_keys_of_a_file(files):
+    [found] = problems_of(files(model=MAIN + "zzz: 3\n"))
+    assert "allowed are include, title" in found
 
 
 def test_files_beside_the_folder_of_the_model(files, tmp_path):

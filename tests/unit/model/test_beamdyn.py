@@ -130,7 +130,7 @@ WRONG = {
     ),
     ("BeamDyn.dat", "1 member_total"): ("2 member_total", "2 is the number of members (limit 1)"),
     ("BeamDyn.dat", "kp_xr"): ("x", "kp_xr (BeamDyn.dat): is not the title of a column"),
-    ("BeamDyn.dat", "BldFile"): ("File", "BldFile (BeamDyn.dat): is missing"),
+    ("BeamDyn.dat", "BldFile"): ("File", "another version than a primary file of BeamDyn: it has no BldFile"),
     ("BeamDyn.dat", "Blade.dat"): ("Other.dat", "Other.dat (BeamDyn.dat, line 56): cannot be read"),
     ("BeamDyn.dat", "0.0 61.5 0.0"): ("0.0 6.15 0.0", "kp_zr (BeamDyn.dat, line 5): does not increase"),
     ("Blade.dat", "49 station_total"): (

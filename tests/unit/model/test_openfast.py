@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.model.openfast.aerodyn import read_aerodyn, read_aerodyn_blade
 from pitchpoint.model.openfast.airfoil import read_airfoil
+from pitchpoint.model.openfast.beamdyn import read_beamdyn
 from pitchpoint.model.openfast.elastodyn import read_elastodyn
 from tests.support.rotors import AERODYN, AIRFOILS, BLADE, FOLDER, aerodyn
 
@@ -66,17 +67,50 @@ def test_files_of_version_4(copy: Path) -> None:
             "DU41.dat (AeroDyn.dat, line 52): cannot be read: No such file",
         ),
         ("main", "2   WakeMod", "3   WakeMod", "3 is the free vortex wake, which is not available"),
-        ("main", "ADBlFile(1)", "ADBlFile(4)", "ADBlFile(1) (AeroDyn.dat): is missing"),
+        (
+            "main",
+            "ADBlFile(1)",
+            "ADBlFile(4)",
+            "is cut off, or of another version than a primary file of AeroDyn v15: it has no ADBlFile(1)",
+        ),
         ("main", "True          TipLoss", "maybe         TipLoss", "'True or False'"),
         ("main", '"default"     AirDens', "-1.0          AirDens", "-1 kg/m^3 is out of range (limit > 0)"),
         ("main", "8.5261000E+00  5.7", "0.0  5.7", "0 m does not increase (limit > 0 m)"),
         ("blade", "19   NumBlNds", "40   NumBlNds", "is the number of rows before the table ends"),
-        ("blade", "4.6520000E+00        4", "4.6520000E+00        9", "9 is not the number of a polar"),
+        (
+            "blade",
+            "4.6520000E+00        4",
+            "4.6520000E+00        9",
+            "BlAFID, row 6 (line 12): 9",
+        ),
         ("blade", "1.0250000E+01 -1.0", "1.0250000E+00 -1.0", "does not increase"),
+        (
+            "blade",
+            "3.8540000E+00",
+            "3854",
+            "BlChord, row 3 (line 9): 3854 m",
+        ),
+        (
+            "blade",
+            "1.1480000E+01",
+            "114.8",
+            "BlTwist, row 6 (line 12): 114.8",
+        ),
+        ("blade", "4.1670000E+00", "-4.16", "-4.16 m is out of range (limit > 0)"),
         ("blade", "3.8540000E+00", "3.85x", "'3.85x' is not a number"),
         ("blade", "BlTwist", "Twist", "BlTwist"),
-        ("NACA64_A17", "NumAlf", "NumAlfa", "NACA64_A17.dat: NumAlf: is missing"),
-        ("NACA64_A17", "-180.00", "-179.00", "polar NACA64_A17: -179 to 180 deg is the range of the table"),
+        (
+            "NACA64_A17",
+            "NumAlf",
+            "NumAlfa",
+            "'NACA64_A17.dat' is not an airfoil file of AeroDyn v15: it has no NumAlf",
+        ),
+        (
+            "NACA64_A17",
+            "-180.00",
+            "-179.00",
+            "NACA64_A17.dat (AeroDyn.dat, line 57): -179 to 180 deg is the range of the angles of attack",
+        ),
         ("DU21_A17", "-150.00", "-170.00", "does not increase"),
         ("DU21_A17", "142   NumAlf", "2   NumAlf", "2 is not a number of rows"),
     ],
@@ -91,6 +125,52 @@ def test_mistakes_are_named(copy: Path, file: str, old: str, new: str, expected:
     with pytest.raises(ModelError) as error:
         read_aerodyn(copy)
     assert expected.strip("'") in str(error.value)
+
+
+OTHERS = {
+    "v14": "AERODYN v14.02.* INPUT FILE\nBEDDOES StallMod\n8 NumFoil\n",
+    "blade": "------- AERODYN v15.00.* BLADE DEFINITION INPUT FILE ----\n19 NumBlNds\n",
+    "model": "title: mine\nbodies: {}\n",
+    "empty": "",
+}
+
+
+@pytest.mark.parametrize("kind", OTHERS)
+@pytest.mark.parametrize("reader", [read_aerodyn, read_airfoil, read_beamdyn, read_elastodyn])
+def test_a_file_of_another_kind_is_one_sentence(tmp_path: Path, kind: str, reader) -> None:
+    file = tmp_path / "given.dat"
+    file.write_text(OTHERS[kind])
+    with pytest.raises(ModelError) as error:
+        reader(file)
+    [problem] = error.value.problems
+    if kind == "empty":
+        assert str(problem).startswith("'given.dat' is empty and not a")
+        return
+    assert str(problem).startswith("'given.dat' is not a") and ": it has no " in problem
+    assert f"begins with '{OTHERS[kind].splitlines()[0].strip('- ')}'" in problem
+
+
+def test_a_polar_in_radians_is_recognised(copy: Path) -> None:
+    file = copy.parents[1] / "5MW_Baseline" / "Airfoils" / "DU21_A17.dat"
+    lines = [
+        f"{float(words[0]) * 0.0174532925} {' '.join(words[1:])}" if len(words) == 4 and k > 53 else line
+        for k, line in enumerate(file.read_text().splitlines())
+        for words in [line.split()]
+    ]
+    file.write_text("\n".join(lines))
+    with pytest.raises(ModelError, match="give the angles in degrees; these seem to be in radians"):
+        read_aerodyn(copy)
+
+
+def test_a_cut_file_is_one_sentence(copy: Path) -> None:
+    """Cut anywhere, the primary file gives one problem, or none if only comments are missing."""
+    text = copy.read_text()
+    for end in range(0, len(text), 97):
+        copy.write_text(text[:end])
+        try:
+            read_aerodyn(copy)
+        except ModelError as error:
+            assert len(error.problems) == 1, error
 
 
 def test_all_problems_at_once(copy: Path) -> None:
@@ -111,7 +191,7 @@ def test_tables_of_several_reynolds_numbers(tmp_path: Path) -> None:
 
 
 def test_blade_alone_needs_its_polars() -> None:
-    with pytest.raises(ModelError, match="is not the number of a polar"):
+    with pytest.raises(ModelError, match=r"line 14\): 5 is not the number of an airfoil \(limit 1 to 4"):
         read_aerodyn_blade(BLADE, aerodyn().blade.polars[:4])
     with pytest.raises(ModelError, match="NumBlNds"):
         read_aerodyn_blade(AIRFOILS / "Cylinder1.dat", aerodyn().blade.polars)

@@ -94,7 +94,8 @@ def test_the_schema_marks_what_the_reader_refuses() -> None:
     assert validator.is_valid({**good, "include": ["gears.yaml"]})
 
 
-PARTS = [("wind-turbine", f"{name}.yaml") for name in ("two_mass", "rigid_ratio", "gearbox", "turbulent")]
+NAMES = ("two_mass", "rigid_ratio", "gearbox", "gearbox_all_directions", "turbulent")
+PARTS = [("wind-turbine", f"{name}.yaml") for name in NAMES]
 """Files of the wind turbine to be included in its model."""
 
 

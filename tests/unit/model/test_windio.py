@@ -187,7 +187,10 @@ WRONG = {
     "grid: [0.0, 0.2, 0.6": ("grid: [0.0, 0.7, 0.6", "0.6 does not increase (limit > 0.7)"),
     "values: [0.0, 30.0]": ("values: [30.0, 0.0]", "do not increase from the root to the tip"),
     "diameter: 3.0": ("diameter: -3.0", "-3 is out of range (limit > 0)"),
-    "cone_angle: 0.05": ("cone_angle: 2.5", "rotor.precone"),
+    "cone_angle: 0.05": (
+        "cone_angle: 2.5",
+        "cone_angle (small.yaml, line 28): 2.5 rad is out of range (limit -0.5 to 0.5 rad)",
+    ),
     "cone_angle: 0.05}": (
         "cone_angle: wide}",
         "components.hub.cone_angle (small.yaml, line 28): 'wide' is not",
@@ -222,6 +225,55 @@ def test_wrong_rotors_are_told(file, word):
     assert "small.yaml" in str(error.value)
 
 
+UNITS = {
+    "values: [2.0, 2.8, 2.2, 1.6, 0.5]": (
+        "values: [2000, 2800, 2200, 1600, 500]",
+        "2000 m is out of range (limit 0 to 30 m)",
+    ),
+    "twist: {grid: [0.0, 0.5, 1.0], values: [0.2, 0.1": (
+        "twist: {grid: [0.0, 0.5, 1.0], values: [11.5, 5.7",
+        "twist.values[0] (small.yaml, line 8): 11.5 rad is out of range (limit -1.5708 to 1.5708 rad); "
+        "windIO 1 has angles in radians: correct the values, or windIO_version",
+    ),
+    "values: [0.0, 30.0]": ("values: [0.0, 30000.0]", "30000 m is the length (limit <= 1000 m)"),
+    "diameter: 3.0": ("diameter: 3000.0", "3000 m is out of range (limit <= 60 m, twice the blade)"),
+    "relative_thickness: 0.2": ("relative_thickness: 20", "20 is out of range (limit 0 to 1); give a share"),
+    "uptilt: 0.08": ("uptilt: 5.0", "5 rad is out of range (limit -0.5 to 0.5 rad)"),
+}
+"""Values in other units than those of windIO."""
+
+
+@pytest.mark.parametrize("word", UNITS)
+def test_values_in_other_units_are_told_once(file, word):
+    new, words = UNITS[word]
+    assert word in VERSION_1
+    with pytest.raises(ModelError) as error:
+        read_windio_rotor(file(VERSION_1.replace(word, new, 1)))
+    [problem] = error.value.problems
+    assert words in problem and problem.line
+
+
+def test_a_version_that_contradicts_the_layout(file):
+    for text, version, other in ((VERSION_1, "2.0", 1), (VERSION_2, "1.0", 2)):
+        wrong = f"windIO_version: {version}\n" + "\n".join(
+            line for line in text.splitlines() if not line.startswith("windIO_version")
+        )
+        with pytest.raises(ModelError) as error:
+            read_windio_rotor(file(wrong, f"{other}.yaml"))
+        [problem] = error.value.problems
+        assert "contradicts the layout" in problem and f"write windIO_version: {other}" in problem
+
+
+@pytest.mark.parametrize("part", ["components.blade", "airfoils", "components.hub"])
+def test_what_is_missing_is_one_problem(file, part):
+    """The part, not each value in it."""
+    name = part.rpartition(".")[2]
+    with pytest.raises(ModelError) as error:
+        read_windio_rotor(file(VERSION_1.replace(f"{name}:", f"no_{name}:", 1)))
+    [problem] = error.value.problems
+    assert problem.where == part and "is missing" in problem
+
+
 WRONG_BEAMS = {
     "blade": {
         "[1e9, 0, 0, 0, 0, 0, 1e9": (
@@ -238,7 +290,7 @@ WRONG_BEAMS = {
     "tower": {
         "material: steel": (
             "material: wood",
-            "names the material 'wood', which does not exist (limit steel)",
+            "names the material 'wood', which does not exist; there are steel",
         ),
         "values: [0.03, 0.02]": ("values: [4.0, 0.02]", "is the wall at 0 of the length"),
         "outer_diameter: {": ("diameter: {", "outer_diameter"),

@@ -95,7 +95,7 @@ def warmed(file, name, method):
         ("backlash-oscillator/model.yaml", "steady", "adams", 1.49e-4),
         ("backlash-oscillator/model.yaml", "steady", "adams", 1e-2),
         ("camshaft-drive/release-backlash.yaml", "release", "adams", 6e-3),
-        ("clutch-driveline/engagement.yaml", "pull_away", "rk4", 6e-4),
+        ("clutch-driveline/engagement.yaml", "pull_away", "rk4", 1.5e-3),
         ("clutch-driveline/engagement.yaml", "pull_away", "adams", 2e-3),
     ],
 )

@@ -122,7 +122,7 @@ WRONG = {
     "thin, thin]": ("thin, thim]", "airfoils[2] (line 14): names the polar 'thim', which does not exist"),
     "180 deg], lift: [0, 0.2": (
         "170 deg], lift: [0, 0.2",
-        "polars.thin (line 16): -180 to 170 deg is the range of the angles (limit -180 to 180 deg)",
+        "polars.thin (line 16): -180 to 170 deg is the range of the angles of attack (limit -180 to 180 deg)",
     ),
     "0 deg, 180 deg], lift": ("-190 deg, 180 deg], lift", "-190 deg at point 2 does not increase"),
     "lift: [0, 0.2, 0],": ("", "polars.thin (line 16): has no lift"),
@@ -209,7 +209,7 @@ def test_beams_of_files(tmp_path):
         ("windio: FILE, component: nacelle", "blade, tower"),
         ("windio: FILE, component: tower, beamdyn: FILE", "is given together with beamdyn"),
         ("windio: FILE, component: tower, mass: [1, 1], position: [0, 1]", "is in the file too"),
-        ("beamdyn: FILE", "is missing"),
+        ("beamdyn: FILE", "is not a primary file of BeamDyn"),
     ],
 )
 def test_wrong_files_of_beams_are_told(tmp_path, properties, words):

@@ -45,6 +45,20 @@ def test_it_is_the_clutch_with_this_capacity(method):
     np.testing.assert_allclose(other["signal[torque]"], torque, atol=1e-4)
 
 
+def test_a_brake_closed_on_a_rotating_machine_slips_from_the_start():
+    """Assembled at 6 rad/s with 20 - 80 N m on 3 kg m^2: the capacity acts, without a damping peak."""
+    closed = "clutches: {brake: {bodies: [rotor], capacity: 80 N m}}"
+    slow = SIGNAL.replace("input: speed}", "input: speed, damping_time: 0.1 s}")
+    for model, channel, inputs in (
+        (SIGNAL, "signal[torque]", ", inputs: {command: {value: 1}}"),
+        (slow, "signal[torque]", ", inputs: {command: {value: 1}}"),
+        (closed, "torque[brake]", ""),
+    ):
+        found = run("generalized_alpha", model, inputs)
+        assert found[channel].values[:10] == pytest.approx(-80.0, rel=1e-9)
+        assert float(found["speed[rotor]"][10]) == pytest.approx(6.0 - 60.0 / 3.0 * 0.05, rel=1e-9)
+
+
 def test_the_angle_at_the_capacity_must_be_positive():
     wrong = SIGNAL.replace("input: speed}", "input: speed, wind_up: 0}")
     with pytest.raises(pp.ModelError, match=r"blocks.friction.wind_up .*is not positive.*limit > 0"):

@@ -28,7 +28,7 @@ from pitchpoint.core.fmi.fmu_file import FmuFileError, own_platform, read_fmu
 from pitchpoint.core.status import CONTROLLER
 from tests.support.controlled_rotors import controlled, rotor
 from tests.support.fmu_models import need_linker
-from tests.support.strange_fmu import strange_fmu, write_fmu
+from tests.support.strange_fmu import elf_header, strange_fmu, write_fmu
 
 WHOLE = """
 bodies:
@@ -431,7 +431,13 @@ def test_a_size_bomb_is_refused_before_it_is_written(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [
-        ({'fmiVersion="2.0"': 'fmiVersion="1.0"'}, "version 1.0 of FMI is not supported"),
+        ({'fmiVersion="2.0"': 'fmiVersion="1.0"'}, "is of version 1.0 of FMI, which is not supported"),
+        ({' modelIdentifier="strange"': ""}, "without modelIdentifier"),
+        (
+            {'modelIdentifier="strange"': 'modelIdentifier="../odd"'},
+            r"has no library ../odd.so for .* but strange.so",
+        ),
+        ({'valueReference="': 'valueReference="x'}, "with a wrong number, .*: valueReference 'x"),
         ({"<CoSimulation": "<ModelExchange"}, "is not for co-simulation"),
         ({'identifier="strange"': 'identifier="strange" needsExecutionTool="true"'}, "needs the program"),
         ({"<UnitDefinitions>": "<UnitDefinitions"}, "that is not XML"),
@@ -453,15 +459,21 @@ def test_files_that_are_no_fmu(tmp_path):
         read_fmu(str(tmp_path / "text.fmu"))
     whole = write_fmu(tmp_path / "whole.fmu").read_bytes()
     (tmp_path / "cut.fmu").write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(FmuFileError, match="is not a ZIP archive"):
+    with pytest.raises(FmuFileError, match="is cut off or damaged; copy the FMU again"):
         read_fmu(str(tmp_path / "cut.fmu"))
+    (tmp_path / "empty.fmu").write_bytes(b"")
+    with pytest.raises(FmuFileError, match="is empty and not a ZIP archive"):
+        read_fmu(str(tmp_path / "empty.fmu"))
     with zipfile.ZipFile(tmp_path / "other.fmu", "w") as archive:
         archive.writestr("readme.txt", json.dumps({}))
     with pytest.raises(FmuFileError, match=r"contains no modelDescription.xml"):
         read_fmu(str(tmp_path / "other.fmu"))
     library = f"binaries/{own_platform()}/strange.so"
-    cut = struct.pack("<6s34xQ10xHH2x", b"\x7fELF\2\1", 5000, 64, 9) + bytes(100)
-    for data, sentence in ((b"MZ or so", "is not a library of this system"), (cut, "is cut")):
+    for data, sentence in (
+        (b"MZ or so", "is not a library"),
+        (elf_header(end=5000) + bytes(100), "is cut off"),
+        (elf_header(processor=9999), "is for another system, Linux processor 9999"),
+    ):
         with pytest.raises(FmuFileError, match=sentence):
             read_fmu(str(write_fmu(tmp_path / f"{len(data)}.fmu", {library: data})))
     other = write_fmu(tmp_path / "check.fmu", {"resources/table": bytes(range(256)) * 64})

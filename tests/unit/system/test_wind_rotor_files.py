@@ -264,9 +264,10 @@ def test_turbulence_of_a_file_is_the_wind_at_the_stations(folder):
     assert observed(system, 0.3)["hub_wind_speed[rotor]"] == pytest.approx(wind[0], rel=1e-6)
     again = pickle.loads(pickle.dumps(system))
     assert observed(again, 0.3) == observed(system, 0.3)
-    small = replace(still, spacing=(20.0, 20.0), bottom=70.0)
-    write_turbsim(folder / "small.bts", small)
-    compiled = compile_model(model_of(folder, text=text.replace("BOX", "small.bts")), "free")
+    model = model_of(folder, text=text.replace("BOX", "still.bts"))
+    (folder / "still.bts").unlink()
+    write_turbsim(folder / "still.bts", replace(still, spacing=(20.0, 20.0), bottom=70.0))
+    compiled = compile_model(model, "free")
     words = r"wind_rotors.rotor.1.8 \(line 11\): a blade left the box of turbulence"
     with pytest.raises(SolverError, match=words):
         run_time(compiled)

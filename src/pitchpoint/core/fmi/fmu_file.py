@@ -10,7 +10,6 @@ from __future__ import annotations
 import lzma
 import platform as host
 import stat
-import struct
 import xml.etree.ElementTree as ET
 import zipfile
 import zlib
@@ -20,6 +19,8 @@ from functools import lru_cache
 from pathlib import Path, PurePosixPath
 
 from pitchpoint.core.errors import Message, PitchpointError
+from pitchpoint.core.library_header import own_platform as this_platform
+from pitchpoint.core.library_header import read_headers
 
 DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, lzma.LZMAError)
 """Errors of damaged archives."""
@@ -28,6 +29,7 @@ LARGEST = 2_000_000_000
 """Maximum size of all entries [bytes]."""
 LARGEST_DESCRIPTION = 100_000_000
 """Maximum size of the model description [bytes]."""
+UNSAFE = "do not use this file"
 ENTRIES = 20_000
 """Maximum number of entries."""
 INTEGERS = ("Integer", "Enumeration", *(f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64)))
@@ -36,17 +38,13 @@ TYPES = ("Real", "Float64", "Float32", "Boolean", *INTEGERS)
 FORMER = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
 """Names of platforms in FMI 2.0."""
 ENDINGS = {"linux": ".so", "windows": ".dll", "darwin": ".dylib"}
-FIRST = {".so": (b"\x7fELF",), ".dll": (b"MZ",), ".dylib": (b"\xcf\xfa\xed\xfe", b"\xca\xfe\xba\xbe")}
-"""First bytes of libraries."""
 
 
 class FmuFileError(PitchpointError, ValueError):
     """File that is not a functional mock-up unit, or cannot be used here; `problem` is a `Message`."""
 
-    def __init__(
-        self, text: str, value: str | None = None, limit: str | None = None, remedy: str = ""
-    ) -> None:
-        self.problem = Message("", text, value, limit, remedy or "export the FMU again")
+    def __init__(self, text: str, limit: str | None = None, remedy: str = "") -> None:
+        self.problem = Message("", text, None, limit, remedy or "export the FMU again")
         super().__init__(str(self.problem))
 
 
@@ -157,14 +155,12 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
         if DESCRIPTION not in entries:
             raise FmuFileError(f"contains no {DESCRIPTION}", remedy="select an FMU")
         if entries[DESCRIPTION].file_size > LARGEST_DESCRIPTION:
-            raise FmuFileError(
-                f"has a {DESCRIPTION} that is too large",
-                f"{entries[DESCRIPTION].file_size} bytes",
-                f"{LARGEST_DESCRIPTION} bytes",
-            )
+            size, limit = entries[DESCRIPTION].file_size, f"{LARGEST_DESCRIPTION} bytes"
+            raise FmuFileError(f"has a {DESCRIPTION} of {size} bytes, which is too large", limit)
         try:
             text = archive.read(DESCRIPTION)
-            begins = {name: _begin(archive, entry) for name, entry in entries.items()}
+            for entry in entries.values():
+                _verify(archive, entry)
         except DAMAGED as error:
             raise FmuFileError(f"is damaged: {error}") from error
     if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
@@ -177,8 +173,8 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
     if root.tag != "fmiModelDescription" or not version:
         raise FmuFileError(f"has a {DESCRIPTION} that is not one of FMI")
     if version not in ("2.", "3."):
-        wrong = f"version {root.get('fmiVersion')} of FMI is not supported"
-        raise FmuFileError(wrong, limit="2.0 | 3.0", remedy="export it with one of these")
+        wrong = f"is of version {root.get('fmiVersion')} of FMI, which is not supported"
+        raise FmuFileError(wrong, "2.0 or 3.0", "export it with one of these")
     interface = root.find("CoSimulation")
     if interface is None:
         raise FmuFileError("is not for co-simulation", remedy="export it for co-simulation")
@@ -187,8 +183,11 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
     identifier = interface.get("modelIdentifier") or ""
     token = root.get("guid" if version == "2." else "instantiationToken") or ""
     saves = "true" in (interface.get("canGetAndSetFMUstate"), interface.get("canGetAndSetFMUState"))
+    if not identifier:
+        raise FmuFileError(f"has a {DESCRIPTION} without modelIdentifier of its library")
     library = _library(entries, identifier)
-    _check_library(library, begins[library], entries[library].file_size)
+    with _opened(path) as archive:
+        _check_library(library, archive.read(entries[library]))
     return FmuFile(path, int(version[0]), token, identifier, library, _variables(root), saves)
 
 
@@ -196,7 +195,12 @@ def _opened(path: str) -> zipfile.ZipFile:
     try:
         return zipfile.ZipFile(path)
     except (zipfile.BadZipFile, RuntimeError, ValueError) as error:
-        raise FmuFileError(f"is not a ZIP archive: {error}", remedy="select an FMU") from error
+        with Path(path).open("rb") as file:
+            begin = file.read(4)
+        if begin.startswith(b"PK"):
+            raise FmuFileError("is cut off or damaged", remedy="copy the FMU again") from error
+        what = "is not a ZIP archive" if begin else "is empty and not a ZIP archive"
+        raise FmuFileError(what, remedy="select an FMU") from error
 
 
 def _checked(archive: zipfile.ZipFile) -> list[zipfile.ZipInfo]:
@@ -211,43 +215,44 @@ def _checked(archive: zipfile.ZipFile) -> list[zipfile.ZipInfo]:
     size = sum(entry.file_size for entry in entries)
     if len(entries) > ENTRIES or size > LARGEST:
         raise FmuFileError(
-            "are too large when extracted",
-            f"{len(entries)} entries with {size} bytes",
+            f"is too large when extracted: {len(entries)} entries with {size} bytes",
             f"{ENTRIES} entries with {LARGEST} bytes",
+            UNSAFE,
         )
     seen = set()
     for entry in entries:
         name = entry.filename
         parts = PurePosixPath(name).parts
         if not parts or name.startswith("/") or ".." in parts or "\\" in name or ":" in name or "\0" in name:
-            raise FmuFileError(
-                f"entry {name[:80]!r} leads out of the folder of the FMU", remedy="do not use it"
-            )
+            text = f"has the entry {name[:80]!r}, which leads out of the folder of the FMU"
+            raise FmuFileError(text, remedy=UNSAFE)
         if stat.S_ISLNK(entry.external_attr >> 16):
-            raise FmuFileError(f"entry {name[:80]!r} is a symbolic link", remedy="do not use it")
+            raise FmuFileError(f"has the entry {name[:80]!r}, which is a symbolic link", remedy=UNSAFE)
         if name.lower() in seen:
-            raise FmuFileError(f"entry {name[:80]!r} exists twice", remedy="do not use it")
+            raise FmuFileError(f"has the entry {name[:80]!r} twice", remedy=UNSAFE)
         seen.add(name.lower())
     return [entry for entry in entries if not entry.is_dir()]
 
 
-def _begin(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
-    """First bytes of an entry, which is read completely: its size and check sum are verified."""
+def _verify(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> None:
+    """Read an entry completely, which verifies its size and check sum."""
     with archive.open(entry) as file:
-        begin = file.read(64)
         while file.read(1 << 20):
             pass
-    return begin
 
 
-def _check_library(name: str, begin: bytes, size: int) -> None:
-    """Raise FmuFileError for a library that is none, or for Linux is cut."""
-    if not begin.startswith(FIRST[PurePosixPath(name).suffix]):
-        raise FmuFileError(f"entry {name!r} is not a library of this system")
-    if begin[:6] == b"\x7fELF\x02\x01" and len(begin) == 64:
-        at, (length, count) = struct.unpack_from("<Q", begin, 40)[0], struct.unpack_from("<HH", begin, 58)
-        if at + length * count > size:
-            raise FmuFileError(f"library {name!r} is cut", f"{size} bytes", f"{at + length * count} bytes")
+def _check_library(name: str, data: bytes) -> None:
+    """Raise FmuFileError for a library that is none, is for another processor, or is cut."""
+    headers, own = read_headers(data), this_platform()
+    if not headers:
+        raise FmuFileError(f"has the entry {name!r}, which is not a library")
+    header = next((each for each in headers if each.platform == own), None)
+    if header is None:
+        platforms = ", ".join(each.platform for each in headers)
+        raise FmuFileError(f"has the library {name!r}, which is for another system, {platforms}", own)
+    if header.size > len(data):
+        text = f"has the library {name!r}, which has {len(data)} bytes and is cut off"
+        raise FmuFileError(text, f"at least {header.size} bytes")
 
 
 def _library(entries: Mapping[str, zipfile.ZipInfo], identifier: str) -> str:
@@ -257,7 +262,11 @@ def _library(entries: Mapping[str, zipfile.ZipInfo], identifier: str) -> str:
     for name in (own, FORMER.get(own, own)):
         if f"binaries/{name}/{identifier}{ending}" in entries:
             return f"binaries/{name}/{identifier}{ending}"
-    have = sorted({e.split("/")[1] for e in entries if e.startswith("binaries/") and e.count("/") >= 2})
+    folders = [e.split("/") for e in entries if e.startswith("binaries/") and e.count("/") >= 2]
+    have = sorted({folder[1] for folder in folders})
+    if own in have or FORMER.get(own) in have:
+        wrong = ", ".join(folder[2] for folder in folders if folder[1] in (own, FORMER.get(own)))
+        raise FmuFileError(f"has no library {identifier[:80]}{ending} for {own}, but {wrong}")
     listed = f"libraries for {', '.join(have)}" if have else "no libraries"
     raise FmuFileError(
         f"has no library for this computer, {own}",
@@ -277,7 +286,7 @@ def _variables(root: ET.Element) -> dict[str, FmuVariable]:
         unit = typed.get("unit") or (kind.get("unit") if kind is not None else None) or ""
         factor, offset = units.get(unit, (1.0, 0.0))
         found[each.get("name") or ""] = FmuVariable(
-            int(each.get("valueReference") or 0),
+            int(_number(each, "valueReference", 0)),
             typed.tag,
             each.get("causality") or "local",
             "start" in typed.attrib or typed.find("Start") is not None,
@@ -289,10 +298,21 @@ def _variables(root: ET.Element) -> dict[str, FmuVariable]:
     return found
 
 
+def _number(element: ET.Element, key: str, default: float) -> float:
+    """Number of an attribute."""
+    text = element.get(key) or default
+    try:
+        return int(text) if key == "valueReference" else float(text)
+    except ValueError:
+        place = f"{element.get('name') or element.tag}: {key}"
+        text = f"has a {DESCRIPTION} with a wrong number, {place} '{text}'"
+        raise FmuFileError(text) from None
+
+
 def _units(root: ET.Element) -> Iterator[tuple[str, tuple[float, float]]]:
     """Factor and offset of every unit to its SI units."""
     for unit in root.iterfind("UnitDefinitions/Unit"):
         base = unit.find("BaseUnit")
         if base is not None:
-            values = float(base.get("factor") or 1.0), float(base.get("offset") or 0.0)
+            values = _number(base, "factor", 1.0), _number(base, "offset", 0.0)
             yield unit.get("name") or "", values

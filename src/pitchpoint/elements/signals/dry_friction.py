@@ -12,6 +12,9 @@ from __future__ import annotations
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements.signals.net import SignalNet
 
+DEFLECTION = ".deflection"
+"""End of the name of the state y."""
+
 
 def add_dry_friction(
     net: SignalNet, name: str, x: str, wind_up: float, holding: float, damping_time: float
@@ -33,7 +36,7 @@ def add_dry_friction(
     """
     share = f"min(max((abs(y) - {holding!r})/{1.0 - holding!r}, 0), 1)"
     rate = f"(w - 0.5*(1 - cos(pi*{share}))*max(w*y, 0)*sign(y))/{wind_up!r}"
-    deflection = f"{name}.deflection"
+    deflection = f"{name}{DEFLECTION}"
     net.formula(f"{name}.yielding", Formula.parse(rate, ("y", "w")), (deflection, x))
     net.integrator(deflection, f"{name}.yielding")
     net.linear(name, {deflection: -1.0, f"{name}.yielding": -damping_time})

@@ -8,11 +8,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.rotor.polar import Polar
 
 FloatArray = NDArray[np.float64]
 _STEP = math.radians(5.0)
+_NEAR = 0.02
 _REFLECTED = 0.7
 """Ratio of the lift with reversed flow to that of the stalled airfoil (Viterna and Janetzke 1982)."""
 
@@ -71,6 +72,34 @@ def extrapolate_polar(polar: Polar, aspect_ratio: float = 10.0) -> Polar:
         for k, own in enumerate((polar.lift, polar.drag, polar.moment))
     ]
     return Polar(name=polar.name, alpha=alpha, lift=columns[0], drag=columns[1], moment=columns[2])
+
+
+def range_problem(polar: Polar, remedy: str) -> Message:
+    """Problem of a table that does not contain all angles of attack.
+
+    Parameters
+    ----------
+    polar
+        Table with a smaller range.
+    remedy
+        Corrective action, unless the angles seem to be in another unit.
+
+    Examples
+    --------
+    >>> short = Polar(alpha=[-0.2, 0.0, 0.3], lift=[-0.9, 0.2, 1.2], drag=[0.05, 0.01, 0.08])
+    >>> print(range_problem(short, "complete it"))
+    -11.4592 to 17.1887 deg is the range of the angles of attack (limit -180 to 180 deg); complete it
+    """
+    low, high = (math.degrees(polar.alpha[k]) for k in (0, -1))
+    if abs(high - math.pi) < _NEAR and abs(low + math.pi) < _NEAR:
+        remedy = "give the angles in degrees; these seem to be in radians"
+    return Message(
+        "",
+        "is the range of the angles of attack",
+        f"{low:.6g} to {high:.6g} deg",
+        "-180 to 180 deg",
+        remedy,
+    )
 
 
 class _Stalled:

@@ -26,6 +26,7 @@ LENGTH_ERROR = 0.01
 
 def check_beams(parts: Parts, report: Reader) -> None:
     """Check all beams after the bodies have been located."""
+    reported: set[tuple[str, str]] = set()
     for name, beam in parts.beams.items():
         at: Place = ("beams", name)
         if name in parts.bodies and beam.pieces > 1:
@@ -39,7 +40,7 @@ def check_beams(parts: Parts, report: Reader) -> None:
             remedy = "give the diameters at both ends, and more between them"
             report.problem((*at, "diameters"), "is one diameter", limit="at least 2", remedy=remedy)
         if beam.properties is not None and (*at, "properties") not in report.tainted:
-            _properties(beam.properties, (*at, "properties"), report)
+            _properties(beam.properties, (*at, "properties"), report, reported)
         if (*at, "ends") not in report.tainted:
             _place(parts, beam, at, report)
 
@@ -90,7 +91,8 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
         )
 
 
-def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
+def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[tuple[str, str]]) -> None:
+    """Check lists and file; `reported` has the problems of files that several beams name."""
     given = part.lists
     files = [name for name in FILES if getattr(part, name) is not None]
     if len(files) > 1:
@@ -99,8 +101,11 @@ def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     if files:
         for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
             report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
-        if files[0] == "elastodyn" and given and ("position" in given) != (len(given) > 1):
-            report.problem(at, "has lists and positions that do not belong together", remedy="give both")
+        others = [name for name in given if name != "position"]
+        if files[0] == "elastodyn" and ("position" in given) != bool(others):
+            text = f"gives {', '.join(given)} without {'position' if others else 'lists at these positions'}"
+            report.problem(at, text, remedy="give position and one value of each list for each of them")
+            return
     elif part.stiffness:
         if missing := [name for name in ("position", "inertia") if name not in given]:
             report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists with stiffness")
@@ -119,6 +124,11 @@ def _properties(part: BeamProperties, at: Place, report: Reader) -> None:
     except ModelError as error:
         for p in error.problems:
             key, _, entry = p.where.partition("[")
+            file = str(getattr(part, key)) if key in FILES else ""
+            if file and (file, p.text) in reported:
+                report.taint((*at, key))
+                continue
+            reported.add((file, p.text))
             place = (*at, key, int(entry[:-1])) if entry[:-1].isdigit() else (*at, key)
             report.problem(place, p.text, value=p.value, limit=p.limit, remedy=p.remedy)
 

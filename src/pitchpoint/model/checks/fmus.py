@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.fmi.fmu_file import TYPES, FmuFileError, FmuVariable, read_fmu
-from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.core.nearest import LISTED, did_you_mean, nearest
 from pitchpoint.model.keys import Place
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ def check_fmu(at: Place, part: FmuController, report: Reader) -> None:
     try:
         unit = read_fmu(part.file)
     except FmuFileError as error:
-        report.hand_on((*at, "file"), error.problem)
+        report.hand_on((*at, "file"), error.problem.changed(value=f"'{Path(part.file).name}'"))
         return
     for key, causality in (("inputs", "input"), ("outputs", "output"), ("parameters", "parameter")):
         known = {name: v for name, v in unit.variables.items() if v.causality == causality}
@@ -55,8 +56,12 @@ def _variable(
     word = str(at[-2])
     if name not in known:
         what = f"is {every[name].causality} there" if name in every else "does not exist in the FMU"
-        listed = ", ".join(list(known)[:20]) or "none"
-        report.problem(at, what, remedy=f"{did_you_mean(name, known)}{word} of the FMU: {listed}")
+        some = ", ".join(list(known)[:LISTED]) or "none"
+        listed = f"{word} of the FMU: {some}"
+        if len(known) > LISTED:
+            near = ", ".join(nearest(name, known, 3) or list(known)[:3])
+            listed = f"the FMU has {len(known)} {word}, such as {near}"
+        report.problem(at, what, remedy=f"{did_you_mean(name, known)}{listed}")
     elif known[name].type not in TYPES or not known[name].scalar:
         what = known[name].type if known[name].scalar else f"array of {known[name].type}"
         report.problem(at, "is not a number", value=what, remedy="connect a scalar variable")

@@ -50,6 +50,8 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
         _speeds(parts, scenario, at, report)
         if at in report.tainted:
             continue
+        if scenario.long_step is not None:
+            _long_step(scenario, (*at, "long_step"), report)
         if scenario.kind == "time":
             _time(scenario, at, report)
         elif scenario.sweep is not None:
@@ -242,6 +244,22 @@ def _held_members(parts: Parts, link: Place, fixed: set[str]) -> list[str]:
     stage = None if mesh is None else parts.planetary_stages.get(str(mesh.stage))
     held = [] if stage is None else [body for body in axis_bodies(parts, stage) if body in fixed]
     return held if len(held) > 1 else []
+
+
+def _long_step(scenario: Scenario, at: Place, report: Reader) -> None:
+    """Check the step of the bodies outside of gear trains."""
+    if scenario.kind != "time" or scenario.method != "generalized_alpha":
+        kind = scenario.method if scenario.kind == "time" else f"a scenario with {scenario.kind}"
+        report.problem(at, f"is not available with {kind}", remedy="remove it, or use generalized_alpha")
+    elif scenario.step is None:
+        report.problem(at, "requires step, the time step of the gear trains", remedy="add step: 0.1 ms")
+    elif scenario.long_step is not None and scenario.long_step < scenario.step * (1.0 - SPEED_TOLERANCE):
+        report.problem(
+            at,
+            "is shorter than step, the time step of the gear trains",
+            value=f"{scenario.long_step:g} s",
+            limit=f">= {scenario.step:g} s",
+        )
 
 
 def _time(scenario: Scenario, at: Place, report: Reader) -> None:

@@ -120,7 +120,10 @@ def _block(at: Place, block: bl.Block, report: Reader) -> None:
         _formula(at, block, report)
     elif isinstance(block, bl.RateLimit):
         if not block.rate > 0.0:
-            report.problem((*at, "rate"), "is not positive", value=f"{block.rate:.6g}", limit="> 0")
+            value, remedy = f"{block.rate:.6g}", "give the largest rate, without sign"
+            report.problem(
+                (*at, "rate"), "is not positive", value=value, limit="> 0, in SI units", remedy=remedy
+            )
     elif isinstance(block, bl.DryFriction):
         if not block.wind_up > 0.0:
             report.problem((*at, "wind_up"), "is not positive", value=f"{block.wind_up:.6g}", limit="> 0")

@@ -38,6 +38,7 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.checks.wind_boxes import check_wind_boxes
 from pitchpoint.model.checks.wind_rotors import check_wind_rotors
 from pitchpoint.model.housing import add_housing, connect_housing
 from pitchpoint.model.load_cases import apply_load_case
@@ -90,6 +91,7 @@ CHECKS = (
     check_signal_places,
     check_beams,
     check_wind_rotors,
+    check_wind_boxes,
     check_couplings,
     check_housings,
     check_rings,

@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.model.checks.references import known
-from pitchpoint.model.keys import Place
+from pitchpoint.model.frames import GROUND, axes_of, place_of, split
+from pitchpoint.model.keys import Place, defaults_of
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.rotor_input import rotor_input
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
@@ -15,6 +19,11 @@ from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 if TYPE_CHECKING:
     from pitchpoint.model.components.wind_rotor import WindRotor
     from pitchpoint.model.parts import Parts
+
+_OF_SPEED = ("height", "profile", "exponent", "roughness_length", "inflow_angle", "direction")
+"""Keys of a wind that only describe its speed."""
+_APART = 0.2
+"""Largest distance of an end of a blade from that of its beam, relative to the beam."""
 
 
 def check_wind_rotors(parts: Parts, report: Reader) -> None:
@@ -25,6 +34,12 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             report.problem(
                 at, "has no height", remedy="give the height of its speed, such as that of the hub"
             )
+        if wind.box is not None:
+            usual = defaults_of(type(wind))
+            for key in _OF_SPEED:
+                if getattr(wind, key) != usual[key]:
+                    text = "is given together with box, which contains the wind"
+                    report.problem((*at, key), text, remedy=f"remove {key}, or give speed instead of box")
         if wind.box is not None and wind.gust is not None:
             report.problem((*at, "gust"), "has no steady wind to change", remedy="give speed instead of box")
         try:
@@ -38,12 +53,53 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
         at = ("wind_rotors", name)
         if at not in report.tainted:
             _stations(rotor, at, report)
+            _turns(rotor, at, report)
             _blades(rotor, at, report)
+            _beams(parts, rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
         if scenario.wind is not None:
             known(parts, "winds", scenario.wind, ("scenarios", name, "wind"), report)
+
+
+def _turns(rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Check that the hub is on a body."""
+    if split(rotor.hub)[0] == GROUND:
+        remedy = "give the body that turns with the blades"
+        report.problem((*at, "hub"), "is on ground, which does not turn", remedy=remedy)
+
+
+def _beams(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Check that every beam is where its blade is, in the order of the blades."""
+    if len(rotor.beams) != rotor.blades or any(at == t[: len(at)] for t in report.tainted):
+        return
+    centre, hub = place_of(parts, rotor.hub), axes_of(parts, rotor.hub)
+    shape = rotor_input(rotor).rotor
+    for k, name in enumerate(rotor.beams):
+        beam = parts.beams.get(name)
+        ends = [] if beam is None else [place_of(parts, end) for end in beam.ends]
+        if centre is None or not ends or any(end is None for end in ends):
+            continue
+        length = float(np.linalg.norm(ends[1] - ends[0]))  # type: ignore[operator]
+        turn = 2.0 * math.pi * k / rotor.blades
+        out = math.cos(turn) * hub[:, 0] + math.sin(turn) * hub[:, 1]
+        for n, end in ((0, ends[0]), (-1, ends[1])):
+            arm = math.sqrt(max(shape.radius[n] ** 2 - shape.blade.sweep[n] ** 2, 0.0)) * out
+            station = (
+                centre + arm - shape.blade.sweep[n] * np.cross(hub[:, 2], out) + shape.axial[n] * hub[:, 2]
+            )
+            apart = float(np.linalg.norm(station - end))
+            if apart > _APART * length:
+                part = f"the {'tip' if n else 'root'} of blade {k + 1}"
+                report.problem(
+                    (*at, "beams", k),
+                    f"is the distance of {part} from the end of {name}",
+                    value=f"{apart:.4g} m",
+                    limit=f"<= {_APART * length:.4g} m, a fifth of the beam",
+                    remedy="name the beams in the order of rotation, from the direction of x of the hub",
+                )
+                break
 
 
 def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:
@@ -74,10 +130,23 @@ def _stations(rotor: WindRotor, at: Place, report: Reader) -> None:
     if any(at == tainted[: len(at)] for tainted in report.tainted):
         return
     try:
-        rotor_input(rotor)
+        found = rotor_input(rotor).rotor
     except ModelError as error:
+        reported = {p.text for p in report.problems}
         for problem in error.problems:
-            report.hand_on(at, problem)
+            if problem.text in reported and rotor.windio is not None:  # at a beam of the same file
+                report.taint((*at, "windio"))
+            else:
+                report.hand_on(at, problem)
+        return
+    if found.hub_radius > found.blade.length:
+        report.problem(
+            (*at, "hub_radius"),
+            "is larger than the blade",
+            value=f"{found.hub_radius:.6g} m",
+            limit=f"<= {found.blade.length:.6g} m, the length of the blade",
+            remedy="give the distance of the blade roots from the axis, with its unit",
+        )
 
 
 def _wind(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:

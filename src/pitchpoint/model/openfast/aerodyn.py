@@ -8,17 +8,26 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.flow import TOWER_SECTORS, RotorFlow
 from pitchpoint.geometry.rotor.polar import Polar
+from pitchpoint.geometry.rotor.polar_range import range_problem
 from pitchpoint.geometry.rotor.tower import Tower
 from pitchpoint.model.openfast.airfoil import read_airfoil
 from pitchpoint.model.openfast.text import InputText, Line, beside, in_file, read_input
 
 _COLUMNS = ("BlSpn", "BlCrvAC", "BlSwpAC", "BlCrvAng", "BlTwist", "BlChord", "BlAFID")
 _MOST_AIRFOILS = 1000
+_NEEDED = ("InCol_Alfa", "InCol_Cl", "InCol_Cd", "NumAFfiles", "AFNames", "ADBlFile(1)")
+"""Names of every primary file of AeroDyn from version 15."""
+_CONTINUE = (
+    "complete the table, or give the blade as lists: blade: {polars: {NAME: {file: ..., aspect_ratio: ...}}} "
+    "continues it as a stalled plate"
+)
+_UNITS = "correct the value; the file has metres and degrees"
 
 
 @dataclass(frozen=True)
@@ -59,20 +68,20 @@ def read_aerodyn(path: str | os.PathLike[str]) -> AeroDynInput:
         With every problem, its file and line.
     """
     text = read_input(path)
+    remedy = "give the primary file of AeroDyn, version 15 or later"
+    text.require("a primary file of AeroDyn v15", _NEEDED, remedy, ("WakeMod", "Wake_Mod", "TipLoss"))
     columns = [text.count(f"InCol_{name}") for name in ("Alfa", "Cl", "Cd", "Cm")]
-    if 0 in columns[:3]:
+    if 0 in columns[:3] and not text.problems:
         text.problem("InCol_Alfa, InCol_Cl, InCol_Cd", "are columns of the airfoil files", None, ">= 1")
     flow, notes = _flow(text)
     airfoils = _airfoil_files(text)
     line = text.find("ADBlFile(1)")
-    if line is None:
-        text.problem("ADBlFile(1)", "is missing", None, None, remedy="give a primary file of AeroDyn v15")
     text.stop()
     problems: list[Message] = []
     polars = []
     for name in airfoils:
         try:
-            polars.append(read_airfoil(beside(text.path, name), columns=columns))
+            polars.append(_complete(read_airfoil(beside(text.path, name), columns=columns)))
         except ModelError as error:
             problems += in_file(error, name, _line_of(text, name))
     if problems or line is None:
@@ -113,11 +122,11 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
         With every problem and its line.
     """
     text = read_input(path)
+    text.require(
+        "a blade file of AeroDyn v15", ("NumBlNds",), "give a blade file of AeroDyn, version 15 or later"
+    )
     start = text.find("NumBlNds")
-    if start is None:
-        text.problem("NumBlNds", "is missing", None, None, remedy="give a blade file of AeroDyn v15")
-        text.stop()
-        raise AssertionError
+    assert start is not None
     count = text.count("NumBlNds")
     title = next((line for line in text.lines if line.tokens[0].lower() == "blspn"), None)
     names = [token.lower() for token in title.tokens] if title else [name.lower() for name in _COLUMNS]
@@ -135,14 +144,7 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
     rows = np.array(text.rows(start, count, max(at) + 1, "stations"), dtype=float).reshape(-1, max(at) + 1)
     text.stop()
     data = rows[:, at]
-    index = data[:, 6]
-    whole = index == np.round(index)
-    if not whole.all():
-        k = int(np.argmin(whole))
-        text.problem(
-            f"BlAFID, row {k + 1}", "is not the number of an airfoil", f"{index[k]:g}", f"1 to {len(polars)}"
-        )
-        text.stop()
+    _check_rows(text, start, data, len(polars))
     try:
         return Blade(
             span=data[:, 0],
@@ -151,11 +153,49 @@ def read_aerodyn_blade(path: str | os.PathLike[str], polars: Sequence[Polar]) ->
             curve_angle=np.radians(data[:, 3]),
             twist=np.radians(data[:, 4]),
             chord=data[:, 5],
-            polar_index=index.astype(np.int64) - 1,
+            polar_index=data[:, 6].astype(np.int64) - 1,
             polars=polars,
         )
     except ModelError as error:
         raise ModelError(error.problems, str(text.path)) from None
+
+
+def _check_rows(text: InputText, start: Line, data: NDArray[np.float64], airfoils: int) -> None:
+    """Stop at values that no blade has: order of the stations, numbers of airfoils, wrong units."""
+    span, twist, chord, index = (data[:, k] for k in (0, 4, 5, 6))
+    length = float(span[-1])
+    wrong = (index != np.round(index)) | (index < 1) | (index > airfoils)
+    known = f"1 to {airfoils}, the airfoils of the primary file"
+    falling = np.r_[False, np.diff(span) <= 0.0]
+    before = f"> {span[max(int(np.argmax(falling)) - 1, 0)]:.6g} m"
+    outside = "is out of range"
+    for column, bad, words, unit, limit, remedy in (
+        (6, wrong, "is not the number of an airfoil", "", known, "correct it, or name the airfoil"),
+        (0, falling, "does not increase", " m", before, "sort the stations from root to tip"),
+        (5, chord <= 0.0, outside, " m", "> 0", "give the length of the chord"),
+        (5, chord > length, outside, " m", f"<= {length:.6g} m, the length of the blade", _UNITS),
+        (4, np.abs(twist) > 90.0, outside, " deg", "-90 to 90 deg", _UNITS),
+    ):
+        for k in np.flatnonzero(bad)[:1]:
+            name = f"{_COLUMNS[column]}, row {k + 1}"
+            value = f"{data[k, column]:.6g}{unit}"
+            text.problem(name, words, value, limit, text.row_line(start, int(k)), remedy)
+        if bad.any() and column in (0, 6):
+            text.stop()
+    text.stop()
+
+
+def _complete(polar: Polar) -> Polar:
+    """Polar of all angles of attack.
+
+    Raises
+    ------
+    ModelError
+        If it has a smaller range.
+    """
+    if polar.complete:
+        return polar
+    raise ModelError([range_problem(polar, _CONTINUE)])
 
 
 def _airfoil_files(text: InputText) -> list[str]:
@@ -175,7 +215,14 @@ def _airfoil_files(text: InputText) -> list[str]:
     lines: list[Line] = text.lines[at : at + count]
     names = [lines[0].tokens[0], *(line.tokens[0] for line in lines[1:] if _is_name(line))]
     if len(names) < count:
-        text.problem("AFNames", "names follow", str(len(names)), f"{count}, see NumAFfiles", first.number)
+        text.problem(
+            "AFNames",
+            "names follow",
+            str(len(names)),
+            f"{count}, see NumAFfiles",
+            first.number,
+            "correct one of them",
+        )
     return names
 
 

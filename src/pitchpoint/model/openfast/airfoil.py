@@ -47,11 +47,12 @@ def read_airfoil(
     [0.0, 0.5, 0.0]
     """
     text = read_input(path)
+    text.require(
+        "an airfoil file of AeroDyn v15", ("NumAlf",), "give an airfoil file of AeroDyn, version 15 or later"
+    )
     tables = int(text.number("NumTabs", default=1.0)) if text.find("NumTabs") else 1
     starts = [line for line in text.lines if len(line.tokens) > 1 and line.tokens[1].lower() == "numalf"]
-    if not starts:
-        text.problem("NumAlf", "is missing", None, None, remedy="give an airfoil file of AeroDyn v15")
-    elif not 1 <= table <= len(starts):
+    if not 1 <= table <= len(starts):
         text.problem("table", "is not a table of the file", str(table), f"1 to {len(starts)}")
     elif tables != len(starts):
         line = text.find("NumTabs")

@@ -44,10 +44,10 @@ def read_beamdyn(path: str | os.PathLike[str]) -> SectionTable:
         With every problem, its file and line.
     """
     text = read_input(path)
+    needed = ("member_total", "kp_total", "BldFile")
+    text.require("a primary file of BeamDyn", needed, "give the primary file of BeamDyn")
     points = _key_points(text)
     named = text.find("BldFile")
-    if named is None:
-        text.problem("BldFile", "is missing", None, None, remedy="give the primary file of BeamDyn")
     text.stop()
     assert named is not None and points is not None
     name = named.tokens[0]
@@ -176,6 +176,7 @@ def _damping(text: InputText) -> FloatArray:
 
 def _stations(text: InputText) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Places from 0 to 1 of the stations of a blade file, stiffness and mass matrices there."""
+    text.require("a blade file of BeamDyn", ("station_total",), "give a blade file of BeamDyn")
     count = text.count("station_total")
     if not 2 <= count <= _MOST_STATIONS:
         line = text.find("station_total")

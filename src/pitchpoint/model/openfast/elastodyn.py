@@ -7,11 +7,25 @@ import os
 
 import numpy as np
 
-from pitchpoint.core.errors import ModelError
+from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.model.openfast.text import InputText, Line, read_input
 
 _BLADE = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
+MOST_TWIST = 90.0
+"""Largest twist of a blade [deg]."""
+_CORRECT = "correct the value"
+_TITLES: tuple[dict[str, str], ...] = (
+    {
+        "position": "BlFract",
+        "mass": "BMassDen",
+        "bending_1": "FlpStff",
+        "bending_2": "EdgStff",
+        "twist": "StrcTwst",
+    },
+    {"position": "HtFract", "mass": "TMassDen", "bending_1": "TwFAStif", "bending_2": "TwSSStif"},
+)
+"""Titles of the columns of blades and towers by the properties of a beam."""
 _TOWER = ("HtFract", "TMassDen", "TwFAStif", "TwSSStif")
 
 
@@ -46,14 +60,11 @@ def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
     """
     text = read_input(path)
     blade, tower = text.find("NBlInpSt"), text.find("NTwInpSt")
-    if (blade is None) == (tower is None):
-        text.problem(
-            "NBlInpSt, NTwInpSt",
-            "is not given" if blade is None else "are given together",
-            None,
-            "one of them",
-            remedy="give a blade or tower file of ElastoDyn",
-        )
+    remedy = "give a blade or tower file of ElastoDyn"
+    if blade is None and tower is None:
+        text.require("a blade or tower file of ElastoDyn", ("NBlInpSt", "NTwInpSt"), remedy)
+    if blade is not None and tower is not None:
+        text.problem("NBlInpSt, NTwInpSt", "are given together", None, "one of them", remedy=remedy)
         text.stop()
     columns = (
         _columns(text, blade, "NBlInpSt", _BLADE) if blade else _columns(text, tower, "NTwInpSt", _TOWER)
@@ -61,7 +72,19 @@ def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
     try:
         return _blade(text, columns) if blade is not None else _tower(text, columns)
     except ModelError as error:
-        raise ModelError([p.changed(where=p.where, file=text.path.name) for p in error.problems]) from None
+        raise ModelError([_in_row(text, p) for p in error.problems]) from None
+
+
+def _in_row(text: InputText, problem: Message) -> Message:
+    """Problem of a table at the column and the line of the file."""
+    name, _, index = problem.where.partition("[")
+    columns = _TITLES[text.find("NBlInpSt") is None]
+    title = columns.get(name, name)
+    first = next(ln for ln in text.lines if ln.tokens[0].lower() == columns["position"].lower())
+    line = text.row_line(first, int(index[:-1])) if index else first.number
+    return problem.changed(
+        where=title, line=FileLine(line, text.path.name), remedy=problem.remedy or _CORRECT
+    )
 
 
 def _columns(
@@ -90,6 +113,12 @@ def _factor(text: InputText, name: str) -> float:
 def _blade(text: InputText, column: dict[str, np.ndarray]) -> BeamTable:
     factors = [_factor(text, name) for name in ("AdjBlMs", "AdjFlSt", "AdjEdSt")]
     text.stop()
+    for k in np.flatnonzero(np.abs(column["strctwst"]) > MOST_TWIST)[:1]:
+        value, limit = f"{column['strctwst'][k]:.6g} deg", f"-{MOST_TWIST:g} to {MOST_TWIST:g} deg"
+        problem = Message(
+            f"twist[{k}]", "is out of range", value, limit, "correct the value; it is in degrees"
+        )
+        raise ModelError([problem])
     none = np.zeros(0)
     return BeamTable(
         position=column["blfract"],

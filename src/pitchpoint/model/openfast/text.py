@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -34,11 +35,44 @@ class InputText:
         The file.
     lines
         Its lines without comments and empty ones.
+    title
+        Its first line, without signs of a comment.
     """
 
     path: Path
     lines: list[Line]
     problems: list[Message] = field(default_factory=list)
+    title: str = ""
+
+    def require(self, kind: str, names: Sequence[str], remedy: str, first: Sequence[str] = ()) -> None:
+        """Stop with one sentence if names are missing that every file of a kind has.
+
+        Parameters
+        ----------
+        kind
+            Kind of the file, for the message.
+        names
+            Names of lines.
+        remedy
+            Corrective action for a file without any of them.
+        first
+            Names before these: with one of them the file is cut off.
+        """
+        missing = [name for name in names if self.find(name) is None]
+        if not missing:
+            return
+        listed = f"it has no {' or '.join([', '.join(missing[:-1]), missing[-1]][not missing[1:] :])}"
+        name = f"'{self.path.name}'"
+        if not self.lines:
+            problem = Message("", f"is empty and not {kind}", name, remedy="copy the file again")
+        elif len(missing) == len(names) and self.find(*first) is None:
+            begins = f", and begins with '{self.title[:60]}'" if self.title else ""
+            problem = Message("", f"is not {kind}: {listed}{begins}", name, remedy=remedy)
+        else:
+            text = f"is cut off, or of another version than {kind}: {listed}"
+            problem = Message("", text, name, remedy="complete the file, or copy it again")
+        self.problems.append(problem)
+        self.stop()
 
     def problem(
         self,
@@ -81,7 +115,12 @@ class InputText:
             line = self.find(*names)
             if line is not None and math.isfinite(value):
                 self.problem(
-                    names[0], "is not a number of lines", f"{value:g}", "a whole number >= 0", line.number
+                    names[0],
+                    "is not a number of lines",
+                    f"{value:g}",
+                    "a whole number >= 0",
+                    line.number,
+                    "correct the number",
                 )
             return 0
         return int(value)
@@ -102,17 +141,24 @@ class InputText:
         token = line.tokens[k] if k < len(line.tokens) else ""
         if not _NUMBER.fullmatch(token):
             shown = f"'{token[:40]}'" if token else "nothing"
-            self.problem(name, "is not a number", shown, None, line.number)
+            self.problem(name, "is not a number", shown, None, line.number, "give a number")
             return math.nan
         value = float(token.replace("d", "e").replace("D", "e"))
         if not math.isfinite(value):
-            self.problem(name, "is not finite", token[:40], None, line.number)
+            self.problem(name, "is not finite", token[:40], None, line.number, "give a finite number")
         return value
 
     @staticmethod
     def is_number(token: str) -> bool:
         """Whether a token is a number."""
         return _NUMBER.fullmatch(token) is not None
+
+    def row_line(self, after: Line, k: int) -> int:
+        """Number of the line of row k after a line; that of this line if there is none."""
+        rows = [
+            line for line in self.lines[self.lines.index(after) + 1 :] if _NUMBER.fullmatch(line.tokens[0])
+        ]
+        return rows[k].number if k < len(rows) else after.number
 
     def rows(self, after: Line, count: int, width: int, name: str) -> list[list[float]]:
         """Rows of numbers after a line; titles and units in between are skipped.
@@ -133,20 +179,28 @@ class InputText:
             start += 1
         found = self.lines[start : start + count]
         out = []
+        short = []
         for k, line in enumerate(found):
             if not _NUMBER.fullmatch(line.tokens[0]):
                 found = found[:k]
                 break
             if len(line.tokens) < width:
-                self.problem(
-                    f"{name}, row {k + 1}",
-                    "columns are too few",
-                    str(len(line.tokens)),
-                    f">= {width}",
-                    line.number,
-                )
+                short.append(k)
                 continue
-            out.append([self.value(line, c, f"{name}, row {k + 1}, column {c + 1}") for c in range(width)])
+            out.append(self._row(line, width, f"{name}, row {k + 1}"))
+        if short and not (
+            len(found) < count and short == [len(found) - 1]
+        ):  # otherwise the file is cut off there
+            first = found[short[0]]
+            more = f", as in {len(short) - 1} other rows" if short[1:] else ""
+            self.problem(
+                f"{name}, row {short[0] + 1}",
+                f"columns are too few{more}",
+                str(len(first.tokens)),
+                f">= {width}",
+                first.number,
+                "complete the row, or correct the titles of the columns",
+            )
         if len(found) < count:
             self.problem(
                 name,
@@ -157,6 +211,15 @@ class InputText:
                 "complete the file or correct the number",
             )
         return out
+
+    def _row(self, line: Line, width: int, name: str) -> list[float]:
+        """Numbers of a row; only its first problem is reported."""
+        before, values = len(self.problems), [math.nan] * width
+        for c in range(width):
+            values[c] = self.value(line, c, f"{name}, column {c + 1}")
+            if len(self.problems) > before:
+                break
+        return values
 
 
 def beside(path: Path, name: str) -> Path:
@@ -194,11 +257,13 @@ def read_input(path: str | os.PathLike[str]) -> InputText:
             [Message("", "is not a text file", remedy="give the input file of OpenFAST")], str(path)
         )
     lines = []
-    for k, text in enumerate(data.decode("utf-8", errors="replace").splitlines(), 1):
+    every = data.decode("utf-8", errors="replace").splitlines()
+    title = next((each for text in every if (each := text.strip("-!#%= \t"))), "")
+    for k, text in enumerate(every, 1):
         bare = text.strip()
         if not bare or bare[0] in "!#%" or bare.startswith(("---", "===")):
             continue
         tokens = tuple(token.strip("\"'") for token in _TOKEN.findall(bare))
         if tokens:
             lines.append(Line(k, tokens))
-    return InputText(path, lines)
+    return InputText(path, lines, title=title)

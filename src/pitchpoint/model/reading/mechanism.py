@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.discon.installed import PACKAGES, installed_library
+from pitchpoint.core.nearest import similar_file
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import Constant, TableLaw
 from pitchpoint.model.components.ratio import Arm
@@ -59,8 +60,12 @@ def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return BAD
     found = Path(reader.directory) / name
     if "\0" in name or not found.is_file():
+        text = "names a file that does not exist"
         remedy = "file names are relative to the directory of the model file"
-        return reader.problem(path, "names a file that does not exist", value=shown(name), remedy=remedy)
+        if "\0" not in name:
+            text = "names a folder" if found.is_dir() else text
+            remedy = f"{similar_file(Path(reader.directory), name)}{remedy}"
+        return reader.problem(path, text, value=shown(name), remedy=remedy)
     return str(found)
 
 

@@ -117,7 +117,10 @@ def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         if not isinstance(row, list | tuple) or len(row) != 2:
             reader.problem((*path, i), "is not a row of two values", remedy="write [input, value]")
             continue
-        point = tuple(value(reader, key, x, (*path, i, k)) for k, x in enumerate(row))
+        first = reader.number(key, row[0], (*path, i, 0)) if key.dimension else None
+        point = tuple(
+            value(reader, key, x, (*path, i, k)) if k or first is None else first for k, x in enumerate(row)
+        )
         if BAD not in point:
             points.append(point)
     if len(points) < len(data):

@@ -17,6 +17,7 @@ from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
+from pitchpoint.model.remarks.beam_sections import implausible_sections
 from pitchpoint.model.remarks.beams import ends_left_behind, sections_not_flat
 from pitchpoint.model.remarks.bores import bores_off_their_shafts, gears_thinner_than_their_shafts
 from pitchpoint.model.remarks.clutches import couplings_without_torque, idle_clutches
@@ -40,7 +41,7 @@ from pitchpoint.model.remarks.unusual_values import (
     overdamped_supports,
     preloads_above_the_rating,
 )
-from pitchpoint.model.remarks.wind_rotors import unused_polars
+from pitchpoint.model.remarks.wind_rotors import flat_blades, low_rotors, repeated_turbulence, unused_polars
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -290,6 +291,10 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *couplings_without_torque(model),
         *stage_keys(model),
         *unused_polars(model),
+        *repeated_turbulence(model),
+        *flat_blades(model),
+        *low_rotors(model),
+        *implausible_sections(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

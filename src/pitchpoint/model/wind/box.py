@@ -12,6 +12,36 @@ from pitchpoint.core.errors import Message
 from pitchpoint.model.wind.ranges import Ranges
 
 
+@dataclass(frozen=True, kw_only=True)
+class BoxExtent:
+    """Space and time that a box of turbulence covers.
+
+    Parameters
+    ----------
+    half_width
+        Largest lateral position [m]; infinite for one point along y.
+    top
+        Highest position above ground [m]; infinite for one point along z. Below its lowest row a box has the
+        velocities of that row.
+    duration
+        Duration [s]; of one period if the box repeats.
+    mean_speed, periodic, shift
+        As for `WindBox`.
+    """
+
+    half_width: float
+    top: float
+    duration: float
+    mean_speed: float
+    periodic: bool
+    shift: float
+
+    def times_at(self, x: float) -> tuple[float, float]:
+        """First and last time at which a box that does not repeat has velocities at a position x [m]."""
+        first = (x - self.shift) / self.mean_speed
+        return first, first + self.duration
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class WindBox:
     """Velocities on a grid over y and z, sampled in time.

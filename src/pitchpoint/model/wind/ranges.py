@@ -40,7 +40,8 @@ class Ranges:
         limit = f"{low:g} to {high:g} {unit}".rstrip()
         text = "is out of range" if number else "is not a finite number"
         place = f"{self.where}.{name}"
-        self.problems.append(Message(place, text, f"{value} {unit}".rstrip(), limit, "correct this value"))
+        shown = f"{value:.6g}" if number else f"{value}"
+        self.problems.append(Message(place, text, f"{shown} {unit}".rstrip(), limit, "correct this value"))
         return False
 
     def count(self, name: str, value: Any, low: int, high: int) -> bool:

@@ -8,6 +8,7 @@ fastest, then z from bottom to top, each point with u, v, w; then the points of 
 
 from __future__ import annotations
 
+import math
 import os
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.model.wind.box import WindBox
+from pitchpoint.model.wind.box import BoxExtent, WindBox
 from pitchpoint.model.wind.file_errors import (
     WindFileError,
     check_finite,
@@ -70,19 +71,61 @@ def read_turbsim(path: str | os.PathLike[str]) -> WindBox:
     """
     name = Path(path)
     there = size_of(name)
-    if there < HEADER.itemsize:
-        raise refused(name, "header", f"{there} bytes", "are there: the file is cut off",
-                      f"{HEADER.itemsize} bytes", _REMEDY)  # fmt: skip
     try:
         with name.open("rb") as file:
-            head = np.frombuffer(file.read(HEADER.itemsize), HEADER)[0]
-            numbers = _checked(name, head, there)
+            head, numbers = _header(name, file, there)
             file.seek(HEADER.itemsize + numbers["n_text"])
             velocity = _velocities(name, file, numbers, head["scale"].astype(float))
     except (OSError, ValueError) as error:
         if isinstance(error, WindFileError):
             raise
         raise unreadable(name, error) from error
+    return _box(name, head, velocity)
+
+
+def turbsim_extent(path: str | os.PathLike[str]) -> BoxExtent:
+    """Space and time of a full-field file of TurbSim, from its header and its size only.
+
+    Parameters
+    ----------
+    path
+        The file (.bts).
+
+    Raises
+    ------
+    WindFileError
+        If the file is missing, cut off or damaged.
+    """
+    name = Path(path)
+    there = size_of(name)
+    try:
+        with name.open("rb") as file:
+            head, numbers = _header(name, file, there)
+    except OSError as error:
+        raise unreadable(name, error) from error
+    n_t, n_z, n_y = (numbers[key] for key in ("n_t", "n_z", "n_y"))
+    box = _box(name, head, np.zeros((1, n_z, n_y, 3), np.float32))
+    return BoxExtent(
+        half_width=float(box.y[-1]) if n_y > 1 else math.inf,
+        top=float(box.z[-1]) if n_z > 1 else math.inf,
+        duration=(n_t if box.periodic else n_t - 1) * box.time_step,
+        mean_speed=box.mean_speed,
+        periodic=box.periodic,
+        shift=box.shift,
+    )
+
+
+def _header(path: Path, file: Any, there: int) -> tuple[Any, dict[str, int]]:
+    """Header and numbers of points, checked together with the size of the file."""
+    if there < HEADER.itemsize:
+        raise refused(path, "header", f"{there} bytes", "are there: the file is cut off",
+                      f"{HEADER.itemsize} bytes", _REMEDY)  # fmt: skip
+    head = np.frombuffer(file.read(HEADER.itemsize), HEADER)[0]
+    return head, _checked(path, head, there)
+
+
+def _box(name: Path, head: Any, velocity: NDArray[np.float32]) -> WindBox:
+    """Box of the velocities of a file."""
     spacing = (float(head["dy"]), float(head["dz"]))
     periodic = int(head["id"]) == PERIODIC
     try:
@@ -95,7 +138,7 @@ def read_turbsim(path: str | os.PathLike[str]) -> WindBox:
             mean_speed=float(head["mean_speed"]),
             with_mean=True,
             periodic=periodic,
-            shift=0.0 if periodic else 0.5 * (numbers["n_y"] - 1) * spacing[0],
+            shift=0.0 if periodic else 0.5 * (velocity.shape[2] - 1) * spacing[0],
         )
     except ModelError as error:
         raise WindFileError(f"{name}: {'; '.join(map(str, error.problems))}") from error

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.nearest import LISTED, did_you_mean
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.model.windio.ontology import Ontology
 
@@ -69,8 +70,9 @@ def read_airfoils(
     }
     for name in dict.fromkeys(names):
         if name not in known:
-            limit = ", ".join(list(known)[:20])
-            file.problem(("airfoils",), f"has no airfoil '{name}', which the blade names", None, limit)
+            if known:
+                remedy = f"{did_you_mean(name, known)}there are {', '.join(list(known)[:LISTED])}"
+                file.problem(("airfoils",), f"has no airfoil '{name}', which the blade names", remedy=remedy)
             continue
         before = len(file.problems)
         airfoil = _airfoil(file, ("airfoils", known[name]), name, configurations.get(name))
@@ -81,7 +83,12 @@ def read_airfoils(
 
 def _airfoil(file: Ontology, at: tuple[Any, ...], name: str, wanted: str | None) -> Airfoil | None:
     thick = file.number(*at, "rthick" if file.has(*at, "rthick") else "relative_thickness", positive=True)
+    key = "rthick" if file.has(*at, "rthick") else "relative_thickness"
     center = file.number(*at, "aerodynamic_center", default=0.25)
+    for place, value in ((key, thick), ("aerodynamic_center", center)):
+        if not -1e-6 <= value <= 1.0 + 1e-6 and value == value:
+            remedy = "give a share of the chord, not per cent"
+            file.problem((*at, place), "is out of range", f"{value:g}", "0 to 1", remedy)
     sets: list[tuple[Any, ...]] = []
     entries = file.entries(*at, "polars")
     given = list(dict.fromkeys(str(e.get("configuration")) for e in entries if isinstance(e, dict)))
@@ -129,7 +136,8 @@ def _polar(file: Ontology, at: tuple[Any, ...], name: str) -> Polar | None:
                 grid[k] = sign * math.pi
         if grid[0] > -math.pi or grid[-1] < math.pi:
             ends = f"{math.degrees(grid[0]):g} to {math.degrees(grid[-1]):g} deg"
-            file.problem((*at, key), f"is the range of the polar of {name}", ends, "-180 to 180 deg")
+            text, remedy = f"is the range of the polar of {name}", "complete the polar"
+            file.problem((*at, key), text, ends, "-180 to 180 deg", remedy)
         curves.append((grid, values))
     if len(file.problems) > before:
         return None
@@ -141,5 +149,6 @@ def _polar(file: Ontology, at: tuple[Any, ...], name: str) -> Polar | None:
         return Polar(name=name, alpha=alpha, lift=lift, drag=drag, moment=moment)
     except GeometryError as error:
         p = error.problem
-        file.problem(at, f"{p.text}: airfoil {name}", p.value, p.limit)
+        remedy = f"windIO {file.version} has angles in {'degrees' if file.version == 2 else 'radians'}"
+        file.problem(at, f"{p.text}: airfoil {name}", p.value, p.limit, remedy)
         return None

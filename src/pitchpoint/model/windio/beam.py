@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import ModelError
+from pitchpoint.core.nearest import hint
 from pitchpoint.geometry.beam_table import BeamTable
 from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness, symmetric
 from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.openfast.beamdyn import between, section_table
-from pitchpoint.model.windio.blade import reference_axis
+from pitchpoint.model.windio.blade import check_length, reference_axis
 from pitchpoint.model.windio.ontology import Ontology, read_ontology, smooth
 
 FloatArray = NDArray[np.float64]
@@ -71,6 +72,8 @@ def _blade(file: Ontology) -> SectionTable:
     twist = file.curve(*shape, "twist")
     axis = reference_axis(file, blade)
     file.stop()
+    file.check_angle(twist[1], *shape, "twist", "values")
+    check_length(file, blade, float(axis[2][-1] - axis[2][0]))
     for k, both in enumerate(zip(stiffness, mass, strict=True)):
         for matrix, check, word in zip(
             both, (check_stiffness, check_inertia), ("stiffness", "mass"), strict=True
@@ -216,8 +219,10 @@ def _material(file: Ontology, at: tuple[str | int, ...]) -> tuple[float, float, 
     entries = file.entries("materials")
     k = next((k for k, m in enumerate(entries) if isinstance(m, dict) and m.get("name") == name), None)
     if k is None:
-        known = ", ".join(str(m.get("name")) for m in entries if isinstance(m, dict))
-        file.problem(at, f"names the material '{name}', which does not exist", None, known)
+        known = [str(m.get("name")) for m in entries if isinstance(m, dict)]
+        if known:
+            text, remedy = f"names the material '{name}', which does not exist", hint(str(name), known)
+            file.problem(at, text, remedy=remedy)
         return 1.0, 1.0, 1.0
     place = ("materials", k)
     E, rho = file.number(*place, "E", positive=True), file.number(*place, "rho", positive=True)

@@ -14,13 +14,16 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.rotor.blade import Blade
 from pitchpoint.geometry.rotor.blending import blend_polars
 from pitchpoint.geometry.rotor.polar import Polar
+from pitchpoint.model.keys import Place
 from pitchpoint.model.windio.airfoils import Airfoil, read_airfoils
-from pitchpoint.model.windio.ontology import Ontology, smooth
+from pitchpoint.model.windio.ontology import LARGEST, Ontology, smooth
 
 FloatArray = NDArray[np.float64]
 VISCOSITY = 1.46e-5
 """Kinematic viscosity of air at 15 °C for the Reynolds number of the sections [m²/s]."""
 BLADE = ("components", "blade")
+SOUND = 340.0
+"""Speed of sound in air [m/s]."""
 _SAME = 1e-6
 
 
@@ -91,20 +94,56 @@ def reference_axis(file: Ontology, at: tuple[Any, ...], grid: FloatArray | None 
     return points
 
 
+def check_length(file: Ontology, at: tuple[Any, ...], length: float) -> None:
+    """Add a problem for a blade or tower that is longer than any.
+
+    Parameters
+    ----------
+    file, at
+        File, and place of the reference axis in it.
+    length
+        Length [m].
+    """
+    if length > LARGEST:
+        limit = f"<= {LARGEST:g} m"
+        file.problem(
+            (*at, "reference_axis", "z", "values"),
+            "is the length",
+            f"{length:.6g} m",
+            limit,
+            "lengths are in metres",
+        )
+
+
 def _shape(file: Ontology) -> Shape:
     """Outer shape in either layout."""
     new = file.version == 2
     at = (*BLADE, "outer_shape" if new else "outer_shape_bem")
     grid, chord = file.curve(*at, "chord")
-    twist = file.angle(smooth(file.curve(*at, "twist"), grid))
+    angles = file.curve(*at, "twist")
+    twist = file.angle(smooth(angles, grid))
     axis = reference_axis(file, BLADE if new else at, grid)
     if new:
         behind = smooth(file.curve(*at, "section_offset_y"), grid)
     else:
-        behind = chord * smooth(file.curve(*at, "pitch_axis"), grid)
+        shares = file.curve(*at, "pitch_axis")
+        behind = chord * smooth(shares, grid)
     file.stop()
+    if not new:
+        remedy = "give shares of the chord"
+        file.check_range((*at, "pitch_axis", "values"), shares[1], -0.5, 1.5, "", remedy)
+    file.check_angle(angles[1], *at, "twist", "values")
+    check_length(file, BLADE if new else at, float(axis[2][-1] - axis[2][0]))
     for k in np.flatnonzero(chord <= 0.0)[:1]:
-        file.problem((*at, "chord", "values", int(k)), "is out of range", f"{chord[k]:g}", "> 0")
+        file.problem(
+            (*at, "chord", "values", int(k)), "is out of range", f"{chord[k]:g}", "> 0", "correct it"
+        )
+    if not file.problems:
+        length, remedy = (
+            float(axis[2][-1] - axis[2][0]),
+            "a chord is shorter than the blade; lengths are in metres",
+        )
+        file.check_range((*at, "chord", "values"), chord, 0.0, length, "m", remedy)
     file.stop()
     return Shape(grid, chord, np.asarray(twist), axis, behind)
 
@@ -174,6 +213,12 @@ def _reynolds(file: Ontology, shape: Shape, hub_radius: float) -> FloatArray:
         remedy = "add it: it selects the polars of several Reynolds numbers"
         file.problem(("control", "rated_rotor_speed"), "is missing", remedy=remedy)
         return np.ones(shape.grid.size)
+    tip = speed * (hub_radius + float(shape.axis[2][-1]))
+    if tip > SOUND:
+        of_file = file.has("control", "rated_rotor_speed")
+        place: Place = ("control", "rated_rotor_speed") if of_file else ("control", "torque", "VS_maxspd")
+        remedy = "correct the speed: rpm for rated_rotor_speed, rad/s for VS_maxspd"
+        file.problem(place, "is the speed of the blade tip", f"{tip:.4g} m/s", f"<= {SOUND:g} m/s", remedy)
     return np.asarray(speed * (hub_radius + shape.axis[2]) * shape.chord / VISCOSITY)
 
 

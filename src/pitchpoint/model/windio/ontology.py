@@ -24,6 +24,9 @@ FloatArray = NDArray[np.float64]
 MOST_POINTS = 10_000
 """Largest number of points of a distribution."""
 BAD = np.array([0.0, 1.0])
+MISSING = "is missing"
+LARGEST = 1000.0
+"""Length of a blade or height of a tower that no turbine has [m]."""
 
 
 @dataclass
@@ -80,13 +83,37 @@ class Ontology:
         return self._find(place) is not None
 
     def get(self, *place: Any) -> Any:
-        """Value at a path; None with a problem if it is missing."""
+        """Value at a path; None with a problem if it, or what contains it, is missing."""
         found = self._find(place)
         if found is None:
-            around = self._find(place[:-1])
-            near = nearest(str(place[-1]), [str(k) for k in around]) if isinstance(around, Mapping) else []
-            self.problem(place, "is missing", remedy=f"did you mean {near[0]}?" if near else None)
+            first = next(place[: n + 1] for n in range(len(place)) if self._find(place[: n + 1]) is None)
+            if any(p.where == dotted(first) and p.text == MISSING for p in self.problems):
+                return None
+            around = self._find(first[:-1])
+            near = nearest(str(first[-1]), [str(k) for k in around]) if isinstance(around, Mapping) else []
+            remedy = f"did you mean {near[0]}?" if near else "complete the file"
+            self.problem(first, MISSING, remedy=remedy)
         return found
+
+    def check_range(
+        self, place: Place, values: FloatArray, least: float, most: float, unit: str, remedy: str
+    ) -> None:
+        """Add a problem for the first value of a list beyond a range, at its line."""
+        for k in np.flatnonzero((values < least) | (values > most))[:1]:
+            limit = f"{least:.6g} to {most:.6g} {unit}".rstrip()
+            shown = f"{values[k]:.6g} {unit}".rstrip()
+            self.problem((*place, int(k)), "is out of range", shown, limit, remedy)
+
+    def check_angle(self, value: Any, *place: Any, most: float = 0.5 * math.pi) -> None:
+        """Add a problem for an angle or a list of angles, as in the file, beyond +-`most` [rad]."""
+        unit, other = ("deg", "degrees") if self.version == 2 else ("rad", "radians")
+        limit = float(np.degrees(most)) if self.version == 2 else most
+        each = np.atleast_1d(np.asarray(value, float))
+        remedy = f"windIO {self.version} has angles in {other}: correct the values, or windIO_version"
+        before = len(self.problems)
+        self.check_range(place, each, -limit, limit, unit, remedy)
+        if np.ndim(value) == 0 and len(self.problems) > before:  # a number has no index
+            self.problems[-1] = self.problems[-1].changed(where=dotted(place))
 
     def _find(self, place: Any) -> Any:
         found = self.data
@@ -108,17 +135,17 @@ class Ontology:
             return math.nan
         value = _finite(found)
         if value is None:
-            self.problem(place, "is not a finite number", _shown(found))
+            self.problem(place, "is not a finite number", _shown(found), remedy="give a number")
             return math.nan
         if positive and not value > 0.0:
-            self.problem(place, "is out of range", f"{value:g}", "> 0")
+            self.problem(place, "is out of range", f"{value:g}", "> 0", "correct the value")
         return value
 
     def entries(self, *place: Any) -> list[Any]:
         """List at a path; empty with a problem if there is none."""
         found = self.get(*place)
         if found is not None and not isinstance(found, list):
-            self.problem(place, "is not a list", _shown(found))
+            self.problem(place, "is not a list", _shown(found), remedy="give a list")
         return found if isinstance(found, list) else []
 
     def numbers(self, *place: Any) -> FloatArray:
@@ -129,7 +156,7 @@ class Ontology:
             return np.zeros(0)
         for k, value in enumerate(found):
             if _finite(value) is None:
-                self.problem((*place, k), "is not a finite number", _shown(value))
+                self.problem((*place, k), "is not a finite number", _shown(value), remedy="give a number")
                 return np.zeros(0)
         return np.array(found, dtype=float)
 
@@ -190,6 +217,14 @@ def read_ontology(path: str | os.PathLike[str]) -> Ontology:
     given = str(data.get("windIO_version", "2"))
     if given.split(".")[0] not in ("1", "2"):
         found.problem(("windIO_version",), "is not a version that can be read", _shown(given), "1 or 2")
+        found.stop()
+    blade = ("components", "blade")
+    old, new = found.has(*blade, "outer_shape_bem"), found.has(*blade, "outer_shape")
+    if old != new and found.version != (1 if old else 2):
+        key = "outer_shape_bem" if old else "outer_shape"
+        remedy = f"write windIO_version: {1 if old else 2}"
+        text = f"contradicts the layout: the blade has {key}, which is of version {1 if old else 2}"
+        found.problem(("windIO_version",), text, _shown(given), None, remedy)
         found.stop()
     return found
 

@@ -68,13 +68,20 @@ def _read(path: str | os.PathLike[str], placed: bool) -> WindIORotor:
     file = read_ontology(path)
     downwind = str(file.get("assembly", "rotor_orientation") or "Upwind").lower() == "downwind"
     hub_radius = 0.5 * file.number("components", "hub", "diameter", positive=True)
-    cone = float(file.angle(file.number("components", "hub", "cone_angle", default=0.0)))
+    coned = file.number("components", "hub", "cone_angle", default=0.0)
+    file.check_angle(coned, "components", "hub", "cone_angle", most=0.5)
+    cone = float(file.angle(coned))
     blades = file.number("assembly", "number_of_blades", default=3.0)
     place = _place(file, downwind) if placed else {}
     if not file.problems and blades != round(blades):
         file.problem(("assembly", "number_of_blades"), "is not a whole number", f"{blades:g}")
     file.stop()
     blade = read_blade(file, hub_radius)
+    if hub_radius > blade.length:
+        limit, remedy = f"<= {2.0 * blade.length:.6g} m, twice the blade", "lengths are in metres"
+        file.problem(
+            ("components", "hub", "diameter"), "is out of range", f"{2.0 * hub_radius:.6g} m", limit, remedy
+        )
     tower = _tower(file)
     file.stop()
     try:
@@ -95,7 +102,9 @@ def _place(file: Ontology, downwind: bool) -> dict[str, float]:
     at = ("components", "drivetrain", "outer_shape")
     if file.version == 1:
         at = ("components", "nacelle", "drivetrain")
-    tilt = float(file.angle(file.number(*at, "uptilt", default=0.0)))
+    tilted = file.number(*at, "uptilt", default=0.0)
+    file.check_angle(tilted, *at, "uptilt", most=0.5)
+    tilt = float(file.angle(tilted))
     overhang = file.number(*at, "overhang", default=0.0)
     hub_height = file.number("assembly", "hub_height", positive=True)
     return {

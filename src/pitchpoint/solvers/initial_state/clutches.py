@@ -13,6 +13,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pitchpoint.contact.bristle import stribeck
+from pitchpoint.core.kernel import plain
 from pitchpoint.elements import friction_clutch, torque
 from pitchpoint.elements.friction_clutch import BRISTLE
 from pitchpoint.multibody.bodies import spin_of
@@ -91,6 +93,21 @@ def settle_clutches(
         if abs(found.state.v[place]) >= limit
     )
     return system, found, notes
+
+
+def slipping_clutches(system: System, state: State) -> State:
+    """Copy of a state in which clutches and brakes that slip have the deflection of steady slip.
+
+    Without deflection, as assembled, the damping of the bristles would act with the whole slip speed: a
+    torque of many times the capacity for the first milliseconds.
+    """
+    found = state.copy()
+    for number, record in _bristles(system):
+        slip = _slip(system, state, record)
+        if abs(slip) > STICKS * _speed(state) and state.v[_place(system, number)] == 0.0:
+            steady, _ = plain(stribeck)(slip, float(record["ratio"]), float(record["v_s"]))
+            found.v[_place(system, number)] = np.copysign(steady, slip)
+    return found
 
 
 def _bristles(system: System) -> list[tuple[int, np.void]]:

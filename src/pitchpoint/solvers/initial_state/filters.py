@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.elements.signals.dry_friction import DEFLECTION
 from pitchpoint.solvers.equilibrium.solve import Equilibrium, find_equilibrium
 from pitchpoint.solvers.equilibrium.unknowns import STATE, signal_states, unsettled_states
 from pitchpoint.system import evaluate
@@ -183,6 +184,20 @@ def states_of_inputs(system: System, state: State) -> State:
     """
     found = _settled(system, state)
     return state if found is None else found
+
+
+def slipping_frictions(system: System, state: State) -> State:
+    """Copy of a state in which friction blocks that slip have their full deflection, 1 or -1.
+
+    Without deflection, as assembled, the damping before slip would act with the whole slip speed.
+    """
+    found = state.copy()
+    for k in signal_states(system):
+        if not system.layout.coordinates[k].endswith(f"{DEFLECTION}.spin") or state.v[k] != 0.0:
+            continue
+        rate = -float(evaluate.residual(system, replace(state, a=np.zeros_like(state.a)))[k])
+        found.v[k] = np.sign(rate)
+    return found
 
 
 def _settled(system: System, state: State) -> State | None:

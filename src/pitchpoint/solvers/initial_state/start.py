@@ -29,8 +29,13 @@ from pitchpoint.solvers.gear_trains import (
     held_spins,
     rates_through_loops,
 )
+<<<<<<< HEAD
 from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import acting_torques, rest_of_controls, states_of_inputs
+=======
+from pitchpoint.solvers.initial_state.clutches import settle_clutches, slipping_clutches
+from pitchpoint.solvers.initial_state.filters import rest_of_controls, slipping_frictions, states_of_inputs
+>>>>>>> main
 from pitchpoint.solvers.initial_state.servos import without_positioned
 from pitchpoint.solvers.initial_state.speeds import drive_records, speeds_of
 from pitchpoint.solvers.initial_state.vibration import with_vibration
@@ -194,7 +199,8 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
         mean, cycle = state, None
         if balancing_loads(system):
             system, *_, cycle = _at_rest(system, scenario, state, held, driven)
-        state = states_of_inputs(system, state if cycle is None else _rippled(state, cycle))
+        state = slipping_clutches(system, state if cycle is None else _rippled(state, cycle))
+        state = states_of_inputs(system, slipping_frictions(system, state))
         notes = (*notes, *start_notes(system, state, driven), *_cycle_notes(system, state, cycle, mean))
         return Start(with_damping(system, state), state, notes, cycle, mean)
     state = _from_given(system, state, driven)
