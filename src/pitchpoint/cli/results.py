@@ -143,7 +143,6 @@ def finished(begun: float, target: Path | None, notes: Sequence[str] = ()) -> di
     }
 
 
-<<<<<<< HEAD
 def failed(begun: float, target: Path | None, notes: Sequence[str], error: BaseException) -> dict[str, Any]:
     """Head of the output of `--json` of a computation with a partial result; see `finished`."""
     from pitchpoint.io.writing import how_it_ended
@@ -152,12 +151,9 @@ def failed(begun: float, target: Path | None, notes: Sequence[str], error: BaseE
     return finished(begun, target, notes) | {"status": status, "sentence": sentence}
 
 
-def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
-=======
 def unless_it_cannot_begin(
     compute: Callable[[], Computed], empty: Mapping[str, Any], target: Path | None = None
 ) -> Computed:
->>>>>>> main
     """Compute; a failure or stop before the first step gives a summary with empty tables.
 
     `output` then names a file only if it contains samples, as on a full disk. After an interrupt the error

@@ -29,13 +29,13 @@ from pitchpoint.solvers.gear_trains import (
     held_spins,
     rates_through_loops,
 )
-<<<<<<< HEAD
-from pitchpoint.solvers.initial_state.clutches import settle_clutches
-from pitchpoint.solvers.initial_state.filters import acting_torques, rest_of_controls, states_of_inputs
-=======
 from pitchpoint.solvers.initial_state.clutches import settle_clutches, slipping_clutches
-from pitchpoint.solvers.initial_state.filters import rest_of_controls, slipping_frictions, states_of_inputs
->>>>>>> main
+from pitchpoint.solvers.initial_state.filters import (
+    acting_torques,
+    rest_of_controls,
+    slipping_frictions,
+    states_of_inputs,
+)
 from pitchpoint.solvers.initial_state.servos import without_positioned
 from pitchpoint.solvers.initial_state.speeds import drive_records, speeds_of
 from pitchpoint.solvers.initial_state.vibration import with_vibration
