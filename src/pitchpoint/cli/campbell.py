@@ -43,8 +43,8 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
 @click.option(
     "--body",
     metavar="NAME",
-    help="Body of the speed; default: the one whose speed the scenario gives, else the first that rotates, "
-    "has a gear and is not a planet.",
+    help="Body of the speed; default: the hub of a wind rotor, else the one whose speed the scenario gives, "
+    "else the first that rotates, has a gear and is not a planet.",
 )
 @quantities(
     "--speeds",

@@ -166,7 +166,7 @@ def test_the_command_keeps_the_other_speeds(monkeypatch, capsys):
     written = capsys.readouterr()
     summary = json.loads(written.out)
     assert summary["status"] != "ok" and summary["omitted_speeds"] == [pytest.approx(6.0 * RPM)]
-    assert len(summary["modes"]) == 4
+    assert len(summary["modes"]) == 4 and summary["body"] == "hub"
     assert "no equilibrium at 6 rpm of hub" in written.err
 
 
