@@ -18,6 +18,7 @@ from pitchpoint.cli.settings import set_option
 if TYPE_CHECKING:
     import xarray as xr
 
+    from pitchpoint.core.errors import SolverError
     from pitchpoint.model.model import Model
 
 
@@ -25,12 +26,12 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
     """Stop if a word is not an order."""
     from pitchpoint.core.errors import SolverError
     from pitchpoint.report.campbell import BEARINGS
-    from pitchpoint.solvers.excitation_orders import LOADS, order_words, read_orders
+    from pitchpoint.solvers.excitation_orders import BLADES, LOADS, order_words, read_orders
 
     if text is None:
         return None
     try:
-        read_orders([word for word in order_words(text) if word not in (LOADS, BEARINGS)])
+        read_orders([word for word in order_words(text) if word not in (LOADS, BLADES, BEARINGS)])
     except SolverError as error:
         raise click.BadParameter(str(error)) from None
     return text
@@ -42,8 +43,8 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
 @click.option(
     "--body",
     metavar="NAME",
-    help="Body of the speed; default: the one whose speed the scenario gives, else the first that rotates, "
-    "has a gear and is not a planet.",
+    help="Body of the speed; default: the hub of a wind rotor, else the one whose speed the scenario gives, "
+    "else the first that rotates, has a gear and is not a planet.",
 )
 @quantities(
     "--speeds",
@@ -57,8 +58,8 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
     metavar="LIST",
     callback=checked_orders,
     help="Excitation orders, separated by commas: 1x, 2x (of every shaft), mesh, 2mesh, sidebands, "
-    "2sidebands, loads (pulsating torques, ripples of drives), bearings (fault frequencies), numbers. "
-    "Default: 1x,2x,mesh,2mesh,sidebands,loads.",
+    "2sidebands, loads (pulsating torques, ripples of drives), blades (3P, 6P, 9P of a wind rotor with three "
+    "blades), bearings (fault frequencies), numbers. Default: 1x,2x,mesh,2mesh,sidebands,loads,blades.",
 )
 @click.option(
     "--modes", metavar="SELECTION", help="The lowest N modes, modes A..B, or modes with a text in their name."
@@ -106,7 +107,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     )
     if as_json:
         emit_json(summary)
-    elif error is None and not (quiet and files["output"] is not None):
+    elif summary["modes"] and not (quiet and files["output"] is not None):
         print_summary(f"{model.title or file}: critical speeds", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 
@@ -128,13 +129,18 @@ def compute(
     options: dict[str, Any],
     *,
     quiet: bool,
-) -> tuple[dict[str, Any], None]:
-    """Compute the diagram and write what is requested; return the output of `campbell --json`."""
+) -> tuple[dict[str, Any], SolverError | None]:
+    """Compute the diagram and write what is requested; return the output of `campbell --json`.
+
+    Also an error if some speeds have no equilibrium: the diagram contains the others.
+    """
     from pitchpoint.analysis.campbell_ranking import select_modes
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import finished
-    from pitchpoint.core.errors import split_notes
+    from pitchpoint.cli.results import failed, finished
+    from pitchpoint.core.errors import SolverError, split_notes
+    from pitchpoint.core.status import SINGULAR
     from pitchpoint.report.campbell import campbell_of
+    from pitchpoint.solvers.campbell_dataset import NO_EQUILIBRIUM
 
     begun = time.perf_counter()
     count, selection = options["modes"]
@@ -153,7 +159,19 @@ def compute(
         )
     data = select_modes(data, selection, options["frequency"])
     _write(model, file, name, files, data, options)
-    summary = finished(begun, files["output"], split_notes(str(data.attrs["notes"]))) | {
+    notes = split_notes(str(data.attrs["notes"]))
+    omitted = [float(speed) for speed in data.attrs.get("omitted_speed", ())]
+    error = None
+    if omitted:
+        left_out = [text for text in notes if text.startswith(NO_EQUILIBRIUM)]
+        error = SolverError("; ".join(left_out), SINGULAR)
+        notes = [text for text in notes if text not in left_out]
+    summary = (
+        finished(begun, files["output"], notes)
+        if error is None
+        else failed(begun, files["output"], notes, error)
+    ) | {
+        "omitted_speeds": omitted,
         "body": data.attrs["body"],
         "speeds": [float(data["speed"][0]), float(data["speed"][-1])],
         "operating_speed": data.attrs.get("operating_speed"),
@@ -162,7 +180,7 @@ def compute(
         "unstable_modes": unstable_rows(data),
         "modes": mode_rows(data),
     }
-    return summary, None
+    return summary, error
 
 
 def _write(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.campbell_output import damping_text
+from pitchpoint.cli.campbell_output import damping_text, largest
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -50,9 +50,11 @@ def compute(model: Model, name: str | None, rotor: WindRotor) -> tuple[dict[str,
     rows = [
         {
             "mode": k + 1,
+            "name": found.names[k],
             "frequency": float(found.frequency[k]),
             "damping_ratio": float(found.damping_ratio[k]),
             **dict(zip(WAYS, found.blades[k].tolist(), strict=True)),
+            "strain_share": found.strain[k],
         }
         for k in range(len(found.frequency))
     ]
@@ -81,14 +83,16 @@ def show_modes(title: str, summary: dict[str, Any], count: int, *, quiet: bool) 
     """Print frequencies, damping and amplitudes of the blades of the lowest modes."""
     cells = [
         [
-            str(row["mode"]),
+            row["name"],
             shown(row["frequency"], "frequency", 6),
             damping_text(row["damping_ratio"], row["frequency"]),
             *(f"{row[way]:.2f}" for way in WAYS),
+            largest(row["strain_share"]),
         ]
         for row in summary["modes"][:count]
     ]
     heads = ["mode", "natural frequency", "damping ratio", "collective", "forward whirl", "backward whirl"]
+    heads.append("strain energy")
     table(f"{title} {shown(summary['speed'], 'angular_speed', 4)}, multi-blade coordinates", heads, cells)
     if quiet:
         return

@@ -143,6 +143,14 @@ def finished(begun: float, target: Path | None, notes: Sequence[str] = ()) -> di
     }
 
 
+def failed(begun: float, target: Path | None, notes: Sequence[str], error: BaseException) -> dict[str, Any]:
+    """Head of the output of `--json` of a computation with a partial result; see `finished`."""
+    from pitchpoint.io.writing import how_it_ended
+
+    status, sentence, _ = how_it_ended(error)
+    return finished(begun, target, notes) | {"status": status, "sentence": sentence}
+
+
 def unless_it_cannot_begin(
     compute: Callable[[], Computed], empty: Mapping[str, Any], target: Path | None = None
 ) -> Computed:

@@ -128,10 +128,10 @@ def _apart(speeds: tuple[float, float], operating: tuple[float, float] | None) -
 def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) -> str | None:
     """Reference body of the speed.
 
-    The first rotating body whose speed a scenario gives, other than zero: start speeds, drives, sweep.
-    Without one, the first that rotates, has a gear in mesh and is not a planet, that is, no rotating body
-    carries it; else the first that rotates. Bodies at rest with the clutches that the first scenario engages
-    do not count.
+    The hub of a wind rotor; in other machines the first rotating body whose speed a scenario gives, other
+    than zero: start speeds, drives, sweep. Without one, the first that rotates, has a gear in mesh and is not
+    a planet, that is, no rotating body carries it; else the first that rotates. Bodies at rest with the
+    clutches that the first scenario engages do not count.
 
     Parameters
     ----------
@@ -151,6 +151,11 @@ def body_of_speeds(model: Model, scenarios: Iterable[Scenario] | None = None) ->
         seat = model.mechanism.seats.get(name)
         if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
             turning.append(name)
+    hub = next(
+        (name for r in model.wind_rotors.values() if (name := r.hub.partition(".")[0]) in turning), None
+    )
+    if hub is not None:
+        return hub
     chosen = list(model.scenarios.values() if scenarios is None else scenarios)
     for scenario in chosen:
         given = next((name for name in _with_speed(scenario) if name in turning), None)

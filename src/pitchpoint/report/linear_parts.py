@@ -29,7 +29,8 @@ MAX_CONDITIONS = 3
 """Number of sets of prescribed motions whose modes a report shows."""
 UNITS_OF_WORK = 2
 """Work units per set: matrices of the linear system, Campbell diagram."""
-SPEEDS = 41
+SPEEDS, FEW_SPEEDS = 41, 21
+"""Speeds of a diagram, and of one with rotors in the wind."""
 
 
 @dataclass(frozen=True)
@@ -172,16 +173,22 @@ def _add_modes(
     progress: Progress,
 ) -> tuple[System, Linearised]:
     """Add the modes of one set of prescribed motions; `others` are scenarios with further sets."""
-    from pitchpoint.solvers.linear_system import linearise
+    from pitchpoint.solvers.linear_system import linearise, rates_of
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.solvers.modes.unstable import is_undamped, sources
+    from pitchpoint.solvers.over_speed import over_speed
     from pitchpoint.system.compile import compile_model
     from pitchpoint.viz.report.build import ModeData
 
     scenario = model.scenarios[one.scenarios[0]] if one.scenarios else None
     system = compile_model(model, scenario)
     linear = linearise(system, scenario, progress=progress)
-    modes = find_modes(system, scenario, linear=linear)
+    in_wind = next(iter(model.wind_rotors.values()), None)
+    turning = linear
+    if in_wind is not None:
+        rates = rates_of(linear, in_wind.hub.partition(".")[0], scenario)
+        turning = over_speed(linear, rates).reference
+    modes = find_modes(system, scenario, linear=turning)
     found.modes[name] = ModeData(
         names=modes.names,
         frequency=modes.frequency.tolist(),
@@ -194,7 +201,7 @@ def _add_modes(
         components=modes.groups.components,
         strain_share=modes.energies.strain,
         at=linear.at,
-        sources=sources(linear, modes),
+        sources=sources(turning, modes),
         undamped=is_undamped(linear),
     )
     return system, linear
@@ -224,7 +231,8 @@ def _diagram(
             f"No scenario rotates {body}, and it turns no mesh, so its speeds are not known; use pitchpoint "
             "campbell with --speeds."
         )
-    speeds = np.linspace(0.0, top, SPEEDS)
+    # rotors in the wind require an equilibrium at every speed and azimuth
+    speeds = np.linspace(0.0, top, FEW_SPEEDS if model.wind_rotors else SPEEDS)
     followed = follow_modes(system, speeds, body, scenario, progress=progress, linear=linear)
     data = campbell_dataset(system, followed, operating=operating)
     # modes far above the excitation would compress the scale of the others

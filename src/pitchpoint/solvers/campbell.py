@@ -15,7 +15,8 @@ References
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -25,11 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.multibody.bodies import GENERAL
-from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
-from pitchpoint.solvers.element_tangents import inertial_stiffness
-from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.linear_system import Linearised, linearise, rates_of
 from pitchpoint.solvers.modes.energies import (
@@ -43,17 +40,17 @@ from pitchpoint.solvers.modes.energies import (
     whirl_words,
 )
 from pitchpoint.solvers.modes.names import base_names, full_names
+from pitchpoint.solvers.over_speed import over_speed
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.unloaded_flanks import close_backlash
-from pitchpoint.solvers.whirl_basis import WhirlModes, normalised
-from pitchpoint.system import evaluate
-from pitchpoint.system.system import State, System
+from pitchpoint.solvers.whirl_basis import Complex, Found, WhirlModes, normalised
+from pitchpoint.system.system import System
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
-RECENT = 4
-"""Number of the last speeds at which the linear system is kept."""
+RECENT, KEPT = 4, 600
+"""Number of the last speeds at which the linear system is kept, and largest number of coordinates up to which
+that of turning rotors is kept at all speeds."""
 ALL, FEW = 24, 16
 """Largest number of modes of which all are followed by default, and the number followed of more."""
 SIMILAR, DIVISIONS = 0.6, 4
@@ -94,6 +91,10 @@ class Campbell:
         Number of modes of the system.
     notes
         Notes for the user.
+    omitted
+        Speeds without an equilibrium [rad/s], which are omitted, with the reason.
+    rotors
+        Wind rotors whose modes are in multi-blade coordinates.
     """
 
     body: str
@@ -113,6 +114,8 @@ class Campbell:
     modes: WhirlModes
     total: int
     notes: tuple[str, ...] = ()
+    omitted: Mapping[float, str] = field(default_factory=dict)
+    rotors: tuple[str, ...] = ()
 
 
 def follow_modes(
@@ -132,15 +135,19 @@ def follow_modes(
         raise SolverError(f"no body {body!r}; there are: {known}", INCONSISTENT)
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linear or linearise(system, scenario, turning=body)
-    own, parts = linear.system, linear.at_rest
     rates = rates_of(linear, body, scenario)
     total = linear.basis.shape[1]
     wanted = min(count if count is not None else total if total <= ALL else FEW, total)
-    at = lru_cache(RECENT)(lambda speed: at_speeds(linear, speed * rates))
+    over = over_speed(linear, rates)
+    over.prepare(omega)
+    linear = over.reference
+    few = not over.rotors or system.sizes["nd"] > KEPT
+    at = lru_cache(RECENT if few else RECENT + omega.size)(over.at)
+    own, parts = linear.system, linear.at_rest
     modes = WhirlModes(linear, at, omega, wanted if wanted < total else None)
     n = min(wanted, len(modes.modes.omega))
     at_rest = modes.modes.shapes[:n]
-    values, shapes = _branches(modes, omega, at_rest, symmetric(parts.M), progress)
+    omega, values, shapes, turning, omitted = _branches(modes, omega, at_rest, symmetric(parts.M), progress)
     motions = motions_of(own, linear.state, parts)
     spins = spins_of(motions, rates)
     energies = tuple(
@@ -148,22 +155,22 @@ def follow_modes(
             motions,
             z,
             np.where(modes.modes.omega[:n] == 0.0, 0.0, v),
-            gyroscopic_terms(z, modes.at(s).D),
+            terms,
             s * spins,
         )
-        for s, v, z in zip(omega, values, shapes, strict=True)
+        for s, v, z, terms in zip(omega, values, shapes, turning, strict=True)
     )
     words = tuple(tuple(whirl_words(e)) for e in energies)
     rest = energies_of(
         motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), 0.0 * at_rest, 0.0 * spins
     )
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
-    turning = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
-    usual = (
-        [Counter(row[k] for row in reversed(turning)).most_common(1)[0][0] for k in range(n)]
-        if turning
-        else None
-    )
+    rotating = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
+    usual = _usual(rotating) if rotating else None
+    blades = None
+    if linear.axes is not None and rotating:
+        turned = shapes[omega != 0.0]
+        blades = _usual([linear.axes.ways(z, parts.M) for z in turned])
     return Campbell(
         body=body,
         speed=omega,
@@ -171,7 +178,7 @@ def follow_modes(
         shape=shapes,
         frequency=values.imag / (2.0 * np.pi),
         damping_ratio=ratio_of(values),
-        names=full_names(named, usual),
+        names=full_names(named, usual, blades),
         character=_character(shapes, at_rest, symmetric(parts.M), [(x.words, x.number) for x in named]),
         whirl=words,
         whirl_index=np.array([whirl_index(e) for e in energies]).reshape(omega.size, n),
@@ -182,22 +189,52 @@ def follow_modes(
         modes=modes,
         total=total,
         notes=(*linear.notes, *modes.modes.notes),
+        omitted=omitted,
+        rotors=over.rotors,
     )
+
+
+def _usual(words: Sequence[Sequence[str]]) -> list[str]:
+    """Most frequent word of each mode over the speeds; of equally frequent ones that at the highest speed."""
+    return [Counter(column).most_common(1)[0][0] for column in zip(*reversed(words), strict=True)]
 
 
 def _branches(
     modes: WhirlModes, omega: Array, at_rest: Array, M: Array, progress: Progress
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues (n_speed, n) and shapes (n_speed, n, nd) of continuous curves that start as at rest."""
-    n = len(at_rest)
-    found, shapes = np.zeros((omega.size, n), complex), np.zeros((omega.size, *at_rest.shape), complex)
+) -> tuple[Array, Complex, Complex, Array, dict[float, str]]:
+    """Continuous curves that start as at rest, and the speeds without an equilibrium with the reason.
+
+    Returns the other speeds (n_speed,), eigenvalues (n_speed, n), shapes (n_speed, n, nd) and their
+    gyroscopic terms.
+    """
+    found: list[Complex] = []
+    shapes: list[Complex] = []
+    turning: list[Array] = []
+    kept: list[float] = []
+    omitted: dict[float, str] = {}
     last = normalised(at_rest.astype(complex), M)
-    for s, speed in enumerate(omega):
-        before = None if s == 0 else float(omega[s - 1])
-        found[s], last = _step(modes, M, before, float(speed), last, DIVISIONS)
-        shapes[s] = last
+    for s, speed in enumerate(map(float, omega)):
+        before = kept[-1] if kept else None
+        try:
+            values, last = _step(modes, M, before, speed, last, DIVISIONS)
+        except SolverError as error:
+            omitted[speed] = str(error)
+            if len(omitted) == len(omega):
+                raise
+        else:
+            found.append(values)
+            shapes.append(last)
+            turning.append(gyroscopic_terms(last, modes.at(speed).D))
+            kept.append(speed)
         progress(s + 1, omega.size, "speeds")
-    return found, shapes
+    n = len(at_rest)
+    return (
+        np.array(kept),
+        np.array(found, complex).reshape(len(kept), n),
+        np.array(shapes, complex).reshape(len(kept), *at_rest.shape),
+        np.array(turning, float).reshape(len(kept), *at_rest.shape),
+        omitted,
+    )
 
 
 def _step(
@@ -217,7 +254,16 @@ def _step(
         middle = 0.5 * (before + speed)
         _, last = _step(modes, M, before, middle, last, divisions - 1)
         return _step(modes, M, middle, speed, last, divisions - 1)
-    return values[order], z[order]
+    return _with_rigid_modes(modes, (values[order], z[order]), last, likeness[np.arange(len(order)), order])
+
+
+def _with_rigid_modes(modes: WhirlModes, found: Found, last: Complex, likeness: Array) -> Found:
+    """Rigid rotations that forces damp need not be among the computed modes: they then have no frequency."""
+    values, z = found
+    lost = (modes.modes.omega[: len(values)] == 0.0) & (likeness < SIMILAR)
+    if not lost.any():
+        return found
+    return np.where(lost, 0.0, values), np.where(lost[:, None], last, z)
 
 
 def _character(
@@ -237,57 +283,3 @@ def _character(
         other = share[best, np.arange(len(own))] > share[own, np.arange(len(own))] + 1e-9
         found[s] = np.where(other, first[best], found[s])
     return found
-
-
-def at_speeds(linear: Linearised, rates: Array) -> Linearised:
-    """The linear system at other speeds; with bodies in trees, about the equilibrium at these speeds."""
-    stopped = _at_zero_speed(linear)
-    if np.any(linear.system.program["body"]["joint"] == GENERAL):
-        return _steady(linear, stopped, rates)
-    return _turning(linear, stopped, rates)
-
-
-def _at_zero_speed(linear: Linearised) -> State:
-    """Copy of the operating point with zero speeds."""
-    stopped = linear.state.copy()
-    stopped.v[:] = 0.0
-    return stopped
-
-
-def _turning(linear: Linearised, stopped: State, rates: Array) -> Linearised:
-    """The linear system at other speeds in the same position, for systems without trees of bodies."""
-    at_rest, turning = linear.at_rest, stopped.copy()
-    turning.v = rates
-    D, K = (
-        evaluate.matrix(linear.system, turning, 0.0, cd, ck)
-        - evaluate.matrix(linear.system, stopped, 0.0, cd, ck)
-        for cd, ck in ((1.0, 0.0), (0.0, 1.0))
-    )
-    return replace(linear, D=at_rest.D + D, K=at_rest.K + K)
-
-
-def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
-    """The linear system about the relative equilibrium at other speeds: bodies in trees move outwards.
-
-    Mesh stiffness is that at rest. Unloaded flanks are closed at every speed, as they are at rest.
-    """
-    system, turning = linear.system.copy(), stopped.copy()
-    turning.v = rates
-    state = find_equilibrium(system, turning, linear.held).state
-    close_backlash(system, state, linear.flanks)
-    at_rest = state.copy()
-    at_rest.v[:] = 0.0
-    elastic = linear.at_rest.K.copy()
-    for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
-        if kind == "rotation":  # centrifugal part at the speeds of the scenario
-            elastic[np.ix_(share.places, share.places)] -= share.matrix
-    mean = elastic - evaluate.matrix(linear.system, stopped, 0.0, 0.0, 1.0)
-    mean_D = linear.at_rest.D - evaluate.matrix(linear.system, stopped, 0.0, 1.0, 0.0)
-    D = mean_D + evaluate.matrix(system, state, 0.0, 1.0, 0.0)
-    K = mean + evaluate.matrix(system, state, 0.0, 0.0, 1.0)
-    M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)
-    K_rest = mean + evaluate.matrix(system, at_rest, 0.0, 0.0, 1.0)
-    K_rest = K_rest + inertial_stiffness(system, state, at_rest, linear.rigid)
-    parts = replace(linear.at_rest, M=M, K=K_rest)
-    basis = free_directions(system, state, system.states.tolist())
-    return replace(linear, system=system, state=state, at_rest=parts, D=D, K=K, basis=basis)

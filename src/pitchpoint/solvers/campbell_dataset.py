@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.core.units import format_quantity
 from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
 from pitchpoint.solvers.excitation_orders import USUAL, Order, Orders, excitation_orders
@@ -25,6 +26,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.scenario import Scenario
+
+
+NO_EQUILIBRIUM = "no equilibrium at"
+"""First words of the note on speeds that are omitted."""
+NAMED = 4
+"""Most speeds without an equilibrium that a note lists."""
 
 
 def solve_campbell(
@@ -74,7 +81,7 @@ def solve_campbell(
     Raises
     ------
     SolverError
-        If the body or scenario does not exist, an order is unknown, or there is no equilibrium.
+        If the body or scenario does not exist, an order is unknown, or there is no equilibrium at any speed.
 
     Notes
     -----
@@ -94,7 +101,8 @@ def solve_campbell(
     Over `unstable`, ranges of speeds in which a mode grows, lowest damping first: unstable_mode (number),
     unstable_from, unstable_to, unstable_damping_ratio, unstable_source (component that feeds energy).
 
-    The attribute `dissipation` is "none" if the model has no damping.
+    The attribute `dissipation` is "none" if the model has no damping. Speeds without an equilibrium are
+    omitted; the attribute `omitted_speed` has them. `multiblade` names rotors in multi-blade coordinates.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
@@ -138,9 +146,15 @@ def campbell_dataset(
     attrs = attributes(system, "campbell", wall_s=wall, body=found.body)
     undamped = is_undamped(found.modes.linear)
     notes = [*found.notes, *([undamped_note(unstable[0].damping_ratio)] if undamped and unstable else [])]
+    if found.omitted:
+        notes.append(omitted_words(found))
     more: dict[str, Any] = {"body": found.body, "ranking": RANKING, "notes": join_notes(notes)}
     if undamped:
         more["dissipation"] = "none"
+    if found.omitted:
+        more["omitted_speed"] = sorted(found.omitted)
+    if found.rotors:
+        more["multiblade"] = ", ".join(found.rotors)
     if operating is not None:
         more["operating_speed"] = [float(x) for x in operating]
     return xr.Dataset(
@@ -148,6 +162,15 @@ def campbell_dataset(
         coords=coords,
         attrs={**attrs, **more},
     )
+
+
+def omitted_words(found: Campbell) -> str:
+    """The speeds without an equilibrium, which are omitted, and the reason at the first of them."""
+    speeds = sorted(found.omitted)
+    texts = [format_quantity(speed, "angular_speed", 4) for speed in speeds]
+    words = ", ".join(texts) if len(texts) <= NAMED else f"{texts[0]} to {texts[-1]} ({len(texts)} speeds)"
+    plural = "these speeds are" if len(texts) > 1 else "this speed is"
+    return f"{NO_EQUILIBRIUM} {words} of {found.body}, {plural} omitted: {found.omitted[speeds[0]]}"
 
 
 Rows = dict[str, tuple[Any, Any, str, str]]

@@ -51,10 +51,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.eigen import ratio_of
-from pitchpoint.solvers.excitation_orders import LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
+from pitchpoint.solvers.excitation_orders import BLADES, LOAD, MESH, RIPPLE, SHAFT, SIDEBAND, Order
 from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.load_orders import alignment
 from pitchpoint.solvers.modes.energies import (
@@ -76,6 +77,7 @@ ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault",
 SHUTTLING = "shuttling force"
 UNBALANCE, MISALIGNMENT = "unbalance", "misalignment"
 TORQUE, DRIVEN = "pulsating torque", "ripple of the drive"
+PASSING = "blade passing"
 BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 """Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
 ROTATION = WAYS.index("rotation")
@@ -136,7 +138,7 @@ class CriticalSpeed:
         Whirl of the mode at this speed.
     source
         What drives the mode: unbalance, misalignment, run-out, transmission error, shuttling force, pulsating
-        torque, ripple of the drive, bearing fault, given order.
+        torque, ripple of the drive, blade passing, bearing fault, given order.
     participation
         Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, shuttling
         force, run-out, bearing fault) of the mode where the order acts, 0 to 1; of transmission errors that
@@ -166,6 +168,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     """Crossings of all branches and orders in the range of the speeds, in order of their rank."""
     forward = np.argsort(found.speed, kind="stable")
     phases: Phases | None = None
+    solve = _interpolate if found.rotors else _solve
     solved, turning = [], []
     by_teeth: list[ByTeeth | None] = []
     for order in orders:
@@ -177,8 +180,11 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         phases = phases or moving_phases(found.motions.system, found.motions.state, found.rates)
         source = _source(found, order, phases)
         for mode, ends in crossings:
-            speed, value, shape, slope = _solve(found, order.value, mode, ends)
-            at = found.modes.at(speed)  # as in the last step of the solution
+            try:
+                speed, value, shape, slope = solve(found, order.value, mode, ends)
+            except SolverError:  # no equilibrium at a speed between the computed ones
+                continue
+            at = found.modes.at(_nearest(found, speed) if found.rotors else speed)  # as in the solution
             solved.append((order, mode, speed, value, shape, slope))
             turning.append(gyroscopic_terms(shape[None], at.D)[0])
             near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
@@ -268,6 +274,36 @@ def _solve(
     return last, value, shape, 1.0 + slope * 2.0 * math.pi / (order * math.copysign(1.0, last))
 
 
+def _interpolate(
+    found: Campbell, order: float, mode: int, at: tuple[int, int]
+) -> tuple[float, complex, NDArray[np.complex128], float]:
+    """As `_solve` between the computed points: matrices of turning rotors require several equilibria each."""
+    from scipy.interpolate import PchipInterpolator
+    from scipy.optimize import brentq
+
+    forward = np.argsort(found.speed, kind="stable")
+    curve = PchipInterpolator(
+        found.speed[forward], found.eigenvalue[forward, mode].view(float).reshape(-1, 2)
+    )
+    sense = math.copysign(1.0, float(found.speed[list(at)].sum()))
+
+    def gap(speed: float) -> float:
+        """Circular natural frequency less that of the order [rad/s]."""
+        return float(curve(speed)[1]) - order * sense * speed
+
+    ends = [float(found.speed[k]) for k in at]
+    last = next((end for end in ends if gap(end) == 0.0), None)
+    speed = float(brentq(gap, ends[0], ends[1])) if last is None else last
+    slope = float(curve(speed, 1)[1]) * sense / order
+    near = int(np.argmin(np.abs(found.speed - speed)))
+    return speed, complex(*curve(speed)), found.shape[near, mode], slope
+
+
+def _nearest(found: Campbell, speed: float) -> float:
+    """Computed speed that is closest to a speed."""
+    return float(found.speed[int(np.argmin(np.abs(found.speed - speed)))])
+
+
 def _critical(
     found: Campbell,
     crossing: tuple[Order, int, float, complex, Complex],
@@ -318,6 +354,7 @@ def driven_by(motions: Motions, energies: Energies, k: int, order: Order) -> tup
       energy of the mean tooth deflection of their meshes;
     * higher orders of a shaft: misalignment, kinetic energy of its lateral motion; or run-out;
     * torques: kinetic energy of the rotation of the bodies on which they act;
+    * passing of blades, by wind shear and tower: kinetic energy of hub and blades;
     * ripple of a drive: strain energy of the components on the driven body;
     * other orders: strain energy of the bearing named by the order, such as `BPFO front`; otherwise 1.
     """
@@ -336,6 +373,8 @@ def driven_by(motions: Motions, energies: Energies, k: int, order: Order) -> tup
     if order.kind == LOAD:
         moved = [p for p in range(len(groups.parts)) if groups.moves[p] in order.parts]
         return TORQUE, float(energies.kinetic[k, moved, ROTATION].sum())
+    if order.kind == BLADES:
+        return PASSING, float(energies.kinetic[k, list(order.parts)].sum())
     if order.kind == RIPPLE:
         joined = [e for e, ends in enumerate(groups.ends) if set(ends) & set(order.parts)]
         return DRIVEN, float(strain[joined].sum())

@@ -306,6 +306,6 @@ def _rest_at(system: System, near: State, held: tuple[int, ...], like: State, ra
     """Equilibrium under the loads at given rates; the result has the rates of `like`."""
     start = near.copy()
     start.v[:] = rates
-    found = find_equilibrium(system, start, held).state
+    found = find_equilibrium(system, start, held, near=True).state
     found.v[:] = like.v
     return found

@@ -23,13 +23,17 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands", "loads")
+USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands", "loads", "blades")
 """Default orders: once and twice per revolution of every shaft, mesh frequencies with one pair of sidebands
-per gear, twice the mesh frequencies, and the harmonics of torques and drives."""
+per gear, twice the mesh frequencies, the harmonics of torques and drives, and the passing of blades."""
 Orders = Sequence[str | float] | str
 """Orders: words and numbers, or one text with commas between them."""
 SHAFT, MESH, SIDEBAND, OTHER = "shaft", "mesh", "sideband", "other"
 LOAD, RIPPLE = "load", "ripple"
+BLADES = "blades"
+"""Word and kind of the orders of a wind rotor: multiples of its number of blades."""
+PASSINGS = 3
+"""Multiples of the number of blades: 3P, 6P and 9P of three blades."""
 EQUAL = 1e-9
 """Relative distance of orders that are one line."""
 LOADS = "loads"
@@ -51,7 +55,7 @@ class Order:
     value
         Periods per revolution of the reference body.
     kind
-        `shaft`, `mesh`, `sideband`, `load` (a torque), `ripple` (of a drive) or `other`.
+        `shaft`, `mesh`, `sideband`, `load` (a torque), `ripple` (of a drive), `blades` or `other`.
     harmonic
         Number of the harmonic of the shaft or mesh.
     parts, meshes
@@ -88,8 +92,9 @@ def excitation_orders(
     chosen
         `3x` for the third order of every shaft, `mesh` and `2mesh` for mesh harmonics, `sidebands` and
         `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, `loads` for
-        the harmonics of torques that repeat with the angle of a body, and of the ripples of drives, numbers;
-        a sequence, or a text such as `mesh,2`.
+        the harmonics of torques that repeat with the angle of a body, and of the ripples of drives, `blades`
+        for the multiples of the number of blades of wind rotors, numbers; a sequence, or a text such as
+        `mesh,2`. The shaft of a wind rotor has its first order only, 1P: the others are those of the blades.
     others
         Further orders by name, such as those of bearing faults.
 
@@ -99,14 +104,23 @@ def excitation_orders(
         If a word is unknown.
     """
     words = order_words(chosen)
-    shafts, meshes, bands, more = read_orders([word for word in words if word != LOADS])
+    shafts, meshes, bands, more = read_orders([word for word in words if word not in (LOADS, BLADES)])
     turning = _shafts(system, motions, rates)
+    rotors = _rotors(system, motions, rates)
     teeth = _grouped([(name, value, (name,)) for name, value in mesh_orders(system, rates).items()])
-    found = [
-        Order(f"{n}× {name}", n * value, SHAFT, n, tuple(own), _on(system, motions, own))
-        for n in shafts
-        for name, value, own in turning
-    ]
+    found = []
+    for n in shafts:
+        for name, value, parts in turning:
+            bladed = [rotor for rotor in rotors if rotor.part in parts]
+            if not bladed or n == 1:
+                label = f"1P{bladed[0].mark}" if bladed else f"{n}× {name}"
+                found.append(Order(label, n * value, SHAFT, n, tuple(parts), _on(system, motions, parts)))
+    if BLADES in words:
+        found += [
+            Order(f"{n * r.blades}P{r.mark}", n * r.blades * r.speed, BLADES, n, r.parts)
+            for r in rotors
+            for n in range(1, PASSINGS + 1)
+        ]
     for n in meshes:
         for name, value, own in teeth:
             label = f"mesh {name}" if n == 1 else f"{n}× mesh {name}"
@@ -148,6 +162,39 @@ def _of_loads(system: System, motions: Motions, rates: Array) -> list[Order]:
         found.append(
             Order(name, own[0].order * own[0].speed, RIPPLE if ripple else LOAD, 1, parts, (), tuple(own))
         )
+    return found
+
+
+@dataclass(frozen=True)
+class _Rotor:
+    """Turning wind rotor: part of its hub, parts of hub and blades, number of blades, speed, its name in
+    orders if there are several."""
+
+    part: int
+    parts: tuple[int, ...]
+    blades: int
+    speed: float
+    mark: str
+
+
+def _rotors(system: System, motions: Motions, rates: Array) -> list[_Rotor]:
+    """Wind rotors that turn."""
+    if system.model is None:
+        return []
+    groups, speed, names = motions.groups, _speeds(motions, rates), system.layout.bodies
+    table = system.program["body"]
+    found = []
+    for name, rotor in system.model.wind_rotors.items():
+        hub = names.index(rotor.hub.partition(".")[0])
+        if not speed[hub] > 0.0:
+            continue
+        carried = [hub]
+        for b in range(hub + 1, len(table)):
+            if int(table[b]["parent"]) in carried and not table[b]["state"]:
+                carried.append(b)
+        mark = f" {name}" if len(system.model.wind_rotors) > 1 else ""
+        parts = tuple(dict.fromkeys(groups.part[b] for b in carried))
+        found.append(_Rotor(groups.carried[hub], parts, rotor.blades, float(speed[hub]), mark))
     return found
 
 
@@ -195,7 +242,7 @@ def read_orders(chosen: Orders) -> tuple[list[int], list[int], int, list[float]]
         else:
             raise SolverError(
                 f"orders: {word!r} is not an order; use 1x, 2x (shafts), mesh, 2mesh, sidebands, 2sidebands, "
-                "loads or a number; fault frequencies: more_orders in Python, bearings in the command",
+                "loads, blades, a number; fault frequencies: more_orders in Python, bearings in the command",
                 INCONSISTENT,
             )
     return sorted(set(shafts)), sorted(set(meshes)), bands, more
@@ -232,11 +279,18 @@ def _shafts(system: System, motions: Motions, rates: Array) -> list[tuple[str, f
     """Shafts by speed: name, order and parts."""
     groups, speed = motions.groups, _speeds(motions, rates)
     rows = []
+    body = system.program["body"]
     for part in dict.fromkeys(groups.carried):
-        if part >= 0 and groups.rotates[part]:
-            own = max(float(speed[b]) for b, p in enumerate(groups.carried) if p == part)
-            rows.append((groups.parts[part], own, (part,)))
+        bodies = [b for b, p in enumerate(groups.carried) if p == part]
+        if part >= 0 and groups.rotates[part] and any(_spins(body[b], rates) for b in bodies):
+            rows.append((groups.parts[part], max(float(speed[b]) for b in bodies), (part,)))
     return _grouped(rows)
+
+
+def _spins(body: np.void, rates: Array) -> bool:
+    """Whether a body turns in its own bearings; a blade on a pitch bearing is only carried by its hub."""
+    spin = int(body["spin"])
+    return spin >= 0 and abs(float(rates[spin])) > EQUAL * float(np.abs(rates).max())
 
 
 def _on(system: System, motions: Motions, parts: Sequence[int]) -> tuple[str, ...]:

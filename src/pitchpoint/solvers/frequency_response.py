@@ -22,11 +22,11 @@ from pitchpoint.core.errors import Message, ModelError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
 from pitchpoint.solvers.harmonic_response import harmonic_response
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, check_names, find_ports
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest, rates_of
+from pitchpoint.solvers.over_speed import at_one_azimuth
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -116,9 +116,10 @@ def find_response(
     basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
     matrices = matrices_of(linear)
+    over = None if rates is None else at_one_azimuth(linear, rates)
     for f, omega in enumerate(2.0 * np.pi * hertz):
-        at = linear if rates is None else at_speeds(linear, omega * rates)
-        matrices = matrices if rates is None else matrices_of(at)
+        at = linear if over is None else over.at(float(omega))
+        matrices = matrices if over is None else matrices_of(at)
         found[f] = respond(at, matrices, basis, ins, outs, float(omega))
         progress(f + 1, hertz.size, "frequencies")
     names, units = tuple(i.name for i in ins), tuple(i.unit for i in ins)

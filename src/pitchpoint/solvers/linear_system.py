@@ -48,6 +48,8 @@ SPARSE = 0.3
 
 MAX_COORDINATES = 20_000
 """Largest number of coordinates of a linear system; each matrix then takes three gigabytes."""
+ONE_POSITION = "hold for one position of it"
+"""Words of the notes on bodies that rotate and are not of revolution."""
 ACCURATE = 1e-4
 """Relative rounding error of a natural frequency above which it is noted."""
 
@@ -78,6 +80,8 @@ class Linearised:
         Notes for the user.
     at
         Which state of a sweep this is, in words; else empty.
+    axes
+        Multi-blade coordinates (`turning_rotors.TurningRotors`) if the matrices are in them.
     """
 
     system: System
@@ -92,6 +96,7 @@ class Linearised:
     flanks: Mapping[str, int]
     notes: tuple[str, ...]
     at: str = ""
+    axes: Any = None
 
 
 def _frictionless_point(
@@ -219,15 +224,15 @@ def _of_one_position(system: System, state: State) -> tuple[str, ...]:
     notes = []
     if turning:
         notes.append(
-            f"the modes of {', '.join(turning)} rotate with the body: the results hold for one position of "
-            "it; elastic shafts have no such limit"
+            f"the modes of {', '.join(turning)} rotate with the body: the results {ONE_POSITION}; "
+            "elastic shafts have no such limit"
         )
     elif state.v.any() and not elastic:
         moving = changing(system, state, {}, state.v / np.abs(state.v).max())[1]
         if moving:
             notes.append(
                 f"the inertia of {', '.join(names[b] for b in moving)} changes as it rotates: the results "
-                "hold for one position of it"
+                f"{ONE_POSITION}"
             )
     return tuple(notes)
 

@@ -20,13 +20,13 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.core.words import ranges
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.inputs_outputs import check_names, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.mesh_excitation import mesh_excitation
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.over_speed import at_one_azimuth
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import System
 
@@ -183,8 +183,9 @@ def find_mesh_response(
     ]
     response = np.zeros((turning.size, len(orders), harmonics, len(outputs)), complex)
     rise = np.array(powers)
+    over = at_one_azimuth(linear, rates)
     for s, speed in enumerate(turning):
-        at = at_speeds(linear, abs(speed) * rates)
+        at = over.at(abs(float(speed)))
         matrices = matrices_of(at)
         for m, order in enumerate(orders.values()):
             for h in range(1, harmonics + 1):

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.eigen import LEFT_OVER, symmetric
 from pitchpoint.solvers.linear_system import Linearised, damped_modes, lowest
 
@@ -290,7 +291,10 @@ def _quadratic(linear: Linearised, at: Callable[[float], Linearised], speeds: Ar
     low, high = float(np.min(speeds)), float(np.max(speeds))
     if high - low <= 0.0 or len(speeds) <= 4:
         return None
-    nodes = [at(s) for s in (low, 0.5 * (low + high), high)]
+    try:
+        nodes = [at(s) for s in (low, 0.5 * (low + high), high)]
+    except SolverError:  # no equilibrium at one of them
+        return None
     if not all(_same_inertia(linear, node) for node in nodes):
         return None
     D, K = (np.array([getattr(node, name) for node in nodes]) for name in "DK")

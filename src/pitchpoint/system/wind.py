@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,9 @@ from pitchpoint.elements import wind as kernels
 from pitchpoint.model.wind.box import WindBox
 from pitchpoint.model.wind.iec import GUSTS, Gust
 from pitchpoint.model.wind.steady import PROFILES, SteadyWind
+
+if TYPE_CHECKING:
+    from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
@@ -170,3 +174,28 @@ def add_mean(box: WindBox, steady: SteadyWind) -> WindBox:
     at = np.stack([np.zeros_like(y), y, z], axis=-1).reshape(-1, 3)
     mean = WindField(steady).velocity(at, 0.0).reshape(*y.shape, 3)
     return replace(box, velocity=(box.velocity + mean).astype(np.float32), with_mean=True)
+
+
+def has_wind(system: System) -> bool:
+    """Whether a system has rotors in the wind."""
+    return any("wind" in (bank.dtype.names or ()) for bank in system.records.values())
+
+
+def with_wind(system: System, factor: float) -> System:
+    """Copy of a system with all steady winds and gusts multiplied by a factor, in the same directions.
+
+    Boxes of turbulence are unchanged.
+
+    Parameters
+    ----------
+    system
+        The system.
+    factor
+        The factor.
+    """
+    found = system.copy()
+    for bank in found.records.values():
+        if "wind" in (bank.dtype.names or ()):
+            for field in ("level", "rise"):
+                bank["wind"][field] *= factor
+    return found

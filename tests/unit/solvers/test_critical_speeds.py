@@ -13,12 +13,13 @@ import pitchpoint as pp
 from pitchpoint.analysis.campbell_ranking import ranked_speeds, select_modes
 from pitchpoint.core.errors import SolverError
 from pitchpoint.report.campbell import campbell_of
-from pitchpoint.solvers.campbell import at_speeds, follow_modes
+from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.critical_speeds import critical_speeds, separation
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import excitation_orders
 from pitchpoint.solvers.linear_system import damped_modes
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.over_speed import at_one_azimuth
 from tests.support.machines import compiled, pair
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "geared-rotor" / "model.yaml"
@@ -223,7 +224,7 @@ def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
     assert found.modes.basis is not None
     assert list(found.modes.exact) == pytest.approx([300.0 * RPM, 3750.0 * RPM, 7200.0 * RPM])
     for s in (3, 12, 22):
-        linear = at_speeds(found.modes.linear, found.speed[s] * found.rates)
+        linear = at_one_azimuth(found.modes.linear, found.rates).at(found.speed[s])
         exact = damped_modes(linear, found.modes.modes)[0]
         assert found.eigenvalue[s, 1:].imag == pytest.approx(
             _matched(found.eigenvalue[s, 1:], exact).imag, rel=1e-7
@@ -233,7 +234,9 @@ def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
         )
     orders = excitation_orders(geared, found.motions, found.rates, ["1x", "mesh"])
     for c in critical_speeds(found, orders)[:6]:
-        exact = damped_modes(at_speeds(found.modes.linear, c.speed * found.rates), found.modes.modes)[0]
+        exact = damped_modes(at_one_azimuth(found.modes.linear, found.rates).at(c.speed), found.modes.modes)[
+            0
+        ]
         assert np.abs(exact.imag / (2.0 * math.pi) - c.frequency).min() < 1e-6 * c.frequency
 
 
@@ -336,7 +339,9 @@ def test_finely_divided_shafts_need_few_solutions_of_the_whole_system(geared):
     found = follow_modes(pp.compile_model(fine, "fast"), np.linspace(300.0, 7200.0, 30) * RPM, "rotor")
     assert found.shape.shape[2] == 132
     assert len(found.modes.exact) < 9
-    exact = damped_modes(at_speeds(found.modes.linear, found.speed[7] * found.rates), found.modes.modes)[0]
+    exact = damped_modes(
+        at_one_azimuth(found.modes.linear, found.rates).at(found.speed[7]), found.modes.modes
+    )[0]
     assert found.eigenvalue[7, 1:] == pytest.approx(_matched(found.eigenvalue[7, 1:], exact), rel=1e-8)
 
 

@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.analysis.campbell_ranking import LARGE, ranked_speeds
 from pitchpoint.analysis.planet_frequencies import excited_motion
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.campbell import Campbell, at_speeds, follow_modes
+from pitchpoint.solvers.campbell import Campbell, follow_modes
 from pitchpoint.solvers.campbell_dataset import campbell_dataset
 from pitchpoint.solvers.critical_speeds import CriticalSpeed, critical_speeds
 from pitchpoint.solvers.cycle_means import moving_phases
@@ -20,6 +20,7 @@ from pitchpoint.solvers.excitation_orders import excitation_orders
 from pitchpoint.solvers.frequency_response import matrices_of, respond
 from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.over_speed import at_one_azimuth
 from pitchpoint.solvers.tooth_response import Source, teeth_of
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.system import System
@@ -131,7 +132,7 @@ def response(found: Campbell, c: CriticalSpeed) -> tuple[float, float, float]:
     a_j = |p^T z_j|^2/omega_j^2 and r_j = f/f_j; without its static value a_j h_j, h_j = (r_j^2 - 2 i zeta_j
     r_j)/(1 - r_j^2 + 2 i zeta_j r_j). The bounds are the sums of a_j |h_j| and a_j |Im h_j| over other modes.
     """
-    linear = at_speeds(found.modes.linear, c.speed * found.rates)
+    linear = at_one_azimuth(found.modes.linear, found.rates).at(c.speed)
     source = excited(found, c)
     (port,) = find_inputs(linear, [f"transmission_error[{c.order.meshes[0]}]"])
     none = np.zeros_like(port.force)
@@ -213,7 +214,7 @@ def test_tilted_flanks_take_no_energy_from_the_transmission_error() -> None:
     assert energies.strain[1:].sum(axis=1) == pytest.approx(1.0, abs=1e-12)
     assert np.all(energies.teeth[:, 0] <= energies.strain[:, mesh] + 1e-3)  # less the geometric stiffness
     system = built(TILTING)
-    at = at_speeds(found.modes.linear, tilting.speed * found.rates)
+    at = at_one_azimuth(found.modes.linear, found.rates).at(tilting.speed)
     ins, outs = find_inputs(at, ["transmission_error[m]"]), find_outputs(at, ["A.rx", "A.ry", "A.ux"])
     moved = np.abs(respond(at, matrices_of(at), at.basis, ins, outs, math.tau * tilting.frequency))[:, 0]
     assert moved[:2] == pytest.approx(0.0, abs=1e-9 * moved[2])
@@ -250,7 +251,7 @@ def test_axial_mode_on_a_soft_bearing_is_listed_if_the_error_drives_it(beta: flo
         return
     assert row.participation < 1e-3
     assert row.amplification < 0.1 < LARGE < row.response
-    at = at_speeds(found.modes.linear, axial.speed * found.rates)
+    at = at_one_azimuth(found.modes.linear, found.rates).at(axial.speed)
     ins, outs = find_inputs(at, ["transmission_error[m]"]), find_outputs(at, ["B.uz"])
     moved = abs(respond(at, matrices_of(at), at.basis, ins, outs, math.tau * axial.frequency)[0, 0])
     mean = math.sqrt(moved * stiffness * moved / found.motions.laws["m"].mean)

@@ -213,5 +213,6 @@ def test_rounding_of_a_rigid_rotation_is_not_an_unstable_mode():
         speed=np.arange(3.0),
         eigenvalue=eigenvalue,
         damping_ratio=-eigenvalue.real / np.abs(eigenvalue),
+        rotors=(),
     )
     assert unstable_modes(found) == ()

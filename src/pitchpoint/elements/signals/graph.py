@@ -153,10 +153,10 @@ def make_records(
         if node.op >= TORQUE:
             numbers = np.zeros(12)
         record["start"] = pool.add(numbers)
-    links = _links(ordered, records, slot, column, size, sources)
+    links, moved = _links(ordered, records, slot, column, size, sources)
     records = np.concatenate([records, links])
     records["nodes"], records["sources"] = size, sources
-    names = [node.name for node in ordered] + [f"link{k}" for k in range(links.size)]
+    names = [node.name for node in ordered] + [f"{name}.link{k}" for k, name in enumerate(moved)]
     laws = [node.law for node in ordered] + [None] * links.size
     return records, names, pool.array(), laws
 
@@ -168,11 +168,14 @@ def _links(
     column: dict[str, int],
     size: int,
     sources: int,
-) -> NDArray[np.void]:
-    """Link records: tangent of each end of each actuator by each body of each source that it depends on."""
+) -> tuple[NDArray[np.void], list[str]]:
+    """Link records: tangent of each end of each actuator by each body of each source that it depends on.
+
+    Also the name of the actuator of each.
+    """
     follows = _sources(ordered)
     by_name = {node.name: record for node, record in zip(ordered, records, strict=True)}
-    rows = []
+    rows, names = [], []
     for node in ordered:
         if node.op < TORQUE:
             continue
@@ -192,7 +195,8 @@ def _links(
                     link["b"] = size * (1 + sources) + ROW * (2 * column[source] + side)
                     link["c"] = size + slot[node.inputs[0]] * sources + column[source]
                     rows.append(link)
-    return np.array(rows, RECORD).reshape(-1)
+                    names.append(node.name)
+    return np.array(rows, RECORD).reshape(-1), names
 
 
 def unit_code(unit: str) -> int:

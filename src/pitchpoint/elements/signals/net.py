@@ -253,8 +253,8 @@ class SignalNet:
         if not (time_constant > 0.0 and rate > 0.0):
             raise CompileError(f"signal {name!r}: its time constant and rate must be positive")
         self.linear(f"{name}.change", {x: 1.0 / time_constant, name: -1.0 / time_constant})
-        self.saturation(f"{name}.limited", f"{name}.change", -rate, rate)
-        self.integrator(name, f"{name}.limited", start)
+        self.saturation(f"{name}{sr.LIMITED}", f"{name}.change", -rate, rate)
+        self.integrator(name, f"{name}{sr.LIMITED}", start)
 
     def second_order(self, name: str, x: str, omega: float, zeta: float) -> None:
         """Add a second-order filter, y'' + 2 zeta omega y' + omega^2 y = omega^2 x."""

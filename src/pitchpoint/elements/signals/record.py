@@ -33,6 +33,9 @@ TORQUE, STRUT, FORCE, RATE = range(30, 34)
 LINK = 40
 """Tangent of the actuator on body i by the motion of body j."""
 
+LIMITED = ".limited"
+"""End of the name of the limited rate of a state."""
+
 WORLD, BODY_I, BODY_J = 0, 1, 2
 """Axes of the direction of a `FORCE`."""
 TIME, NOTHING = -1, -2

@@ -9,7 +9,8 @@ step (see `equilibrium.solve`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,15 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.constraints.assembly import REDUNDANT, close_loops, loop_rows
 from pitchpoint.solvers.equilibrium.approach import Contacts
-from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, extents, slopes
+from pitchpoint.solvers.equilibrium.unknowns import (
+    FACTORISED,
+    GROWTH,
+    ROUNDING,
+    SOFTENING,
+    extents,
+    factorised,
+    slopes,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source
@@ -30,7 +39,7 @@ MAX_STEPS = 300
 FIRST = 1e2
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 LONGEST = 0.3
-"""Largest step of a coordinate [m, rad]."""
+"""Largest step of a coordinate [rad], of displacements over the size of the machine or 1 m."""
 LEFT_OVER = 1e-13
 """Relative rounding error of the balance of forces."""
 
@@ -81,6 +90,8 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     holds = loop_rows(system)
     here, contacts = _closed(system, state, kept, drawn=True), Contacts.of(system)
+    undeflected = replace(system.initial_state(), v=state.v.copy())
+    loads = float(np.abs(evaluate.residual(system, undeflected)[free]).max(initial=0.0))
     mu, far = FIRST, extents(system)
     for count in range(MAX_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
@@ -95,9 +106,9 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
             return MechanismRest(here, R, count)
         K = Z.T @ whole[np.ix_(free, free)] @ Z
         M = Z.T @ evaluate.matrix(system, here, 1.0, 0.0, 0.0)[np.ix_(free, free)] @ Z
-        inverse = np.linalg.pinv(K + mu * M)
-        y = -inverse @ left
-        size = float(np.abs(Z @ y).max(initial=0.0))
+        inverse = _inverse(K + mu * M, M)
+        y = -inverse(left)
+        size = float(np.abs(Z @ y / far[free]).max(initial=0.0))
         part = min(1.0, LONGEST / size if size > 0.0 else 1.0)
         try:
             trial = contacts.step_on(system, here, free, Z @ y * part)
@@ -107,9 +118,13 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
             mu *= 8.0
             continue
         after = _directions(H[:, free], system.weight[free])
-        next_left = _matched(after, Z).T @ S[free]
-        ratio = float(np.linalg.norm(inverse @ next_left)) / max(float(np.linalg.norm(y)), 1e-300)
-        if ratio < 1.0 or (ratio <= GROWTH and float(next_left @ y) <= 0.0):
+        # in the directions of the present step, orthonormal in the weights
+        next_left = Z.T @ (system.weight[free] ** 2 * (after @ (after.T @ S[free])))
+        ratio = float(np.linalg.norm(inverse(next_left))) / max(float(np.linalg.norm(y)), 1e-300)
+        # a signal that changes a force without a reaction makes the next step longer
+        softens = float(np.abs(next_left).max(initial=0.0)) <= loads
+        growth = SOFTENING if softens else GROWTH
+        if ratio < 1.0 or (ratio <= growth and float(next_left @ y) <= 0.0):
             here = trial
             mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 0.0 if mu < 1e-9 else 1e-12)
         elif mu > 1e12:
@@ -158,15 +173,12 @@ def _directions(G: Array, weight: Array) -> Array:
     return np.asarray((rows[rank:] / weight).T)
 
 
-def _matched(basis: Array, other: Array) -> Array:
-    """Basis of the same space as `basis`, rotated to match the columns of another basis.
-
-    At a singular position of a mechanism the other basis has more columns: then their projections onto
-    `basis`.
-    """
-    if basis.shape != other.shape:
-        return np.asarray(basis @ (basis.T @ other))
-    if basis.shape[1] == 0:
-        return basis
-    u, _, v = np.linalg.svd(basis.T @ other)
-    return np.asarray(basis @ u @ v)
+def _inverse(A: Array, mass: Array) -> Callable[[Array], Array]:
+    """Function that solves A x = b; components in singular directions are zero. `mass` gives the scale."""
+    root = np.sqrt(np.maximum(np.diag(mass), 0.0))
+    root = np.where(root > 0.0, root, 1.0)
+    solve = factorised(A / np.outer(root, root), root) if len(root) >= FACTORISED else None
+    if solve is not None:
+        return solve
+    inverse = np.linalg.pinv(A)
+    return lambda b: np.asarray(inverse @ b)

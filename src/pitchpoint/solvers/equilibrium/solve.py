@@ -53,6 +53,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     inverse_of,
     rest_matrix,
     unsettled_states,
+    without_rate_limits,
     wrapped,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, held_spins, is_independent
@@ -72,25 +73,20 @@ NEGLIGIBLE = 1e-12
 the iteration starts: a body that floats in the clearance of a bearing has no stiffness to oppose them."""
 RESOLVED = 1e-13
 """Newton step over the size of a coordinate that is no more than its rounding error, in hundreds of terms."""
+CLOSE = 8.0  # residual over the goal that is no more than rounding, too
 FIRST = 1e4
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
-NEAR = 1.0
-"""The same from an equilibrium for similar loads."""
-TINY = 1e-9
-"""Step [m] over which a continuous force is practically constant."""
+NEAR = 1.0  # from an equilibrium for similar loads
+TINY = 1e-9  # step [m] over which a continuous force is practically constant
 HEAVY = 1e8
 """Mass factor [1/s^2] beyond which exact tangents that are not positive definite are abandoned: those of
 controllers need not be, as their forces do not derive from an energy."""
 SLUGGISH = 10
 """Number of steps from which tangents are corrected by the last step, once it is nearly a Newton step."""
-LONGEST = 0.3
-"""Largest joint rotation per step with exact tangents [rad]."""
-SLOW = 1.0
-"""Time [s] after which the iteration reports its number of steps."""
-NOW = (np.zeros(1), np.ones(1))
-"""Only the initial instant, with weight one."""
-SHORT = 1e-6
-"""Step [m] below which a rejected step is searched for a force jump."""
+LONGEST = 0.3  # largest joint rotation per step with exact tangents [rad]
+SLOW = 1.0  # time [s] after which the iteration reports its number of steps
+NOW = np.zeros(1), np.ones(1)  # only the initial instant, with weight one
+SHORT = 1e-6  # step [m] below which a rejected step is searched for a force jump
 
 
 @dataclass(frozen=True)
@@ -160,6 +156,7 @@ def find_equilibrium(
         If no equilibrium is found: a loaded direction is unconstrained, or a force law has no equilibrium.
     """
     kept = held_spins(system) if held is None else tuple(held)
+    system = without_rate_limits(system)
     state = (centred(system, system.initial_state(), kept) if start is None else start).copy()
     state.a[:] = 0.0
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
@@ -259,7 +256,8 @@ def _pseudo_time(
             continue
         if drift is None and (left <= tolerance * loads).all():  # rounding of many terms may exceed the goal
             whole_step = inverse_of(whole[free][:, free] + 1e-3 * mass, root)(R[free])
-            if (np.abs(whole_step) <= RESOLVED * (np.abs(state.q) + size)[free]).all():
+            small = np.abs(whole_step) <= RESOLVED * (np.abs(state.q) + size)[free]
+            if (small | (left <= CLOSE * goal)).all():
                 return Rest(state, R), count, 0, -1
         length = float(np.abs(step * system.weight[free]).max(initial=0.0))
         if length < SHORT and (surfaces := crossed(system, state, trial)):

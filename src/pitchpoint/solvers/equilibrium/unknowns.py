@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import SIGNAL
-from pitchpoint.elements.signals.record import SATURATION
+from pitchpoint.elements.signals.record import LIMITED, SATURATION
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
@@ -90,7 +90,7 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
             return solve
         A = A.toarray()
     scaled = A / np.outer(root, root)
-    if len(root) >= FACTORISED and (solve := _factorised(scaled, root)) is not None:
+    if len(root) >= FACTORISED and (solve := factorised(scaled, root)) is not None:
         return solve
     try:
         inverse = np.linalg.inv(scaled)
@@ -102,7 +102,7 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
     return lambda b: np.asarray(inverse @ (b / root) / root)
 
 
-def _factorised(scaled: Array, root: Array) -> Callable[[Array], Array] | None:
+def factorised(scaled: Array, root: Array) -> Callable[[Array], Array] | None:
     """`inverse_of` by triangular factors of a dense matrix; None if the matrix is singular."""
     from scipy.linalg.lapack import dgecon, dgetrf, dgetrs
 
@@ -189,6 +189,21 @@ def without_limits(system: System) -> System:
     kept = records["op"] == SATURATION
     records["low"][kept], records["high"][kept] = -np.inf, np.inf
     return system.with_params({kind: records}) if kept.any() else system
+
+
+def without_rate_limits(system: System) -> System:
+    """The system, or a copy without the limits of rates: in equilibrium all rates are zero.
+
+    A rate at its limit does not change with the state, so Newton's method would not find the state.
+    """
+    for kind in system.kinds(SIGNAL):
+        names = system.names.get(kind, ())
+        limited = np.array([name.endswith(LIMITED) for name in names], bool)
+        if limited.any():
+            records = system.records[kind].copy()
+            records["low"][limited], records["high"][limited] = -np.inf, np.inf
+            return system.with_params({kind: records})
+    return system
 
 
 def step_on(system: System, state: State, free: NDArray[np.int64], step: NDArray[np.float64]) -> State:

@@ -103,7 +103,9 @@ def _balanced(
     size = _unit(found.state, idle)  # of a trial change
     for _ in range(MAX_STEPS):
         left = found.reaction[open_]
-        if not idle.size or np.all(np.abs(left) <= AT_REST * _acting(system, found.state)[list(held)][open_]):
+        if not idle.size or np.all(
+            np.abs(left) <= AT_REST * acting_torques(system, found.state)[list(held)][open_]
+        ):
             break
         answers = [_answer(system, found, held, k, change) for k, change in zip(idle, size, strict=True)]
         if any(answer is None for answer in answers):
@@ -140,7 +142,7 @@ def _shorter(
     return None
 
 
-def _acting(system: System, state: State) -> Array:
+def acting_torques(system: System, state: State) -> Array:
     """Magnitude of the torques of signals on every coordinate, as reference for the residuals."""
     whole = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, EXACT))
     return np.asarray(whole @ np.abs(state.v) + 1.0)

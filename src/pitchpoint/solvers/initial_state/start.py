@@ -23,14 +23,19 @@ from pitchpoint.solvers.equilibrium.balancing import LOAD, balancing_loads
 from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import NOW, Equilibrium, balance_torques
-from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix
+from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix, signal_states
 from pitchpoint.solvers.gear_trains import (
     driven_coordinates,
     held_spins,
     rates_through_loops,
 )
 from pitchpoint.solvers.initial_state.clutches import settle_clutches, slipping_clutches
-from pitchpoint.solvers.initial_state.filters import rest_of_controls, slipping_frictions, states_of_inputs
+from pitchpoint.solvers.initial_state.filters import (
+    acting_torques,
+    rest_of_controls,
+    slipping_frictions,
+    states_of_inputs,
+)
 from pitchpoint.solvers.initial_state.servos import without_positioned
 from pitchpoint.solvers.initial_state.speeds import drive_records, speeds_of
 from pitchpoint.solvers.initial_state.vibration import with_vibration
@@ -331,6 +336,8 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message
     left = [abs(r) for s, r in zip(found.held, found.reaction, strict=True) if s not in known]
     if max(left, default=0.0) > least:
         least = max(least, _rounding(system, found.state))
+        if signal_states(system).size:  # torques of controllers
+            least = max(least, IMBALANCE * float(acting_torques(system, found.state)[list(found.held)].max()))
     for spin, reaction in zip(found.held, found.reaction, strict=True):
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]
         if spin not in known and abs(reaction) > least:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import FREE, MESH
 from pitchpoint.solvers.gear_trains import turning_spins
+from pitchpoint.solvers.modes.structures import Structures, structures_of
 from pitchpoint.solvers.resistance import resisted_spins
 from pitchpoint.solvers.stiffness_parts import ROTATION, Parts
 from pitchpoint.system.elastic import modal_bodies
@@ -87,7 +88,8 @@ SHAFT = "shaft"
 def groups_of(system: System, parts: Parts) -> Groups:
     """Parts and components of a system; `parts` is its linearisation by element."""
     body, names = system.program["body"], system.layout.bodies
-    owner = [part_of(name, names) for name in names]
+    structures = structures_of(system)
+    owner = [structures.bodies.get(name) or part_of(name, names) for name in names]
     listed = tuple(dict.fromkeys(owner[1:]))
     number = {name: k for k, name in enumerate(listed)}
     part = (-1, *(number[name] for name in owner[1:]))
@@ -103,7 +105,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
         if (body[b]["spin"] >= 0 and (body[b]["n"] == 1 or b not in still)) or body[b]["spinner"]
     }
     hidden = frozenset(modal_bodies(system))
-    labels, kinds, ends = _components(parts, part, listed, hidden)
+    labels, kinds, ends = _components(parts, part, listed, hidden, structures)
     listed_components = tuple(dict.fromkeys(labels))
     place = {label: k for k, label in enumerate(listed_components)}
     first = {label: e for e, label in reversed(list(enumerate(labels)))}
@@ -158,15 +160,21 @@ def _mounted(system: System) -> set[int]:
 
 
 def _components(
-    parts: Parts, part: Sequence[int], names: Sequence[str], hidden: frozenset[int]
+    parts: Parts,
+    part: Sequence[int],
+    names: Sequence[str],
+    hidden: frozenset[int],
+    structures: Structures,
 ) -> tuple[list[str], list[str], list[tuple[int, ...]]]:
     """Label, kind and connected parts of the component of each element."""
     labels, kinds, ends = [], [], []
     for label, kind, pair in zip(parts.elements, parts.kinds, parts.bodies, strict=True):
         own = tuple(dict.fromkeys(part[b] for b in pair if b))
+        if kind != ROTATION:
+            label = structures.component(kind, label)
         word = label.partition(" ")[0]
         within = pair.all() and pair[0] != pair[1] and len(own) == 1
-        if within and hidden.isdisjoint(pair.tolist()):
+        if within and hidden.isdisjoint(pair.tolist()) and names[own[0]] not in structures.bodies.values():
             label, word = f"{SHAFT} {names[own[0]]}", SHAFT
         elif kind != ROTATION and registry.find(kind).role == MESH:
             word = MESH

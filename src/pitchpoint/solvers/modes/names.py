@@ -4,13 +4,14 @@
 The name is that of the first rule that applies; shares are those of the kinetic or strain energy:
 
 1. rigid modes, without strain: rigid rotation, rigid motion;
-2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body; of a
+2. modes of beams and of blades (`blade_names`);
+3. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body; of a
    flexible rim: ring mode with the number of waves that has most of it;
-3. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational,
+4. half of both in a planetary set (`planet_modes`), in one of its three types: rotational, translational,
    planet mode; but tilting of the central body that has half of the energy is named as such;
-4. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
+5. half of the strain energy in the mean deflection of the teeth: mesh mode. The energy of flanks that tilt
    against each other does not count: what moves there is the tilting body;
-5. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other
+6. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other
    relative to the gear ratios. Lateral motion of a shaft is bending if its beams have 30 % of the strain
    energy of beams and supports, otherwise translation or tilting of the shaft on its bearings.
 
@@ -30,6 +31,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements.kind import MESH
 from pitchpoint.multibody.ring_modes import waves_of
 from pitchpoint.solvers.gear_trains import rotations, turning_spins
+from pitchpoint.solvers.modes.blade_names import COLLECTIVE, StructureNames
 from pitchpoint.solvers.modes.energies import PLANAR, Energies, Motions
 from pitchpoint.solvers.modes.machine_groups import SHAFT
 from pitchpoint.solvers.modes.planets import PLANET, TRANSLATIONAL, PlanetSet, planet_sets, type_of_mode
@@ -68,7 +70,8 @@ class _Named:
 
     `ordinal`: the number is written also if it is 1; `plane`: direction of the lateral motion in body axes,
     for modes that occur in pairs, of which unequal planets or supports split the frequency; `mark`: this
-    direction in words; `multiple`: copies of one frequency share a number; `omega` [rad/s].
+    direction in words; `multiple`: copies of one frequency share a number; `omega` [rad/s]; `blades`: number
+    of blades, whose modes in one direction share a number.
     """
 
     words: str
@@ -78,6 +81,7 @@ class _Named:
     multiple: bool = False
     number: int = 1
     omega: float = 0.0
+    blades: int = 0
 
     @property
     def whirls(self) -> bool:
@@ -86,7 +90,7 @@ class _Named:
 
 
 def base_names(
-    system: System, motions: Motions, omega: Array, shapes: Array, energies: Energies
+    system: System, motions: Motions, omega: Array, shapes: NDArray[np.inexact], energies: Energies
 ) -> list[_Named]:
     """Names of undamped modes at rest in ascending order, without the direction of whirl.
 
@@ -110,7 +114,9 @@ def base_names(
     return found
 
 
-def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> tuple[str, ...]:
+def full_names(
+    named: Sequence[_Named], whirls: Sequence[str] | None = None, blades: Sequence[str] | None = None
+) -> tuple[str, ...]:
     """Names with number and direction: the whirl, or the direction at rest.
 
     Parameters
@@ -119,6 +125,8 @@ def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> 
         Result of `base_names`.
     whirls
         Whirl of each mode at speed; "" or "planar" for none.
+    blades
+        Motion of the blades in multi-blade coordinates, for modes of blades.
 
     Examples
     --------
@@ -130,7 +138,11 @@ def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> 
     ('1st bending of rotor (backward)', '1st bending of rotor (forward)')
     """
     marks = [
-        whirls[k] if whirls and whirls[k] not in NO_WHIRL and one.whirls else one.mark
+        blades[k]
+        if blades and one.blades
+        else whirls[k]
+        if whirls and whirls[k] not in NO_WHIRL and one.whirls
+        else one.mark
         for k, one in enumerate(named)
     ]
     plain = [_numbered(one) for one in named]
@@ -183,6 +195,9 @@ def _number(found: Sequence[_Named]) -> None:
 def _same(one: _Named, members: Sequence[_Named]) -> bool:
     """Whether a mode has the number of some others of its kind."""
     first = members[0]
+    if one.blades:
+        together = [other.mark == COLLECTIVE for other in (*members, one)]
+        return together.count(True) <= 1 and together.count(False) <= one.blades - 1
     if one.plane is not None and first.plane is not None:
         return len(members) == 1 and abs(float(one.plane @ first.plane)) < SAME_PLANE
     return one.multiple and one.omega - first.omega <= MULTIPLE * one.omega
@@ -195,6 +210,7 @@ class _Namer:
         self.system, self.motions, self.energies, self.several = system, motions, energies, several
         self.groups = motions.groups
         self.sets = planet_sets(system, self.groups, motions.place, motions.axes)
+        self.structures = StructureNames(system, motions)
         self.trains: dict[int, Array] = {}
         count = len(self.groups.parts)
         self.moved_by = np.zeros((count, count))  # energies of fixed bodies go to the part that carries them
@@ -212,6 +228,11 @@ class _Namer:
         elastic = int(np.argmax(kinetic[:, 3]))
         if kinetic[elastic, 3] >= MAIN:
             return self._elastic(elastic, inertia)
+        structure = self.structures.name(strain, twist, wrench)
+        if structure is not None:
+            blades = max(structure.family, 0)
+            blades = blades if blades > 1 else 0
+            return _Named(structure.words, structure.family != 1, mark=structure.mark, blades=blades)
         for planets in self.sets:
             kind = type_of_mode(planets, twist, wrench, kinetic, strain)
             if kind:

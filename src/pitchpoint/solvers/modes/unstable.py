@@ -27,8 +27,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, note
-from pitchpoint.solvers.campbell import Campbell, at_speeds
+from pitchpoint.core.errors import Message, SolverError, note
+from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.linear_system import Linearised
 from pitchpoint.solvers.modes.machine_groups import Groups
@@ -42,6 +42,8 @@ UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
 RIGID = 1e-10
 """Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which does not grow."""
+DRIFT = 1e-2
+"""The same relative to the speed for the rotation of a rotor in multi-blade coordinates."""
 ANTISYMMETRIC = 1e-12
 """Symmetric part of a damping matrix relative to the matrix up to which it is rounding."""
 SHOWN = 3
@@ -78,6 +80,9 @@ def unstable_modes(found: Campbell) -> tuple[UnstableMode, ...]:
     order = np.argsort(found.speed, kind="stable")
     size = np.abs(found.eigenvalue)
     moves = size > RIGID * size.max(axis=1, keepdims=True, initial=0.0)
+    if found.rotors:  # the mean over some azimuths leaves a small moment of the weight about the axis
+        still = found.modes.modes.omega[: size.shape[1]] == 0.0
+        moves &= ~(still & (size < DRIFT * np.abs(found.speed)[:, None]))
     ratio = np.where(moves, found.damping_ratio, 0.0)[order]
     listed = []
     for mode in range(ratio.shape[1]):
@@ -120,15 +125,17 @@ def _limit(found: Campbell, mode: int, inside: int, outside: int) -> float:
             growth[speed] = last[0].real
         return growth[speed]
 
-    return float(brentq(growth_at, near, away, xtol=EXACT * max(abs(near), abs(away))))
+    try:
+        return float(brentq(growth_at, near, away, xtol=EXACT * max(abs(near), abs(away))))
+    except SolverError:  # no equilibrium at a speed between them
+        return near
 
 
 def _source(found: Campbell, mode: int, at: int) -> str:
     """Component that feeds the largest power into a mode at one of the speeds."""
-    rates = found.speed[at] * found.rates
-    linear = at_speeds(found.modes.linear, rates)
+    linear = found.modes.at(float(found.speed[at]))
     state = linear.state.copy()
-    state.v = rates
+    state.v = found.speed[at] * found.rates
     motions = found.motions
     value, z = complex(found.eigenvalue[at, mode]), found.shape[at, mode]
     return feeding(linear.system, state, motions.groups, motions.parts.elements, value, z)

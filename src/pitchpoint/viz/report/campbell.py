@@ -19,6 +19,7 @@ from pitchpoint.analysis.campbell_ranking import (
     ranked_speeds,
     unstable_ranges,
 )
+from pitchpoint.core.errors import split_notes
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.quantities import amount, damping_words, number, scale, span
 from pitchpoint.viz.report.page import Section, keep_height
@@ -37,6 +38,10 @@ MAX_CRITICAL = 3
 """Maximum number of critical speeds that the summary names."""
 
 
+SHOWN_NOTES = ("no equilibrium at", "modes of")
+"""First words of notes on the diagram: speeds that are omitted, coordinates of rotors."""
+
+
 def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
     """Campbell diagrams, and tables of critical speeds; a sentence for those that there are not."""
     section = Section("campbell", "Campbell diagram")
@@ -49,6 +54,9 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset | str]) -> Section:
             continue
         section.add_name(name, diagrams)
         section.add(f"<p>{escape(_conditions(data))}</p>")
+        for text in split_notes(str(data.attrs.get("notes", ""))):
+            if text.startswith(SHOWN_NOTES):
+                section.add(f"<p>{escape(text[:1].upper() + text[1:])}.</p>")
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."
         caption = words if ranked else f"Critical speeds: {NO_CRITICAL_SPEED} in this range."

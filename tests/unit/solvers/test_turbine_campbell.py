@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Campbell diagram and modes of the example turbine with few beam pieces: orders, whirl, names, components.
+
+Names and order: NREL/TP-500-38060, table 9-1. Pitch at 15 m/s: table 7-1 there, 10.45 deg.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.core.errors import SolverError
+from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers import speed_states
+from pitchpoint.solvers.campbell import follow_modes
+from pitchpoint.solvers.campbell_dataset import campbell_dataset
+from pitchpoint.solvers.linear_system import linearise, rates_of
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.multiblade import find_multiblade_modes
+from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.system.compile import compile_model
+from tests.support.rotors import FOLDER
+
+COARSE = {f"beams.blade_{k}.pieces": 5 for k in (1, 2, 3)} | {"beams.tower.pieces": 4}
+RPM = math.pi / 30.0
+SPEEDS = np.array([0.0, 6.0, 9.1, 14.0]) * RPM
+BLADES = ["blade_1", "blade_2", "blade_3"]
+
+
+def turbine(scenario: str, **changes):
+    """The example turbine with coarse beams."""
+    model = load_model(FOLDER.parent / "model.yaml", changes=changes or None).replace_all(COARSE)
+    return compile_model(model, scenario)
+
+
+@pytest.fixture(scope="module")
+def production():
+    """System and linear system in production."""
+    system = turbine("production")
+    return system, linearise(system, "production")
+
+
+@pytest.fixture(scope="module")
+def diagram(production):
+    """Modes over the speed, and their dataset."""
+    system, linear = production
+    found = follow_modes(system, SPEEDS, "hub", "production", linear=linear, count=10)
+    return found, campbell_dataset(system, found)
+
+
+def test_modes_of_the_parked_turbine_have_the_names_of_the_field():
+    system = compile_model(load_model(FOLDER.parent / "model.yaml"), "parked")
+    modes = find_modes(system, "parked", count=12)
+    assert list(modes.names[:11]) == [
+        "1st tower side-to-side",
+        "1st tower fore-aft",
+        "drive-train torsion",
+        "1st flapwise (yaw)",
+        "1st flapwise (tilt)",
+        "1st flapwise (collective)",
+        "1st edgewise (vertical)",
+        "1st edgewise (horizontal)",
+        "2nd flapwise (yaw)",
+        "2nd flapwise (tilt)",
+        "2nd flapwise (collective)",
+    ]
+
+
+def test_strain_energy_is_that_of_whole_components(diagram):
+    found, data = diagram
+    components = list(data["component"].values)
+    assert {"beam tower", "blades of rotor", "air on rotor", "actuator servo_torque_1"} <= set(components)
+    assert not [name for name in components if "link" in name or name[-1:].isdigit() and "." in name]
+    tower = found.names.index("1st tower side-to-side")
+    assert found.energies[0].strain[tower, components.index("beam tower")] > 0.9
+    assert "tower" in data["part"].values and "blades of rotor" in data["part"].values
+
+
+def test_orders_are_those_of_the_blades(diagram):
+    _, data = diagram
+    orders = dict(zip(data["excitation"].values.tolist(), data["excitation_order"].values, strict=True))
+    assert orders == pytest.approx({"1P": 1.0, "3P": 3.0, "6P": 6.0, "9P": 9.0})
+    assert set(data["excitation_kind"].values.tolist()) == {"shaft", "blades"}
+    assert "blade passing" in data["crossing_source"].values
+
+
+def test_edgewise_whirl_differs_by_twice_the_speed(diagram):
+    """f0 + Omega/2 pi and f0 - Omega/2 pi; the support bends little. At one azimuth: 0.01 Hz apart."""
+    found, _ = diagram
+    ahead, back = (found.names.index(f"1st edgewise ({way})") for way in ("forward", "backward"))
+    apart = found.frequency[:, ahead] - found.frequency[:, back]
+    assert apart[1:] == pytest.approx(SPEEDS[1:] / math.pi, rel=0.03)
+    assert found.frequency[0, ahead] == pytest.approx(found.frequency[0, back], rel=0.02)
+    names = set(found.names)
+    assert {f"1st flapwise ({way})" for way in ("forward", "backward", "collective")} <= names
+
+
+def test_a_turbine_in_operation_is_stable_at_all_speeds(diagram):
+    found, data = diagram
+    assert data.sizes["unstable"] == 0
+    assert found.rotors == ("rotor",) and data.attrs["multiblade"] == "rotor"
+    assert not [text for text in found.notes if "one position" in text]
+
+
+def test_multiblade_modes_and_diagram_agree(production, diagram):
+    """Three and five azimuths: the flow around the tower has many harmonics."""
+    system, _ = production
+    modes = find_multiblade_modes(system, "production", hub="hub", blades=BLADES, azimuths=5)
+    found, _ = diagram
+    for name in ("1st tower fore-aft", "1st flapwise (forward)", "1st edgewise (backward)"):
+        one = modes.frequency[modes.names.index(name)]
+        assert found.frequency[2, found.names.index(name)] == pytest.approx(one, rel=3e-3), name
+
+
+def test_the_whole_train_turns_with_the_rotor(production):
+    system, linear = production
+    rates = rates_of(linear, "hub", "production")
+    states = speed_states.SpeedStates(linear, rates)
+    _, turned = states.turned(linear.state, states.operating, 0.6)
+    for body in ("hub", "generator"):
+        spin = system.spin(body)
+        assert turned.q[spin] - linear.state.q[spin] == pytest.approx(0.6, abs=1e-2), body
+
+
+def without_equilibrium(monkeypatch, low: float, high: float) -> None:
+    """No equilibrium at speeds of the hub in a range."""
+    solve = speed_states.find_equilibrium
+
+    def find(system, start, *more, **options):
+        speed = abs(float(start.v[system.spin("hub")]))
+        if low < speed < high:
+            raise SolverError("the blades have no equilibrium", 3)
+        return solve(system, start, *more, **options)
+
+    monkeypatch.setattr(speed_states, "find_equilibrium", find)
+
+
+def test_a_speed_without_equilibrium_is_left_out(production, monkeypatch):
+    system, linear = production
+    without_equilibrium(monkeypatch, 5.0 * RPM, 7.0 * RPM)
+    found = follow_modes(system, SPEEDS, "hub", "production", linear=linear, count=4)
+    assert found.speed == pytest.approx(SPEEDS[[0, 2, 3]])
+    assert found.frequency.shape == (3, 4)
+    assert list(found.omitted) == [pytest.approx(6.0 * RPM)]
+    notes = campbell_dataset(system, found).attrs["notes"]
+    assert "no equilibrium at 6 rpm of hub, this speed is omitted: the blades have no equilibrium" in notes
+
+
+def test_a_diagram_without_any_equilibrium_is_an_error(production, monkeypatch):
+    system, linear = production
+    without_equilibrium(monkeypatch, -1.0, 100.0)
+    with pytest.raises(SolverError, match="the blades have no equilibrium"):
+        follow_modes(system, SPEEDS[1:2], "hub", "production", linear=linear, count=4)
+
+
+def test_the_command_keeps_the_other_speeds(monkeypatch, capsys):
+    without_equilibrium(monkeypatch, 5.0 * RPM, 7.0 * RPM)
+    sets = [f"--set={path}={value}" for path, value in COARSE.items()]
+    file = str(FOLDER.parent / "model.yaml")
+    options = ["-s", "production", "--speeds", "0..12rpm", "--points", "3", "--modes", "4", "--json"]
+    assert run_command(["campbell", file, *options, *sets]) == 3
+    written = capsys.readouterr()
+    summary = json.loads(written.out)
+    assert summary["status"] != "ok" and summary["omitted_speeds"] == [pytest.approx(6.0 * RPM)]
+    assert len(summary["modes"]) == 4 and summary["body"] == "hub"
+    assert "no equilibrium at 6 rpm of hub" in written.err
+
+
+def test_an_integrator_behind_a_rate_limit_finds_its_pitch():
+    """At its rated speed the integrator of the pitch has the value that balances the torque."""
+    system = turbine("rated", include="rigid_ratio.yaml")
+    point = operating_point(system, "rated")
+    pitch = math.degrees(float(point.state.q[system.layout.coordinate("root_1.spin")]))
+    assert pitch == pytest.approx(10.45, abs=0.5)
+    assert not [text for text in point.notes if "wanted_pitch" in text or "do not balance" in text]
