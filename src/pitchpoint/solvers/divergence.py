@@ -71,7 +71,7 @@ def sentence_of(system: System, chunk: Chunk, t: float, channels: NDArray[np.int
 
 
 def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
-    """Suggestion of a smaller step, if the given fixed step is longer than the default one; else ''.
+    """Suggestion of shorter steps: long steps, or the given fixed step if it is longer than the default one.
 
     Parameters
     ----------
@@ -84,6 +84,8 @@ def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
     """
     if status not in FAILURES or scenario.method in SHORTENED:
         return ""
+    if scenario.long_step is not None and scenario.long_step > 1.5 * h:
+        return "; shorten or remove `long_step`"
     own = choose_step(start, replace(scenario, step=None, sample_rate=None))[0]
     if h <= 1.01 * own:
         return ""

@@ -15,16 +15,54 @@ if TYPE_CHECKING:
 FIXED_METHODS = ("adams", "rk4", "generalized_alpha")
 
 
-def start_run(system: System, state: State, scenario: Scenario, h: float) -> Any:
-    """Start the run of a scenario, with its long steps of bodies outside of gear trains if it has them."""
+def start_run(
+    system: System, state: State, scenario: Scenario, h: float, every: int = 1
+) -> tuple[Any, float, int]:
+    """Start the run of a scenario, with its long steps of bodies outside of gear trains if it has them.
+
+    Parameters
+    ----------
+    system, state
+        The system and its initial state.
+    scenario
+        Gives the method and the long step.
+    h, every
+        Step [s] and steps per sample.
+
+    Returns
+    -------
+    tuple
+        The run, its step [s] and steps per sample: `aligned` with long steps, unless controllers require h.
+    """
     count = round((scenario.long_step or h) / h)
     if count < 2:
-        return start_fixed_steps(system, state, scenario, h)
+        return start_fixed_steps(system, state, scenario, h), h, every
     from pitchpoint.solvers.implicit import gear_part  # imported and compiled on demand
 
     if not gear_part.fast_bodies(system):
-        return start_fixed_steps(system, state, scenario, h)
-    return gear_part.start(system, state, h, count)
+        return start_fixed_steps(system, state, scenario, h), h, every
+    if not system.controllers:
+        period = every * h
+        count, every = aligned(count, every)
+        h = period / every
+    return gear_part.start(system, state, h, count), h, every
+
+
+def aligned(count: int, every: int) -> tuple[int, int]:
+    """Steps per long step, up to `count`, and per sample, at least `every`, of which one divides the other.
+
+    The channels of bodies outside of gear trains change at the ends of long steps only.
+
+    Examples
+    --------
+    >>> aligned(10, 10), aligned(10, 4), aligned(10, 13), aligned(10, 79)
+    ((10, 10), (8, 4), (7, 14), (10, 80))
+    """
+    if count >= every:
+        return count - count % every, every
+    parts = -(-every // count)
+    count = -(-every // parts)
+    return count, parts * count
 
 
 def loop_of(method: str) -> Any:

@@ -158,7 +158,8 @@ class Loop:
             return KinematicRun(self.system, self.start.state, self.h)
         if not self.adaptive:
             self.more = {"picked": self.channels} if scenario.method in EXPLICIT_METHODS else {}
-            return start_run(self.system, self.start.state, scenario, self.h)
+            run, self.h, self.every = start_run(self.system, self.start.state, scenario, self.h, self.every)
+            return run
         from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
 
         rtol = scenario.tolerance  # absolute tolerances scale with it, or they would limit the accuracy

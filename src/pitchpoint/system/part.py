@@ -81,6 +81,8 @@ class Part:
         Address of the control record of the part.
     own
         Coordinates of the part.
+    loaded
+        Coordinates of all bodies at the ends of its elements and of those that carry them.
     arrays
         Arrays that it does not share with the system, by their names in `workspace.MACH`.
     """
@@ -88,7 +90,7 @@ class Part:
     def __init__(self, system: System, own: Collection[int], bodies: Collection[int] | None = None) -> None:
         w, nd = system.workspace, system.sizes["nd"]
         self.system = system
-        self.own = np.array(sorted(own), np.int64)
+        self.own = self.loaded = np.array(sorted(own), np.int64)
         self._ctl, self._mach, self._A = w.ctl.copy(), w.mach.copy(), np.zeros_like(w.A)
         self.arrays: dict[str, NDArray[Any]] = {
             "own": self.own,
@@ -113,6 +115,8 @@ class Part:
                 mach[f"n{name}"] = len(self.arrays[name])
         mach["solve_now"], mach["nsolve_now"] = mach["solve"], mach["nsolve"]
         mach["factor_entry"], mach["solve_entry"] = address(factor_entry), address(solve_entry)
+        if bodies is not None:
+            mach["tumble"] = 0  # charts change when all coordinates are those of the same time
         ctl["A"], ctl["mach"] = self._A.ctypes.data, self._mach.ctypes.data
         ctl["at"] = self.at = int(self._ctl.ctypes.data)
 
@@ -135,8 +139,10 @@ class Part:
             rows += [(row[0], row[1] + first * bank.itemsize, n, *row[3:]) for first, n in _runs(touched)]
             if "out" in (bank.dtype.names or ()):
                 seen += [int(b["out"]) + k for b in bank[touched] for k in range(len(kind.outputs_of(b)))]
-        body, path, proj = (w.program[name] for name in ("body", "path", "proj"))
+        path, proj = w.program["path"], w.program["proj"]
         last = max(ends) + 1
+        joints = path[np.isin(path["body"], list(ends))]
+        self.loaded = np.unique([d + k for d, n in joints[["dof", "n"]] for k in range(n)]).astype(np.int64)
         inside = path["body"] < last
         self._ctl[0]["nb"], self._mach[0]["npath"] = last, int(inside.sum())
         table = w.program["body_out"]

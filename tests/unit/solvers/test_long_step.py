@@ -8,8 +8,10 @@ import pytest
 
 import pitchpoint as pp
 from pitchpoint.core.errors import ModelError, SolverError
+from pitchpoint.solvers.implicit import gear_part, generalized_alpha
 from pitchpoint.solvers.implicit.gear_part import fast_bodies
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.system import evaluate
 
 MODEL = """
 gears:
@@ -87,3 +89,68 @@ def test_a_stiff_shaft_takes_no_long_steps():
 def test_drives_take_no_long_steps():
     with pytest.raises(SolverError, match="long_step: the machine has closed loops, rigid ratios or drives"):
         solved(", long_step: 1 ms, drive: {hub: {speed: 100 rpm}}")
+
+
+LOOP = """
+sensors: {speed: {type: joint, coordinate: motor, derivative: 1}}
+blocks:
+  slow: {type: filter, input: speed, time_constant: 1 ms}
+  wanted: {type: sum, inputs: {SIGNAL: -GAIN}, offset: GAIN*500 rpm, unit: N m}
+actuators: {drive: {type: torque, signal: wanted, bodies: [motor]}}
+"""
+
+
+@pytest.mark.parametrize("signal", ["speed", "slow"])
+def test_a_fast_control_loop_of_a_gear_train_takes_no_long_steps(signal):
+    """With G H/J = 3 the held torque diverges, with 1.5 its error is 10 %; the limit is 0.1."""
+    for gain, refused in ((60, True), (1.5, False)):
+        loop = LOOP.replace("SIGNAL", signal).replace("GAIN*500 rpm", str(gain * 52.36))
+        text = MODEL.replace("MORE", ", long_step: 1 ms").replace("SHAFT", "3000") + loop.replace(
+            "GAIN", str(gain)
+        )
+        system = pp.compile_model(pp.load_model(text=text), "run")
+        begun = prepare_start(system, system.scenario)
+        if refused:
+            with pytest.raises(
+                SolverError, match="long_step: 0.001 s is too long for motor.spin: a control loop"
+            ):
+                gear_part.start(begun.system, begun.state, 1e-4, 10)
+        else:
+            gear_part.start(begun.system, begun.state, 1e-4, 10)
+
+
+def test_long_steps_of_a_body_that_tumbles():
+    """A free body beside the gear train: the error is that of equal steps of 1 ms."""
+    plate = "  plate: {mass: 1 kg, inertia_tensor: [0.01, 0.02, 0.025, 0, 0, 0]}\n"
+    text = MODEL.replace("MORE", "").replace("SHAFT", "3000").replace("bodies:\n", f"bodies:\n{plate}", 1)
+    text = text.replace(
+        "joints:\n", "joints:\n  fly: {type: free, bodies: [ground, plate], position: [1 m, 0, 0]}\n"
+    )
+    found = []
+    for h, count in ((1e-4, 1), (1e-3, 1), (1e-4, 10)):
+        system = pp.compile_model(pp.load_model(text=text), "run")
+        state = system.initial_state()
+        beta = system.layout.coordinates.index("plate.beta")
+        state.v[beta - 1 : beta + 1] = 0.5, 20.0
+        begun = (
+            generalized_alpha.start(system, state, h)
+            if count == 1
+            else gear_part.start(system, state, h, count)
+        )
+        assert begun.advance(round(0.2 / h)).status == 1
+        evaluate.residual(system, begun.state())
+        found.append(system.workspace.fr[1]["S"].copy())
+    equal, long = (np.abs(axes - found[0]).max() for axes in found[1:])
+    assert long < 4.0 * equal + 1e-3, (equal, long)
+
+
+def test_samples_are_at_the_ends_of_long_steps():
+    """Period of 0.7 ms, and a window that begins within a long step: statistics are those of all steps."""
+    for more in (", sample_rate: 1.43 kHz, statistics: samples", ", sample_rate: 1 kHz"):
+        text = MODEL.replace("settle_time: 0 s", "settle_time: 20.5 ms").replace("SHAFT", "3000")
+        run = []
+        for step in ("", ", long_step: 1 ms"):
+            model = pp.load_model(text=text.replace("MORE", more + step))
+            run.append(pp.solve_time(pp.compile_model(model, "run")))
+        twist = [r["twist[root]"].values for r in run]
+        assert np.abs(twist[1] - twist[0]).max() < 2e-5  # 1e-3 with values of the last long step

@@ -12,7 +12,7 @@ from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import EVERYWHERE, GEARED, TOGETHER
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.implicit.substeps import SubstepRun
+from pitchpoint.solvers.implicit.substeps import SUM, SubstepRun
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.part import Part
@@ -52,6 +52,9 @@ def start(system: System, state: State, h: float, count: int) -> SubstepRun:
     own = {int(body[b]["dof"]) + k for b in fast for k in range(int(body[b]["n"]))}
     parts = Part(system, own, fast), Part(system, set(range(system.sizes["nd"])) - own)
     _check_coupling(system, state, parts, count * h)
+    _check_feedback(system, state, parts, count * h)
+    nd = system.sizes["nd"]
+    parts[1].arrays["stage"][SUM + 1, nd + parts[0].loaded] = 1.0
     evaluate.load(system, state)
     run = SubstepRun(system, h, begun.rho_inf, begun.tolerance, state.t, count=count, parts=parts)
     evaluate.check(system, run.go_on(), state)
@@ -132,5 +135,33 @@ def _check_coupling(system: System, state: State, parts: tuple[Part, Part], H: f
         raise SolverError(
             f"long_step: {H:.3g} s is too long for {name}, to which a gear train is connected stiffly "
             f"(limit {longest:.2g} s); shorten or remove long_step",
+            NOT_FINITE,
+        )
+
+
+def _check_feedback(system: System, state: State, parts: tuple[Part, Part], H: float) -> None:
+    """Refuse control loops from gear trains to themselves that are too fast for a long step H [s].
+
+    Their signals have constant values during the short steps. Implicit Euler matrices of a step H give the
+    torque by a motion through them, with the states of their filters eliminated, relative to the inertia.
+    """
+    fast, states = parts[0].own, np.intersect1d(system.states, parts[1].own)
+    cm, cd = 1.0 / H**2, 1.0 / H
+    whole = evaluate.matrix(system, state, cm, cd, 1.0, NEWTON)
+    inertia = np.linalg.inv(evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)[np.ix_(fast, fast)])
+    links = evaluate.matrix(system, state, 0.0, cd, 1.0, NEWTON)[np.ix_(fast, fast)]
+    evaluate.load(system, state)
+    links -= parts[0].matrix(state.t, cd, 1.0)[np.ix_(fast, fast)]
+    if states.size:
+        to_states = np.linalg.solve(whole[np.ix_(states, states)], whole[np.ix_(states, fast)])
+        links -= whole[np.ix_(fast, states)] @ to_states
+    root = np.sqrt(np.diag(inertia) / cm)
+    loop = np.abs(links * np.outer(root, root))
+    size, worst = float(np.linalg.norm(loop, 2)), int(np.argmax(loop.max(axis=1)))
+    if size > SOFT:
+        name = system.layout.coordinates[fast[worst]]
+        raise SolverError(
+            f"long_step: {H:.3g} s is too long for {name}: a control loop sets its torque by the motion of "
+            f"its own gear train (limit {H * SOFT / size:.2g} s); shorten or remove long_step",
             NOT_FINITE,
         )

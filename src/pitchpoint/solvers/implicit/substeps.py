@@ -45,7 +45,7 @@ BEGIN = 0
 
 SUM = 3
 """First of two rows of the stages of the slow part: mean forces of the fast part in this and in the last long
-step, and whether there has been one."""
+step, whether there has been one, and 1 for the coordinates with such forces."""
 
 PAIR = np.dtype(
     [
@@ -148,7 +148,7 @@ def _add_force(c, n, k, count):
         if k == 1:
             stage[SUM, i] = 0.0
         stage[SUM, i] += R[i] / count
-        if k == count:
+        if k == count and stage[SUM + 1, nd + i] != 0.0:
             mean = stage[SUM, i]
             before = mean if stage[SUM + 1, 0] == 0.0 else stage[SUM, nd + i]
             stage[SUM, nd + i] = mean
@@ -259,7 +259,8 @@ def entry(at, order, recorder):
     status = OK
     done = 0
     while done < o["n"] and status == OK:
-        count = min(o["count"], o["n"] - done)
+        # after a shorter one, long steps end at their multiples again
+        count = min(o["count"] - (o["first"] + done) % o["count"], o["n"] - done)
         if count != o["last"]:
             _other_step(s, n, count / o["last"])
             o["last"] = count
