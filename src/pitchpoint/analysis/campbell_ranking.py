@@ -146,7 +146,7 @@ def _moved_by(diagram: xr.Dataset, k: int) -> tuple[tuple[str, float], ...]:
         if name in diagram:
             values = zip(_texts(diagram, over), diagram[name].values[k].tolist(), strict=True)
             found += [(f"{words} {label}", value) for label, value in values if abs(value) >= MOVES]
-    return tuple(sorted(found, key=lambda each: -abs(each[1])))
+    return tuple(sorted(found, key=lambda each: -abs(round(each[1], 8))))  # equal ones as in the model
 
 
 @dataclass(frozen=True)

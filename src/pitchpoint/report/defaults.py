@@ -88,6 +88,10 @@ def _keys_without_effect(part: Any) -> set[str]:
         idle |= {"order", "form"}
     if getattr(part, "kind", "time") != "time":
         idle |= {"settle_time", "statistics", "sample_rate", "step"}
+    if getattr(part, "step", None) is None or method != "generalized_alpha":
+        idle.add("long_step")
+    if method in (*ERROR_METHODS, "constant_bdf"):
+        idle.add("statistics")
     return idle
 
 

@@ -202,7 +202,10 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         _critical(found, each[:5], (energies, k, words[k], by_teeth[k], moved[k]))
         for k, each in enumerate(solved)
     ]
-    return tuple(sorted(listed, key=lambda c: (-c.response, -c.participation, c.speed)))
+    # harmonics of one mode have one response, except for rounding: the lowest is first
+    return tuple(
+        sorted(listed, key=lambda c: (-float(f"{c.response:.8g}"), -round(c.participation, 8), c.order.value))
+    )
 
 
 def _by_teeth(

@@ -106,6 +106,22 @@ def test_slices_are_a_default_that_applies_where_flanks_are_read(
     assert listed.get("meshes.stage.slices") == ("11" if shown else None)
 
 
+@pytest.mark.parametrize(
+    ("scenario", "shown"),
+    [
+        ("duration: 1 s, step: 1 us", {"long_step", "statistics"}),
+        ("duration: 1 s", {"statistics"}),
+        ("duration: 1 s, step: 1 us, method: rk4", {"statistics"}),
+        ("duration: 1 s, method: gstiff", set()),
+        ("sweep: {body: driver, mesh_frequency: [1000 Hz, 2000 Hz], points: 3}", set()),
+    ],
+)
+def test_keys_that_a_scenario_cannot_have_are_no_defaults(scenario: str, shown: set[str]) -> None:
+    text = TEXT.partition("scenarios:")[0] + f"scenarios: {{one: {{{scenario}}}}}\n"
+    listed = {key.rpartition(".")[2] for key, _ in defaults(loads_model(text))}
+    assert listed & {"long_step", "statistics"} == shown
+
+
 def test_bodies_that_a_scenario_holds_are_named(file: Path) -> None:
     model = pp.load_model(file)
     assert held_bodies(model.scenarios["driven"]) == ["driver"]

@@ -194,6 +194,20 @@ torsion_springs: {shaft: {bodies: [motor, pump], stiffness: 2000, damping: 1.0}}
     assert data["kinetic_share"].sel(motion="rotation").values[0, 1] == pytest.approx([0.8, 0.2])
 
 
+def test_equal_responses_of_harmonics_have_the_lowest_first():
+    """Rounding does not decide: all orders of one mode have one response, and equal inertias one effect."""
+    text = """\
+bodies:
+  motor: {motion: torsion, inertia: 0.7, position: [0, 0, 0]}
+  pump: {motion: torsion, inertia: 0.7, position: [0, 0, 1]}
+torsion_springs: {shaft: {bodies: [motor, pump], stiffness: 2000, damping: 1.0}}
+"""
+    data = pp.solve_campbell(compiled(text)[1], np.linspace(0.0, 50.0, 6), "motor", orders=list("3456789"))
+    ranked = ranked_speeds(data)
+    assert [c.order for c in ranked] == [f"{k}×" for k in range(3, 10)]
+    assert [[name for name, _ in c.moved_by] for c in ranked] == 7 * [[name for name, _ in ranked[0].moved_by]]
+
+
 def test_orders_of_a_geared_rotor(geared):
     found = follow_modes(geared, np.linspace(300.0, 900.0, 3) * RPM, "rotor")
     orders = excitation_orders(

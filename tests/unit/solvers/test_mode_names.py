@@ -77,6 +77,22 @@ torsion_springs:
     assert all(name.startswith("torsion of ") for name in modes.names)
 
 
+@pytest.mark.parametrize(("axis", "soft"), [("", 1), ("axis: [0, 1, 0], ", 0)])
+def test_modes_of_a_beam_are_counted_along_each_axis(axis: str, soft: int) -> None:
+    """A flat bar, 20 mm along axis 1 and 10 mm along axis 2; without `axis`, axis 1 is x."""
+    text = f"""\
+bodies: {{tip: {{motion: free, mass: 1 g, inertia_tensor: [1e-9, 1e-9, 1e-9, 0, 0, 0], position: [0, 0, 0.5]}}}}
+beams: {{bar: {{ends: [ground, tip], {axis}section: {{width: 20 mm, height: 10 mm}}}}}}
+"""
+    modes = find_modes(compile_model(loads_model(text)))
+    assert modes.names[:3] == (
+        "1st bending of bar (axis 2)",
+        "1st bending of bar (axis 1)",
+        "2nd bending of bar (axis 2)",
+    )
+    assert np.argmax(np.abs(modes.body_shape[0, modes.bodies.index("tip"), :3])) == soft
+
+
 def test_modes_of_a_geared_rotor() -> None:
     """Names at 4500 rpm: the whirl of the disc, the torsion, axial modes, the drive shaft."""
     model = load_model(EXAMPLES / "geared-rotor" / "model.yaml")

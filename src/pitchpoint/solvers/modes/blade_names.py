@@ -6,7 +6,7 @@ beam, all blades of a rotor, or the drive train between a rotor and the other en
 the largest kinetic energy of the structure in its own axes:
 
 * beam between other bodies: along and across the axis of the rotor that it carries (fore-aft, side-to-side),
-  or along its own axes without one; along and about the beam;
+  or in its own axes, also of a main shaft; along and about the beam;
 * blades: relative to the motion of their roots, along the flapwise and the edgewise axis of the root, and
   about the blade. All blades together: collective. Else at rest by the axis of the moment (flapwise: yaw,
   tilt) or of the force (edgewise: vertical, horizontal) on the hub; at speed forward (progressive) or
@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.model.frames import beam_frame
 from pitchpoint.solvers.modes.structures import BLADES
 
 if TYPE_CHECKING:
@@ -38,6 +39,8 @@ MAIN = 0.35
 """Least share of a structure in the strain energy of a mode with its name."""
 TAKES_PART = 0.25
 """Least share of energy of the other end of the drive train, or of the blades, in its torsion."""
+INCLINED = math.sqrt(0.5)
+"""Cosine of the least angle between a beam and the axis of a rotor that it lies across."""
 DRIVE_TRAIN = "drive train"
 COLLECTIVE = "collective"
 FLAP, EDGE, TWIST = "flapwise", "edgewise", "torsion of the blades"
@@ -80,6 +83,8 @@ class StructureNames:
         self.blades: list[_Blades] = []
         self.beams: dict[int, tuple[tuple[int, ...], Array]] = {}
         self.labels: dict[str, int] = {}
+        self.crossing: set[int] = set()
+        """Beams across the axis of a rotor, such as towers."""
         if model is None:
             return
         names = list(system.layout.bodies)
@@ -100,9 +105,12 @@ class StructureNames:
             self.labels[own_labels[0]] = groups.parts.index(name)
             ends = [motions.place[_body(names, end)] for end in beam.ends]
             along = _unit(ends[1] - ends[0])
-            across = np.asarray(beam.axis, float) if axis is None else axis
+            crosses = axis is not None and abs(float(axis @ along)) < INCLINED
+            across = axis if axis is not None and crosses else beam_frame(model, beam)[1][:, 0]
             first = _unit(across - (across @ along) * along)
             self.beams[groups.parts.index(name)] = (nodes, np.array([first, np.cross(along, first), along]))
+            if crosses:
+                self.crossing.add(groups.parts.index(name))
 
     def name(self, strain: Array, twist: Complex, wrench: Complex) -> BeamName | None:
         """Name of a mode from the shares of the components in its strain energy; None: no such mode.
@@ -184,7 +192,7 @@ class StructureNames:
             return BeamName(f"torsion of {name}")
         if way == 2:
             return BeamName(f"axial mode of {name}")
-        if self.blades:
+        if part in self.crossing:
             return BeamName(f"{name} {('fore-aft', 'side-to-side')[way]}", family=-1)
         return BeamName(f"bending of {name}", f"axis {way + 1}", family=-1)
 
@@ -236,7 +244,7 @@ def _blades_of(system: System, motions: Motions, rotor: str, part: int) -> _Blad
         nodes = [b for b, label in enumerate(names) if label.startswith(f"{name}.")]
         turned = motions.axes[root] @ drawn[root - 1].T  # from the drawing to the operating point
         along = _unit(motions.place[nodes[0] if nodes else tip] - motions.place[root])
-        flat = turned @ np.asarray(beam.axis, float)
+        flat = turned @ beam_frame(model, beam)[1][:, 0]
         flap = _unit(flat - (flat @ along) * along)
         directions.append(np.array([flap, np.cross(along, flap), along]))
         bodies.append((root, *nodes, tip))

@@ -174,14 +174,14 @@ def ordinal(number: int) -> str:
 
 
 def _number(found: Sequence[_Named]) -> None:
-    """Number the modes of each kind.
+    """Number the modes of each kind, of a beam those along each axis.
 
     Two modes with different planes of motion share a number, as do translational modes of a planetary set,
     and all copies of a multiple frequency of its planet modes.
     """
-    kinds: dict[str, list[list[_Named]]] = {}
+    kinds: dict[tuple[str, str], list[list[_Named]]] = {}
     for one in found:
-        taken = kinds.setdefault(one.words, [])
+        taken = kinds.setdefault((one.words, one.mark * (one.plane is None and not one.blades)), [])
         for number, members in enumerate(taken, start=1):
             if _same(one, members):
                 members.append(one)
