@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
-BESIDE = "keep the result in the directory of its model file: file names are relative to it"
+NEAR_MODEL = "keep the result in the directory of its model file: file names are relative to it"
 
 
 def stored_model(path: str, allow_code: bool = False) -> Model:
@@ -69,11 +69,11 @@ def model_of_text(text: str, file: str, allow_code: bool = False) -> Model:
     try:
         return loads_model(text, allow_code=allow_code, file=file)
     except ModelError as error:
-        raise ModelError([_beside(problem) for problem in error.problems], file) from None
+        raise ModelError([_near_model(problem) for problem in error.problems], file) from None
 
 
-def _beside(problem: Message) -> Message:
-    """Problem with a file that the model names: it is not beside the result."""
+def _near_model(problem: Message) -> Message:
+    """Problem with a file that the model names, which is not in the directory of the result."""
     from pitchpoint.model.reading.mechanism import RELATIVE
 
-    return problem.changed(remedy=BESIDE) if (problem.remedy or "").endswith(RELATIVE) else problem
+    return problem.changed(remedy=NEAR_MODEL) if (problem.remedy or "").endswith(RELATIVE) else problem

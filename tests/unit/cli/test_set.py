@@ -63,7 +63,7 @@ def test_a_result_keeps_the_model_that_was_computed(run, tmp_path):
 
 
 def test_a_result_elsewhere_than_its_model_names_the_remedy(run, tmp_path, monkeypatch, capsys):
-    """The files that a model names are beside the model file."""
+    """The files that a model names are in its directory."""
     assert run()[0] == 0
     text = MODEL + "winds: {gusty: {box: turbulence.bts}}\n"
     monkeypatch.setattr("pitchpoint.io.reading.read_header", lambda path: {"model_text": text})
