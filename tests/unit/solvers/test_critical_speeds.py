@@ -205,7 +205,9 @@ torsion_springs: {shaft: {bodies: [motor, pump], stiffness: 2000, damping: 1.0}}
     data = pp.solve_campbell(compiled(text)[1], np.linspace(0.0, 50.0, 6), "motor", orders=list("3456789"))
     ranked = ranked_speeds(data)
     assert [c.order for c in ranked] == [f"{k}×" for k in range(3, 10)]
-    assert [[name for name, _ in c.moved_by] for c in ranked] == 7 * [[name for name, _ in ranked[0].moved_by]]
+    assert [[name for name, _ in c.moved_by] for c in ranked] == 7 * [
+        [name for name, _ in ranked[0].moved_by]
+    ]
 
 
 def test_orders_of_a_geared_rotor(geared):

@@ -81,7 +81,8 @@ torsion_springs:
 def test_modes_of_a_beam_are_counted_along_each_axis(axis: str, soft: int) -> None:
     """A flat bar, 20 mm along axis 1 and 10 mm along axis 2; without `axis`, axis 1 is x."""
     text = f"""\
-bodies: {{tip: {{motion: free, mass: 1 g, inertia_tensor: [1e-9, 1e-9, 1e-9, 0, 0, 0], position: [0, 0, 0.5]}}}}
+bodies:
+  tip: {{motion: free, mass: 1 g, inertia_tensor: [1e-9, 1e-9, 1e-9, 0, 0, 0], position: [0, 0, 0.5]}}
 beams: {{bar: {{ends: [ground, tip], {axis}section: {{width: 20 mm, height: 10 mm}}}}}}
 """
     modes = find_modes(compile_model(loads_model(text)))

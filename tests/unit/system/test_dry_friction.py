@@ -45,6 +45,19 @@ def test_it_is_the_clutch_with_this_capacity(method):
     np.testing.assert_allclose(other["signal[torque]"], torque, atol=1e-4)
 
 
+def test_friction_at_equal_speeds_except_for_rounding_sticks_from_the_start():
+    """Against a belt at 0.3 rad/s, with 3*0.1 - 0.3 = 6e-17: a rounding error does not make 80 N m."""
+    belt = "slip: {type: formula, formula: 3*speed - 0.3, inputs: [speed]}"
+    signal = SIGNAL.replace(
+        "friction: {type: friction, input: speed}", f"{belt}\n  friction: {{type: friction, input: slip}}"
+    )
+    text = MODEL.format(brake=signal, method="generalized_alpha", inputs=", inputs: {command: {value: 1}}")
+    model = pp.load_model(text=text.replace("6 rad/s", "0.1 rad/s"))
+    found = pp.solve_time(pp.compile_model(model, "run"))
+    assert 3.0 * 0.1 - 0.3 != 0.0
+    assert abs(float(found["signal[torque]"][0])) < 1e-6
+
+
 def test_a_brake_closed_on_a_rotating_machine_slips_from_the_start():
     """Assembled at 6 rad/s with 20 - 80 N m on 3 kg m^2: the capacity acts, without a damping peak."""
     closed = "clutches: {brake: {bodies: [rotor], capacity: 80 N m}}"

@@ -31,6 +31,8 @@ PARTS = (1.0, 0.5, 0.2, 0.05)
 """Parts of a step of states that are tried."""
 AT_REST = 1e-9
 """Relative rate of a state, and relative residual torque, that count as zero."""
+CREEPS = 1e-3
+"""Rate of the deflection of a friction block [1/s] up to which it does not slip for the next 1000 s."""
 
 
 def rest_of_controls(
@@ -189,14 +191,15 @@ def states_of_inputs(system: System, state: State) -> State:
 def slipping_frictions(system: System, state: State) -> State:
     """Copy of a state in which friction blocks that slip have their full deflection, 1 or -1.
 
-    Without deflection, as assembled, the damping before slip would act with the whole slip speed.
+    Without deflection, as assembled, the damping before slip would act with the whole slip speed. At equal
+    speeds except for rounding, they stick without deflection.
     """
     found = state.copy()
     for k in signal_states(system):
         if not system.layout.coordinates[k].endswith(f"{DEFLECTION}.spin") or state.v[k] != 0.0:
             continue
         rate = -float(evaluate.residual(system, replace(state, a=np.zeros_like(state.a)))[k])
-        found.v[k] = np.sign(rate)
+        found.v[k] = np.sign(rate) if abs(rate) > CREEPS else 0.0
     return found
 
 
