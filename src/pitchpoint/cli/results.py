@@ -31,6 +31,7 @@ Computed = tuple[dict[str, Any], BaseException | None]
 
 _DIMENSIONS = {
     "m": "length",
+    "m/s": "speed",
     "N": "force",
     "rad": "angle",
     "rad/s": "angular_speed",

@@ -22,7 +22,14 @@ KINDS = {
     "relief": "relief design",
     "study": "study",
 }
-UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
+UNITS = {
+    "duration": "s",
+    "settle_time": "s",
+    "step": "s",
+    "long_step": "s",
+    "sample_rate": "Hz",
+    "speed": "rad/s",
+}
 UNITS |= {"operating_speed": "rad/s", "mesh_frequency": "Hz", "misalignment": "rad"}
 UNITS |= {"viscosity": "Pa s", "pressure_viscosity": "1/Pa"}
 RANGES = ("operating_speed", "mesh_frequency", "speed")

@@ -85,13 +85,12 @@ def with_rolls(
             "Use a scenario with a slow roll."
         )
     fewer: list[str] = []
+    refused: dict[str, list[str]] = {}
     still = replace(scenario, quasi_static=None) if scenario is not None else None
     for k, group in enumerate(groups):
         first, part = group[0], part_of(progress, k, len(groups) + after)
         plan = plan_of(model, first, system.sizes["nd"], train)
         whole = plan_of(model, first, 0, train)
-        if plan.periods * plan.points < whole.periods * whole.points:
-            fewer += group
         try:
             amounts = plan.points, plan.periods
             roll = roll_through(system, still, *amounts, mesh=first, others=group[1:], progress=part)
@@ -104,9 +103,12 @@ def with_rolls(
             if len(roll.position) > 2:
                 found.cycles |= {n: from_roll(n, *cycles[n], system, roll, plan) for n in group}
                 found.planets |= _planets(model, group, system, roll)
+                if plan.periods * plan.points < whole.periods * whole.points:
+                    fewer += group
         except PitchpointError as error:
-            notes.append(f"{ranges(group)}: no slow roll: {error}.")
+            refused.setdefault(str(error), []).extend(group)
         progress(k + 1, len(groups) + after, first)
+    notes += [f"{ranges(meshes)}: no slow roll: {error}." for error, meshes in refused.items()]
     return replace(found, notes=[*notes, *_fewer(fewer)], count=len(groups))
 
 

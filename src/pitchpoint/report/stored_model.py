@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
 
+NEAR_MODEL = "keep the result in the directory of its model file: file names are relative to it"
+
 
 def stored_model(path: str, allow_code: bool = False) -> Model:
     """Load the model stored in a result file.
@@ -22,14 +24,13 @@ def stored_model(path: str, allow_code: bool = False) -> Model:
         If the file contains no model, or it cannot be read.
     """
     from pitchpoint.io.reading import read_header
-    from pitchpoint.io.yaml_model import loads_model
 
     text = read_header(path).get("model_text")
     if not text:
         remedy = "for a report, give the model file, too; else rerun the model"
         problem = Message("model", "is not stored in this result file", remedy=remedy)
         raise ModelError([problem], path)
-    return loads_model(text, allow_code=allow_code, file=path)
+    return model_of_text(text, path, allow_code)
 
 
 def model_of(data: xr.Dataset) -> Model:
@@ -40,9 +41,39 @@ def model_of(data: xr.Dataset) -> Model:
     PitchpointError
         If the result contains no model, or it cannot be read.
     """
-    from pitchpoint.io.yaml_model import loads_model
-
     text = str(data.attrs.get("model_text", ""))
     if not text:
         raise PitchpointError("this result does not contain its model")
-    return loads_model(text, file=str(data.encoding.get("source", "result")))
+    return model_of_text(text, str(data.encoding.get("source", "result")))
+
+
+def model_of_text(text: str, file: str, allow_code: bool = False) -> Model:
+    """Load a model from the text in a result.
+
+    Parameters
+    ----------
+    text
+        The model.
+    file
+        The result, base of relative file names.
+    allow_code
+        As for `load_model`.
+
+    Raises
+    ------
+    ModelError
+        If the model cannot be read, such as without the files that it names.
+    """
+    from pitchpoint.io.yaml_model import loads_model
+
+    try:
+        return loads_model(text, allow_code=allow_code, file=file)
+    except ModelError as error:
+        raise ModelError([_near_model(problem) for problem in error.problems], file) from None
+
+
+def _near_model(problem: Message) -> Message:
+    """Problem with a file that the model names, which is not in the directory of the result."""
+    from pitchpoint.model.reading.mechanism import RELATIVE
+
+    return problem.changed(remedy=NEAR_MODEL) if (problem.remedy or "").endswith(RELATIVE) else problem

@@ -109,10 +109,10 @@ def _name(source: Model | str | os.PathLike[str] | xr.Dataset) -> str:
 def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool, modes: int) -> Scene:
     from pitchpoint.io.opening import understood
     from pitchpoint.io.reading import open_result
-    from pitchpoint.io.yaml_model import load_model, loads_model
+    from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
     from pitchpoint.report.scene.build import scene_of
-    from pitchpoint.report.stored_model import stored_model
+    from pitchpoint.report.stored_model import model_of_text, stored_model
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # reported when the result was computed
@@ -128,7 +128,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
         else:
             result = source
             name = str(result.encoding.get("source", "result"))
-            model = loads_model(str(result.attrs.get("model_text", "")), allow_code=allow_code, file=name)
+            model = model_of_text(str(result.attrs.get("model_text", "")), name, allow_code)
         return _motion(model, result, name, modes)
 
 

@@ -145,6 +145,12 @@ def test_channels_that_are_zero_are_counted(capsys: pytest.CaptureFixture[str]) 
     assert sum("bearing_force" in line for line in lines) == 1
 
 
+def test_speeds_of_channels_have_a_unit(capsys: pytest.CaptureFixture[str]) -> None:
+    wind = {"unit": "m/s", "mean": 8.0, "rms": 0.5, "min": 7.0, "max": 9.0}
+    results.statistics_table("run", {"hub_wind_speed[rotor]": wind})
+    assert "8 m/s" in "\n".join(printed(capsys))
+
+
 def test_zeros_of_a_table_have_one_unit(capsys: pytest.CaptureFixture[str]) -> None:
     channels = {
         f"bearing_force[{name}]": {"unit": "N", "mean": mean, "rms": 0.0, "min": 0.0, "max": mean}

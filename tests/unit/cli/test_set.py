@@ -62,6 +62,16 @@ def test_a_result_keeps_the_model_that_was_computed(run, tmp_path):
         assert (header["model_text"] == MODEL) == (not more)
 
 
+def test_a_result_elsewhere_than_its_model_names_the_remedy(run, tmp_path, monkeypatch, capsys):
+    """The files that a model names are in its directory."""
+    assert run()[0] == 0
+    text = MODEL + "winds: {gusty: {box: turbulence.bts}}\n"
+    monkeypatch.setattr("pitchpoint.io.reading.read_header", lambda path: {"model_text": text})
+    assert run_command(["view", str(tmp_path / "out.h5")]) == 2
+    said = "'turbulence.bts' names a file that does not exist; keep the result in the directory of its model"
+    assert said in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "setting, said",
     [

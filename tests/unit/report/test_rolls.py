@@ -12,6 +12,7 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.progress import silent
+from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.core.units import format_quantity
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
@@ -276,6 +277,20 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
         "first. A scenario with a slow roll sets its own number."
     ]
     assert told == sorted(told) and told[-1] == (4.0, 4), "two rolls, matrices, Campbell diagram"
+
+
+def test_what_no_mesh_can_roll_is_said_once(monkeypatch) -> None:
+    """Meshes that are not rolled have no number of points either."""
+
+    def refuse(*given: object, **options: object) -> None:
+        """No roll."""
+        raise pp.SolverError("a slow roll has no speeds", INCONSISTENT)
+
+    monkeypatch.setattr("pitchpoint.report.rolls.LARGE", 1)
+    monkeypatch.setattr("pitchpoint.solvers.quasistatic.roll.roll_through", refuse)
+    notes = collect(train(), [], silent)[1]
+    assert "first and second: no slow roll: a slow roll has no speeds." in notes
+    assert not [note for note in notes if "points" in note]
 
 
 def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monkeypatch) -> None:

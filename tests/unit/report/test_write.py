@@ -269,7 +269,9 @@ def test_each_result_of_a_scenario_has_a_column_in_the_provenance(file: Path, tm
 def test_ranges_in_the_provenance_have_a_unit() -> None:
     sweep = {"speed": [10.0, 20.0], "body": "speed", "settle_periods": 5}
     options = {"operating_speed": [628.318530718, 628.318530718], "sweep": sweep, "speed": {"step": 1.0}}
+    options["long_step"] = 1e-3
     rows = dict(source_of("x", {"kind": "sweep", "options": options}, "").rows)
     assert rows["operating speed"] == "6000 rpm"
     assert rows["sweep"] == "speed: 95.493 rpm to 190.99 rpm, body: speed, settle_periods: 5"
     assert rows["speed"] == "step: 9.5493 rpm"
+    assert rows["long step"] == "1 ms"

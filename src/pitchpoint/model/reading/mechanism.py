@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 RESERVED = ("t", "angle", "speed", "elongation", "rate", "pi", *DISPLACEMENTS)
 """Names that are reserved in formulas and not allowed for user-defined coordinates."""
+RELATIVE = "file names are relative to the directory of the model file"
+"""Remedy for a file that does not exist."""
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
 
 
@@ -61,7 +63,7 @@ def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     found = Path(reader.directory) / name
     if "\0" in name or not found.is_file():
         text = "names a file that does not exist"
-        remedy = "file names are relative to the directory of the model file"
+        remedy = RELATIVE
         if "\0" not in name:
             text = "names a folder" if found.is_dir() else text
             remedy = f"{similar_file(Path(reader.directory), name)}{remedy}"

@@ -244,13 +244,14 @@ def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
 
 def _model(request: Request, record: Record) -> Model | None:
     """The given model, else the model stored in the file."""
-    from pitchpoint.io.yaml_model import load_model, loads_model
+    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.report.stored_model import model_of_text
 
     if request.model is not None:
         return load_model(request.model, allow_code=request.allow_code)
     if not record.model_text:
         return None
-    return loads_model(record.model_text, allow_code=request.allow_code, file=request.file)
+    return model_of_text(record.model_text, request.file, request.allow_code)
 
 
 def _of_model(request: Request, record: Record, model: Model) -> Machine:
