@@ -70,6 +70,17 @@ def test_modes_of_the_parked_turbine_have_the_names_of_the_field():
     ]
 
 
+@pytest.mark.parametrize("stiffer", [0.1, 0.5, 1.0])
+def test_torsion_of_the_drive_train_has_one_name(stiffer):
+    """Whether most of the strain is in the shaft or in the blades; gearboxes make the train softer."""
+    stiffness = {"torsion_springs.shaft.stiffness": f"{8.67637e8 * stiffer} N m/rad"}
+    system = turbine("production", include="rigid_ratio.yaml", **stiffness)
+    modes = find_multiblade_modes(system, "production", hub="hub", blades=BLADES, azimuths=1)
+    at = modes.names.index("drive-train torsion")
+    mostly = max(modes.strain[at], key=modes.strain[at].get)
+    assert mostly == ("blades of rotor" if stiffer == 1.0 else "coupling shaft")
+
+
 def test_strain_energy_is_that_of_whole_components(diagram):
     found, data = diagram
     components = list(data["component"].values)
