@@ -147,6 +147,8 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
 
     The lowest modes are those of the undamped frequency; the rows are in the order of the natural frequency.
     """
+    from pitchpoint.solvers.linear_system import omitted_note
+
     least = ROUNDING * max((abs(row["undamped_frequency"]) for row in summary["modes"]), default=0.0)
 
     def above_rounding(frequency: float) -> float:
@@ -171,15 +173,16 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         show(f"eigenvalues of states [1/s]: {', '.join(words)}")
     if quiet:
         return
-    total = summary["total"]
+    total, computed = summary["total"], len(summary["modes"])
     if count < total:
         last = shown(summary["modes"][count - 1]["undamped_frequency"], "frequency", 4)
-        show(f"{count} of {total} modes, up to {last} undamped; --count {total} shows all of them")
+        more = f"; {computed} are written" if summary["output"] is not None and computed != count else ""
+        show(f"the lowest {count} of {total} modes, up to {last} undamped{more}; --count N shows N")
     if count:
         show(
             "natural frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest"
         )
-    show_notes(summary["notes"])
+    show_notes(note for note in summary["notes"] if note != omitted_note(computed, total))
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
 

@@ -97,5 +97,5 @@ def show_modes(title: str, summary: dict[str, Any], count: int, *, quiet: bool) 
     if quiet:
         return
     if count < summary["total"]:
-        show(f"{count} of {summary['total']} modes; --count {summary['total']} shows all of them")
+        show(f"the lowest {count} of {summary['total']} modes that oscillate; --count N shows N")
     show("natural frequency: in axes that do not turn; blades: amplitudes over the largest of the mode")

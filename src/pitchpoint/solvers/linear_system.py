@@ -287,14 +287,18 @@ class Undamped:
     whole: tuple[Array, Array] | None
 
 
+def omitted_note(found: int, total: int) -> str:
+    """Note on modes that are not computed by default."""
+    return f"the lowest {found} of {total} modes: give a number of modes to get more"
+
+
 def lowest(linear: Linearised, count: int | None = None) -> Undamped:
     """Undamped modes, lowest first: all of systems with up to `MAX_MODES`, or as many as are requested."""
     parts, rigid = linear.at_rest, linear.rigid
     total = linear.basis.shape[1]
     wanted = total if total <= MAX_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
-    note = (f"the lowest {wanted} of {total} modes: give a number of modes to get more",)
-    notes = note if count is None and wanted < total else ()
+    notes = (omitted_note(wanted, total),) if count is None and wanted < total else ()
     if total > MAX_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
         return Undamped(*found, total, notes, None)
