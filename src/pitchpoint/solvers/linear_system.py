@@ -43,6 +43,9 @@ MAX_MODES = 200
 """Largest system (number of modes) for which all modes are computed by default."""
 LOWEST = 40
 """Default number of modes of larger systems."""
+DENSE = 1200
+"""Largest number of unknowns of first order, of a large system with states, for which all eigenvalues are
+computed, so that those of the states are complete."""
 SPARSE = 0.3
 """Share of the modes up to which they are computed iteratively."""
 
@@ -338,25 +341,47 @@ def _sparse(basis: Any) -> Any:
     return csc_array(basis)
 
 
-def damped_modes(
-    linear: Linearised, modes: Undamped
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues and shapes at speed, in the order of the undamped modes, those of states last."""
+@dataclass(frozen=True)
+class Damped:
+    """Damped modes in the order of the undamped ones, and other eigenvalues of states.
+
+    Parameters
+    ----------
+    values, shapes
+        Eigenvalues [1/s] (m,) and shapes (m, nd).
+    states
+        Other eigenvalues in which states of force elements take part [1/s], in ascending order.
+    reach
+        Absolute value up to which these are complete [1/s].
+    """
+
+    values: NDArray[np.complex128]
+    shapes: NDArray[np.complex128]
+    states: NDArray[np.complex128]
+    reach: float = math.inf
+
+
+def damped_modes(linear: Linearised, modes: Undamped) -> Damped:
+    """Modes and eigenvalues of states at speed."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
+    none = np.zeros(0, np.complex128)
     if modes.whole is None and _is_undamped(linear, modes, left):
-        return np.asarray(1j * modes.omega, np.complex128), modes.shapes.astype(np.complex128)
-    if modes.whole is None:
+        return Damped(1j * modes.omega.astype(np.complex128), modes.shapes.astype(np.complex128), none)
+    whole = modes.whole
+    if whole is None:
         basis = _sparse(linear.basis)
-        return nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
-    omega, shapes = modes.whole
+        if not linear.states or 2 * modes.total + len(linear.states) > DENSE:
+            found = nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
+            return Damped(*found)
+        whole = undamped(M, linear.at_rest.K, basis.toarray(), linear.rigid)
+    omega, shapes = whole
+    m = len(modes.omega)
     if linear.states:
-        values, found = damped_with_states(M, D, K, shapes, omega, linear.states, left)
-    else:
-        values, z = damped(D, left, shapes, omega)
-        found = np.asarray(z.T @ shapes, dtype=np.complex128)
-    own = np.r_[: len(modes.omega), len(omega) : len(values)]
-    return values[own], found[own]
+        values, z, rest = damped_with_states(M, D, K, shapes, omega, linear.states, left)
+        return Damped(values[:m], z[:m], rest)
+    values, z = damped(D, left, shapes, omega)
+    return Damped(values[:m], np.asarray(z.T[:m] @ shapes, dtype=np.complex128), none)
 
 
 def _is_undamped(linear: Linearised, modes: Undamped, left: Array) -> bool:
