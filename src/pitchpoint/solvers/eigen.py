@@ -243,7 +243,8 @@ def damped_with_states(
     A[2 * n :, :n] = -np.linalg.solve(mass, K[own] @ shapes.T)
     A[2 * n :, n : 2 * n] = -np.linalg.solve(mass, D[own] @ shapes.T)
     A[2 * n :, 2 * n :] = -np.linalg.solve(mass, D[np.ix_(own, own)])
-    values, lefts, vectors = eig(A, left=True, right=True)
+    found: Any = eig(A, left=True, right=True)
+    values, lefts, vectors = found
     unit = max(float(np.abs(values).max(initial=0.0)), 1e-300)
     share = state_shares(values, vectors, lefts.conj(), slice(2 * n, None))
     upper = np.flatnonzero(values.imag > -1e-12 * unit)
@@ -257,14 +258,14 @@ def damped_with_states(
     first = best_match(likeness) if n else np.zeros(0, np.intp)
     rest = np.setdiff1d(np.flatnonzero(share > OWN), first)
     rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
-    found = values[first]
+    own_values = values[first]
     rigid = omega == 0.0
     if not A[n : 2 * n, 2 * n :][rigid].any():  # no state acts on a rigid rotation
-        found[_left_over(found / unit, rigid, -A[n : 2 * n, n : 2 * n] / unit)] = 0.0
+        own_values[_left_over(own_values / unit, rigid, -A[n : 2 * n, n : 2 * n] / unit)] = 0.0
     full = (shapes.T @ vectors[:n, first]).astype(np.complex128)
-    still = np.abs(found) <= 1e-12 * unit
-    full[own] = np.where(still, 0.0, vectors[2 * n :, first] / np.where(still, 1.0, found))
-    return found, np.asarray(full.T), values[rest]
+    still = np.abs(own_values) <= 1e-12 * unit
+    full[own] = np.where(still, 0.0, vectors[2 * n :, first] / np.where(still, 1.0, own_values))
+    return own_values, np.asarray(full.T), values[rest]
 
 
 def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:

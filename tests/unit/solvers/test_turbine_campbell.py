@@ -96,7 +96,7 @@ def in_other_units(linear, factor):
 
 @pytest.mark.parametrize("large", [False, True])
 def test_eigenvalues_of_states_do_not_depend_on_units(production, monkeypatch, large):
-    """All are found, of large systems up to a stated value; the filter has 2 pi 0.25 Hz, the pitch 1/0.1 s."""
+    """All are found, of large systems up to a stated value; filter 2 pi 0.25 Hz, rate limit 1/0.1 s."""
     if large:
         for name, value in (("MAX_MODES", 1), ("SPARSE", 2.0), ("DENSE", 0)):
             monkeypatch.setattr(linear_system, name, value)

@@ -238,7 +238,8 @@ def _iterate(
     size = A.shape[0] - 2 * loose.shape[1]
     moving = omega[omega > 0.0]
     shift = NEARER * float(moving.min() if moving.size else 1.0)
-    lu, carried = splu((A - shift * B).tocsc()), B[n : 2 * n, n : 2 * n] @ loose
+    lu: Any = splu((A - shift * B).tocsc())
+    carried = B[n : 2 * n, n : 2 * n] @ loose
 
     def solve(x: Array) -> Array:
         """Solve with the factors and remove the rigid rotations from positions and rates."""
