@@ -46,6 +46,8 @@ LOWEST = 40
 DENSE = 1200
 """Largest number of unknowns of first order, of a large system with states, for which all eigenvalues are
 computed, so that those of the states are complete."""
+FEW_STATES = 50
+"""Number of states up to which iterations for the lowest modes take less time."""
 SPARSE = 0.3
 """Share of the modes up to which they are computed iteratively."""
 
@@ -361,8 +363,8 @@ class Damped:
     reach: float = math.inf
 
 
-def damped_modes(linear: Linearised, modes: Undamped) -> Damped:
-    """Modes and eigenvalues of states at speed."""
+def damped_modes(linear: Linearised, modes: Undamped, complete: bool = False) -> Damped:
+    """Modes and eigenvalues of states at speed; `complete`: those of all states, up to `DENSE` unknowns."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
     none = np.zeros(0, np.complex128)
@@ -371,7 +373,9 @@ def damped_modes(linear: Linearised, modes: Undamped) -> Damped:
     whole = modes.whole
     if whole is None:
         basis = _sparse(linear.basis)
-        if not linear.states or 2 * modes.total + len(linear.states) > DENSE:
+        states = len(linear.states)
+        few = states <= (0 if complete else FEW_STATES)
+        if few or 2 * modes.total + states > DENSE:
             found = nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
             return Damped(*found)
         whole = undamped(M, linear.at_rest.K, basis.toarray(), linear.rigid)

@@ -200,7 +200,7 @@ def find_modes(
     own, parts = linear.system, linear.at_rest
     modes = lowest(linear, count)
     omega, shapes = modes.omega, modes.shapes
-    damped = damped_modes(linear, modes)
+    damped = damped_modes(linear, modes, complete=True)
     values = damped.values
     complex_shapes = _normalised(damped.shapes, parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)

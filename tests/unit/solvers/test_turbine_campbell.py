@@ -102,7 +102,7 @@ def test_eigenvalues_of_states_do_not_depend_on_units(production, monkeypatch, l
             monkeypatch.setattr(linear_system, name, value)
     _, linear = production
     one, two = (
-        linear_system.damped_modes(system, linear_system.lowest(system, 12))
+        linear_system.damped_modes(system, linear_system.lowest(system, 12), complete=True)
         for system in (linear, in_other_units(linear, 1e3))
     )
     assert one.reach == (pytest.approx(two.reach) if large else math.inf)
