@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.core.errors import SolverError, join_notes
-from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.progress import Progress, as_steps, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.core.units import format_quantity
 from pitchpoint.solvers.campbell import Campbell, follow_modes
@@ -91,7 +91,7 @@ def solve_wind_campbell(
     if rotor is None:
         raise SolverError("the model has no wind_rotors, so there are no modes over the wind", INCONSISTENT)
     hub = rotor.hub.partition(".")[0]
-    linear = linear or linearise(system, scenario, turning=hub)
+    linear = linear or linearise(system, scenario, turning=hub, progress=as_steps("matrices"))
     over = OverWind(linear, rates_of(linear, hub, scenario))
     found = follow_modes(
         system, speeds, hub, scenario, count=count, progress=progress, linear=linear, over=over

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, INCONSISTENT
 from pitchpoint.core.units import format_quantity
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
@@ -33,7 +34,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 from pitchpoint.system.wind import with_wind
 
-STEP = 1.0
+STEP = 2.0
 """Largest step of the wind speed between two equilibria [m/s]."""
 ROUNDS = 25
 """Maximum number of corrections of speed and integrators."""
@@ -100,6 +101,7 @@ class WindStates(SpeedStates):
             last = Operation(self.operating, self.linear.system, self.linear.state)
             last, at = self._solved(self.wind, last), self.wind
             for wind in map(float, part):
+                report_step(f"operating point at {format_quantity(wind, 'speed', 4)}")
                 try:
                     for between in np.linspace(at, wind, int(np.ceil(abs(wind - at) / STEP)) + 1)[1:-1]:
                         last = self._solved(float(between), last)
