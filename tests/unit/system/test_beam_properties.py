@@ -20,6 +20,7 @@ from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.beam_pieces import beam_pieces
 from tests.support.rotors import FOLDER
+from tests.support.windio import VERSION_2
 
 TEXT = """\
 bodies:
@@ -200,6 +201,17 @@ def test_defaults_are_those_in_effect():
         found = {key for key, _ in defaults(mast(properties).model)}
         assert {f"beams.mast.properties.{name}" for name in shown} <= found
         assert not {f"beams.mast.properties.{name}" for name in idle} & found
+
+
+def test_internal_damping_is_a_default_only_without_damping_of_the_sections(tmp_path):
+    """That of a windIO file counts, as does that of lists."""
+    damped = "structural_damping: {mu: [0.003, 0.002, 0.001, 0.002, 0.003, 0.001]}"
+    text = VERSION_2.replace("elastic_properties:\n", f"elastic_properties:\n        {damped}\n", 1)
+    for number, (contents, shown) in enumerate(((VERSION_2, True), (text, False))):
+        (tmp_path / f"{number}.yaml").write_text(contents)
+        model = TEXT.replace("2 m]", "30 m]").replace("PIECES", "1")
+        model = model.replace("PROPERTIES", f"windio: {tmp_path}/{number}.yaml, component: blade")
+        assert (("beams.mast.internal_damping", "0 s") in defaults(loads_model(model))) is shown
 
 
 def with_entry(i, j, value):
