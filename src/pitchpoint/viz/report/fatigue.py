@@ -54,7 +54,6 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         for gear, flank, row in teeth
     ]
     section.add(plain_table(head, rows))
-    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     section.add(
         f"<p>{found['tooth_force'].capitalize()}; equivalent for m = {found['tooth_slope']:g}, as many "
         f"constant pulses as the teeth have in the mean. {notes}</p>"
