@@ -244,6 +244,14 @@ def test_wrong_section_matrices_are_told(word):
     assert all(p.line for p in error.value.problems)
 
 
+def test_problems_at_one_line_are_in_the_order_of_the_keys():
+    """Not in that of a set, which changes from process to process."""
+    with pytest.raises(ModelError) as error:
+        mast(f"{SAME}, gyration: [1, 1], mass: [3, 3], bending_2: [3, 3], bending_1: [3, 3]")
+    keys = [p.where.rpartition(".")[2] for p in error.value.problems]
+    assert keys == ["mass", "bending_1", "bending_2", "gyration"]
+
+
 def test_a_section_that_is_not_flat_is_noted():
     """Entry 66 of 0.06 beside 0.02 + 0.01: 50 %."""
     text = TEXT.replace("PROPERTIES", SAME).replace("PIECES", "4")
