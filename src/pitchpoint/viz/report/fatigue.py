@@ -24,11 +24,11 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
     section
         The section of the run.
     found
-        As returned by `report.fatigue.fatigue_loads`; empty for none.
+        As returned by `report.fatigue.fatigue_loads`; without loads there is no section.
     name
         Of the run.
     """
-    if not found:
+    if not found or not (found["channels"] or found["teeth"]):
         return
     section.add(f"<h4>Fatigue loads</h4><p>{_words(found)}</p>")
     head = ["load", "minimum", "mean", "maximum", *(f"m = {m:g}" for m in found["slopes"])]
