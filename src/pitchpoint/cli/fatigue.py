@@ -85,8 +85,8 @@ def fatigue(
         found = fatigue_loads(cases, options["patterns"], slopes, options["cycles"], tooth_slope)
     if not (found["channels"] or found["teeth"]):
         show_notes(found["notes"])
-        text = "there are no moments of beams, no torques of couplings or torsion springs and no forces of teeth"
-        raise click.UsageError(f"{text} in the results: choose channels with -c")
+        text = "the results have no moments of beams, no torques of couplings or springs and no forces of teeth"
+        raise click.UsageError(f"{text}: choose channels with -c")
     if target is not None:
         write_file(target, csv_text(found))
     if as_json:
