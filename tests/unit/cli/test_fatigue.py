@@ -53,7 +53,7 @@ scenarios: {run: {speed: {wheel: 60 rpm}, duration: 0.1 s, step: 1 ms}}
     file, target = written(tmp_path, text), str(tmp_path / "run.h5")
     assert run_command(["run", file, "-q", "-o", target]) == 0
     assert run_command(["fatigue", target]) == 2
-    assert "no moments of beams" in (told := capsys.readouterr().err) and "-c" in told
+    assert "have no moments of beams" in (told := capsys.readouterr().err) and "-c" in told
     assert run_command(["fatigue", target, "-c", "speed[wheel]"]) == 0
 
 
