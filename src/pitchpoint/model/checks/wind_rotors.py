@@ -56,6 +56,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _turns(rotor, at, report)
             _blades(rotor, at, report)
             _beams(parts, rotor, at, report)
+            _diameters(parts, rotor, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
@@ -100,6 +101,14 @@ def _beams(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
                     remedy="name the beams in the order of rotation, from the direction of x of the hub",
                 )
                 break
+
+
+def _diameters(parts: Parts, rotor: WindRotor, report: Reader) -> None:
+    """Refuse diameters of blades, which are drawn with their chords."""
+    for name in rotor.beams:
+        if name in parts.beams and parts.beams[name].diameters:
+            remedy = "remove them: a blade has the chords of its stations"
+            report.problem(("beams", name, "diameters"), "are not for blades", remedy=remedy)
 
 
 def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:
