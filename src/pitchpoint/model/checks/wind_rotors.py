@@ -56,7 +56,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _turns(rotor, at, report)
             _blades(rotor, at, report)
             _beams(parts, rotor, at, report)
-            _diameters(parts, rotor, report)
+            _diameters(parts, rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
@@ -103,10 +103,11 @@ def _beams(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
                 break
 
 
-def _diameters(parts: Parts, rotor: WindRotor, report: Reader) -> None:
+def _diameters(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
     """Refuse diameters of blades, which are drawn with their chords."""
-    for name in rotor.beams:
-        if name in parts.beams and parts.beams[name].diameters:
+    for k, name in enumerate(rotor.beams):
+        beam = parts.beams.get(name)
+        if beam is not None and beam.diameters and (*at, "beams", k) not in report.tainted:
             remedy = "remove them: a blade has the chords of its stations"
             report.problem(("beams", name, "diameters"), "are not for blades", remedy=remedy)
 
