@@ -4,7 +4,8 @@
 Oracle: the angle channel of the simulation. A mesh line changes its phase by up to pi where it crosses a
 resonance, and the angle, if it follows this line, by pi over its order: a step of pi/16 for the lowest mesh
 line. The rms of a step about its mean is at most half its height, pi/32 = 0.098 rad. Seen: 0.026 to 0.027 rad
-(healthy) and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal.
+(healthy) and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal. In `make test`
+a healthy run-up is in tests/unit/cli/test_diagnose_run_up.py.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ BROKEN = "profile_shift_coefficient: 0, faults: {broken: {type: broken_tooth, se
 CHANNELS = ("mesh_force[first]", "mesh_force[second]")
 
 
-@pytest.fixture(scope="module", params=["healthy", "broken"])
+@pytest.fixture(scope="module", params=[pytest.param("healthy", marks=pytest.mark.study), "broken"])
 def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, str]:
     """State and result of a run-up from 600 to 1800 rpm in 10 s."""
     model = re.search(r"```yaml\n(title: two-stage.*?)```", DOCS.read_text(encoding="utf-8"), re.S)
