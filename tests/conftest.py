@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import os
 import signal
 from collections.abc import Generator, Iterator
@@ -17,6 +18,9 @@ LONG = ("tests/browser/", "tests/examples/", "tests/validation/")
 """Folders with the longest files."""
 BACKWARDS = os.environ.get("PYTEST_XDIST_WORKER", "")[-1:] in tuple("13579")
 """Whether this is every second worker."""
+
+FEW_SETS = 12
+"""Number of parameter sets of a test up to which all are in `make test`."""
 
 # Before anybody loads NumPy: tests run side by side already, and threads of its linear algebra that share
 # processors spend most of their time waiting for each other (modes of 300 discs: a third of the time).
@@ -76,6 +80,7 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> Iterator[None]:
     """Every test carries the name of its folder as marker; `--thin` counts what is selected.
 
+    Of tests over three parameters and more `make test` has every pair of values; other sets are studies.
     The longest files are first: a long file that is started last leaves one worker without work.
     """
     for item in items:
@@ -85,6 +90,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             continue
         if not folder.endswith(".py"):
             item.add_marker(folder)
+    for sets in by_function(items).values():
+        if len(sets) > FEW_SETS:
+            for item in beyond_pairs(sets):
+                item.add_marker("study")
     yield
     items.sort(key=place)
     if config.option.thin:
@@ -101,11 +110,32 @@ def place(item: pytest.Item) -> tuple[bool, bool, str]:
 
 def thinned(items: list[pytest.Item], most: int) -> set[pytest.Item]:
     """At most so many parameter sets of each test function, evenly spread, first and last among them."""
-    functions: dict[str, list[pytest.Item]] = {}
-    for item in items:
-        functions.setdefault(item.nodeid.partition("[")[0], []).append(item)
     kept: set[pytest.Item] = set()
-    for sets in functions.values():
+    for sets in by_function(items).values():
         number = min(most, len(sets))
         kept |= {sets[k * (len(sets) - 1) // max(number - 1, 1)] for k in range(number)}
     return kept
+
+
+def by_function(items: list[pytest.Item]) -> dict[str, list[pytest.Item]]:
+    """Parameter sets of each test function."""
+    functions: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        functions.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    return functions
+
+
+def beyond_pairs(sets: list[pytest.Item]) -> list[pytest.Item]:
+    """Sets whose values are in other sets in pairs; none for one or two parameters.
+
+    Two parameters in one list of sets count as one. The order of the search is scattered but fixed.
+    """
+    seen: set[object] = set()
+    left = []
+    for k in sorted(range(len(sets)), key=lambda k: k * 7919 % 10007):
+        values = enumerate(sets[k].callspec._idlist)  # one name per list of values
+        pairs = set(itertools.combinations(values, 2))
+        if len(sets[k].callspec._idlist) > 2 and pairs <= seen:
+            left.append(sets[k])
+        seen |= pairs
+    return left
