@@ -80,7 +80,8 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> Iterator[None]:
     """Every test carries the name of its folder as marker; `--thin` counts what is selected.
 
-    Of tests over three parameters and more `make test` has every pair of values; other sets are studies.
+    Of tests over three parameters and more `make test` has every pair of values, of those with the marker
+    `each_value` every value; other sets are studies.
     The longest files are first: a long file that is started last leaves one worker without work.
     """
     for item in items:
@@ -91,8 +92,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if not folder.endswith(".py"):
             item.add_marker(folder)
     for sets in by_function(items).values():
-        if len(sets) > FEW_SETS:
-            for item in beyond_pairs(sets):
+        every = sets[0].get_closest_marker("each_value") is not None
+        if every or len(sets) > FEW_SETS:
+            for item in beyond(sets, 1 if every else 2):
                 item.add_marker("study")
     yield
     items.sort(key=place)
@@ -125,8 +127,8 @@ def by_function(items: list[pytest.Item]) -> dict[str, list[pytest.Item]]:
     return functions
 
 
-def beyond_pairs(sets: list[pytest.Item]) -> list[pytest.Item]:
-    """Sets whose values are in other sets in pairs; none for one or two parameters.
+def beyond(sets: list[pytest.Item], strength: int) -> list[pytest.Item]:
+    """Sets whose values are in other sets, alone (strength 1) or in pairs (2).
 
     Two parameters in one list of sets count as one. The order of the search is scattered but fixed.
     """
@@ -134,8 +136,8 @@ def beyond_pairs(sets: list[pytest.Item]) -> list[pytest.Item]:
     left = []
     for k in sorted(range(len(sets)), key=lambda k: k * 7919 % 10007):
         values = enumerate(sets[k].callspec._idlist)  # one name per list of values
-        pairs = set(itertools.combinations(values, 2))
-        if len(sets[k].callspec._idlist) > 2 and pairs <= seen:
+        found = set(itertools.combinations(values, strength))
+        if len(sets[k].callspec._idlist) > strength and found <= seen:
             left.append(sets[k])
-        seen |= pairs
+        seen |= found
     return left

@@ -48,23 +48,27 @@ def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     return request.param, result
 
 
-@pytest.mark.parametrize("noise", [pytest.param(20.0, marks=pytest.mark.study), 0.0])
-def test_the_verdict_is_that_of_the_angle_channel(run: tuple[str, str], noise: float) -> None:
+@pytest.mark.parametrize(
+    ("noise", "speeds"),
+    [
+        pytest.param(20.0, ("input=600..1800rpm",), marks=pytest.mark.study),
+        (0.0, ("input=600..1800rpm",)),
+        pytest.param(20.0, (), marks=pytest.mark.study),
+        pytest.param(0.0, (), marks=pytest.mark.study),
+    ],
+    ids=["20.0-range", "0.0-range", "20.0-channel", "0.0-channel"],
+)
+def test_the_verdict_is_that_of_the_angle_channel(
+    run: tuple[str, str], noise: float, speeds: tuple[str, ...]
+) -> None:
+    """With the range of the speed as with the angle channel."""
     state, file = run
-    found = [
-        [
-            (finding.kind, finding.shaft, finding.gears)
-            for finding in diagnose_file(
-                Request(file, speeds=speeds, channels=CHANNELS, noise=noise)
-            ).diagnosis.findings
-        ]
-        for speeds in ((), ("input=600..1800rpm",))
-    ]
-    assert found[0] == found[1]
-    assert found[1] == ([("local fault", "idler", ("z2", "z3"))] if state == "broken" else [])
+    request = Request(file, speeds=speeds, channels=CHANNELS, noise=noise)
+    found = [(one.kind, one.shaft, one.gears) for one in diagnose_file(request).diagnosis.findings]
+    assert found == ([("local fault", "idler", ("z2", "z3"))] if state == "broken" else [])
 
 
-@pytest.mark.parametrize("noise", [20.0, pytest.param(10.0, marks=pytest.mark.study), 0.0])
+@pytest.mark.parametrize("noise", [20.0, *(pytest.param(x, marks=pytest.mark.study) for x in (10.0, 0.0))])
 def test_the_angle_is_within_the_phase_of_one_resonance(run: tuple[str, str], noise: float) -> None:
     _, file = run
     time, angle = (np.asarray(x) for x in read_channel(file, "angle[input]"))
