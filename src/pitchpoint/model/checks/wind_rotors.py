@@ -56,6 +56,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _turns(rotor, at, report)
             _blades(rotor, at, report)
             _beams(parts, rotor, at, report)
+            _diameters(parts, rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
@@ -100,6 +101,15 @@ def _beams(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
                     remedy="name the beams in the order of rotation, from the direction of x of the hub",
                 )
                 break
+
+
+def _diameters(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Refuse diameters of blades, which are drawn with their chords."""
+    for k, name in enumerate(rotor.beams):
+        beam = parts.beams.get(name)
+        if beam is not None and beam.diameters and (*at, "beams", k) not in report.tainted:
+            remedy = "remove them: a blade has the chords of its stations"
+            report.problem(("beams", name, "diameters"), "are not for blades", remedy=remedy)
 
 
 def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:
