@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import data_files, laws
+from pitchpoint.model.reading.bare_numbers import note_signal
 from pitchpoint.model.reading.formula_text import WORDS
 from pitchpoint.model.show import shown
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 REMEDY = "write a number in SI units, or one with its unit such as 1500 rpm"
 NUMBER = Key("quantity", "", dimension="dimensionless")
+ANY = Key("quantity", "")
 
 
 def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
@@ -28,7 +30,10 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     from pitchpoint.core.formula.formula import FormulaError, constant
 
     if isinstance(data, Real) and not isinstance(data, bool):
-        return reader.number(NUMBER, data, path)
+        number = reader.number(NUMBER, data, path)
+        if number is not BAD:
+            note_signal(reader, ANY, data, number, path)
+        return number
     if not isinstance(data, str):
         return reader.problem(
             path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
@@ -40,6 +45,7 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     except FormulaError as error:
         return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
     reader.used |= used
+    note_signal(reader, ANY, data, amount.value, path)
     return amount.value
 
 
@@ -105,9 +111,12 @@ def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read rows [input, value] with increasing inputs, or a text file with two columns."""
     if isinstance(data, str):
         lines = data_files.lines(reader, data, path, "a list of rows")
-        data = BAD if lines is BAD else [cells for _, cells in lines]
-        if data is BAD:
+        if lines is BAD:
             return BAD
+        known = len(reader.bare)
+        found = curve(reader, key, [cells for _, cells in lines], path)
+        reader.bare[known:] = reader.bare[known:][-2:]  # one remark on a file
+        return found
     if not isinstance(data, list | tuple) or len(data) < 2:
         return reader.problem(
             path, "is not a list of at least two rows", value=shown(data), remedy="write [[0, 0], [10, 2]]"
