@@ -244,7 +244,9 @@ def test_a_removed_include_is_one_problem_with_the_files_that_have_the_names(fil
     file = files(model=text, gears=more)
     (problem,) = problems_of(file)
     assert problem.startswith("include (line 1): ")
-    assert "is missing: 7 problems are names that this model does not define, and that gears.yaml has" in problem
+    assert (
+        "is missing: 7 problems are names that this model does not define, and that gears.yaml has" in problem
+    )
     assert problem.endswith("write include: [gears.yaml]")
     files(model=text, gears=more, variant=more)
     (problem,) = problems_of(file)

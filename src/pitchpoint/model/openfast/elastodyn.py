@@ -9,6 +9,7 @@ import numpy as np
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.files import read_once
 from pitchpoint.model.openfast.text import InputText, Line, read_input
 
 _BLADE = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
@@ -73,6 +74,23 @@ def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
         return _blade(text, columns) if blade is not None else _tower(text, columns)
     except ModelError as error:
         raise ModelError([_in_row(text, p) for p in error.problems]) from None
+
+
+@read_once(files=16)
+def elastodyn_part(path: str) -> str:
+    """Part that a file of ElastoDyn describes, "blade" or "tower"; "" if it cannot be read.
+
+    Parameters
+    ----------
+    path
+        The file.
+    """
+    try:
+        text = read_input(path)
+    except ModelError:
+        return ""
+    found = [part for part, name in (("blade", "NBlInpSt"), ("tower", "NTwInpSt")) if text.find(name)]
+    return found[0] if len(found) == 1 else ""
 
 
 def _in_row(text: InputText, problem: Message) -> Message:
