@@ -47,6 +47,22 @@ def stop():
 
 sys.exit(run_to_its_code(lambda: handled(stop)))
 """
+IN_CLASS = """\
+from pitchpoint.cli.failure import exit_code_of
+
+class Field:
+    def __set_name__(self, owner, name):
+        os.kill(os.getpid(), signal.SIGTERM)
+        wait()
+
+def command():
+    try:
+        type("Owner", (), {"field": Field()})
+    except BaseException as error:
+        return exit_code_of(error)
+
+sys.exit(run_to_its_code(command))
+"""
 OUTSIDE = """\
 def command():
     os.kill(os.getpid(), signal.SIGTERM)
@@ -64,8 +80,8 @@ sys.exit(code)
 
 @pytest.mark.parametrize(
     ("text", "code"),
-    [(LOST, 143), (IN_TEXT, 143), (OUTSIDE, 143), (LATE, 3)],
-    ids=["where exceptions are discarded", "in a text that is executed", "outside the command", "at its end"],
+    [(LOST, 143), (IN_TEXT, 143), (IN_CLASS, 143), (OUTSIDE, 143), (LATE, 3)],
+    ids=["where exceptions are discarded", "in a text", "in a class", "outside the command", "at its end"],
 )
 def test_the_exit_code_after_sigterm(text: str, code: int, tmp_path: Path) -> None:
     (tmp_path / "command.py").write_text(BEGIN + text)
