@@ -7,7 +7,7 @@ unknown.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
@@ -61,50 +61,55 @@ def values(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return reader.sequence(key, data, path, lambda k, entry, at: value(reader, k, entry, at))
 
 
+def mapping(
+    reader: Reader,
+    key: Key,
+    data: Any,
+    path: Place,
+    read: Callable[..., Any],
+    what: str = "names",
+    remedy: str = "",
+) -> Any:
+    """Read a mapping entry by entry; `what` it maps is part of the message."""
+    if not isinstance(data, Mapping):
+        return reader.problem(path, f"is not a mapping of {what}", value=shown(data), remedy=remedy)
+    found = {str(name): read(reader, key, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
 def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of signal names to gains."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path, "is not a mapping of names to numbers", value=shown(data), remedy="write {speed: -1}"
-        )
-    found = {str(name): value(reader, key, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    return mapping(reader, key, data, path, value, "names to numbers", "write {speed: -1}")
 
 
 def records(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of records of a controller library to names of signals or numbers."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path,
-            "is not a mapping of records",
-            value=shown(data),
-            remedy="write {generator_speed: SIGNAL}, or {power_demand: 5 MW} for a constant number",
-        )
-    found = {}
-    for name, given in data.items():
+
+    def read(reader: Reader, key: Key, given: Any, at: Place) -> Any:
+        """Name of a signal, or a number."""
         is_name = isinstance(given, str) and (given[:1].isalpha() or given[:1] == "_")
-        found[str(name)] = given if is_name else value(reader, key, given, (*path, str(name)))
-    return BAD if any(v is BAD for v in found.values()) else found
+        return given if is_name else value(reader, key, given, at)
+
+    remedy = "write {generator_speed: SIGNAL}, or {power_demand: 5 MW} for a constant number"
+    return mapping(reader, key, data, path, read, "records", remedy)
 
 
 def record_signals(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of records of a controller library to names of its output signals."""
     remedy = "write {generator_torque_demand: SIGNAL}"
-    if not isinstance(data, Mapping) or len(data) < key.length[0]:
-        return reader.problem(path, "is not a mapping of records", value=shown(data), remedy=remedy)
-    text = Key("text", "")
-    found = {str(name): reader.string(text, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    if data == {}:
+        return reader.problem(path, "is empty", remedy=remedy)
+    return mapping(reader, key, data, path, _name, "records", remedy)
 
 
 def wires(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of variables of another program to signals."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path, "is not a mapping of variables to signals", value=shown(data), remedy="write {w: speed}"
-        )
-    found = {str(name): reader.string(key, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    return mapping(reader, key, data, path, _name, "variables to signals", "write {w: speed}")
+
+
+def _name(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a signal."""
+    return reader.string(key, data, path)
 
 
 def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
@@ -117,29 +122,15 @@ def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         found = curve(reader, key, [cells for _, cells in lines], path)
         reader.bare[known:] = reader.bare[known:][-2:]  # one remark on a file
         return found
-    if not isinstance(data, list | tuple) or len(data) < 2:
-        return reader.problem(
-            path, "is not a list of at least two rows", value=shown(data), remedy="write [[0, 0], [10, 2]]"
-        )
-    points = []
-    for i, row in enumerate(data):
-        if not isinstance(row, list | tuple) or len(row) != 2:
-            reader.problem((*path, i), "is not a row of two values", remedy="write [input, value]")
-            continue
-        first = reader.number(key, row[0], (*path, i, 0)) if key.dimension else None
-        point = tuple(
-            value(reader, key, x, (*path, i, k)) if k or first is None else first for k, x in enumerate(row)
-        )
-        if BAD not in point:
-            points.append(point)
-    if len(points) < len(data):
-        return BAD
-    for i in range(1, len(points)):
-        if not points[i][0] > points[i - 1][0]:
-            return reader.problem(
-                (*path, i), "does not have a larger input than the previous row", remedy="sort the rows"
-            )
-    return tuple(points)
+
+    def read(column: int, cell: Any, place: Place) -> Any:
+        """Value of a column."""
+        if key.dimension and not column:
+            return reader.number(key, cell, place)
+        return value(reader, key, cell, place)
+
+    rows = data_files.increasing_rows(reader, data, path, read, "input", "[[0, 0], [10, 2]]")
+    return BAD if rows is BAD else tuple(rows)
 
 
 def code(reader: Reader, key: Key, data: Any, path: Place) -> Any:
