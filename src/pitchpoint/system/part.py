@@ -120,13 +120,15 @@ class Part:
         ctl["A"], ctl["mach"] = self._A.ctypes.data, self._mach.ctypes.data
         ctl["at"] = self.at = int(self._ctl.ctypes.data)
 
-    def attach(self, shared: dict[str, NDArray[Any]], solve: int) -> None:
-        """Use arrays that both parts share, and the address of a solution with coupling to the other one."""
+    def attach(self, shared: dict[str, NDArray[Any]], **entries: int) -> None:
+        """Use arrays that both parts share, and the addresses of entries with coupling to the other one."""
         mach = self._mach[0]
         for name, array in shared.items():
             self.arrays[name] = array
             mach[name] = array.ctypes.data
-        mach["nedge"], mach["solve_entry"] = len(shared["edge"]), solve
+        mach["nedge"] = len(shared["edge"])
+        for name, where in entries.items():
+            mach[name] = where
 
     def run(self, kernel_entry: Any, t: float) -> int:
         """Call an entry with the part at the state in the workspace and time t; returns its status."""

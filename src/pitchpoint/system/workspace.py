@@ -104,7 +104,7 @@ MACH = np.dtype(
                 "chosen",
                 "nchosen",
                 "shift",
-                *("edge", "nedge", "coupling", "exchange"),
+                *("edge", "nedge", "coupling", "exchange", "places"),
             ),  # of a part of the coordinates, see `system.part`
         )
     ],

@@ -20,11 +20,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, kernel, view
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system import evaluate
-from pitchpoint.system.part import Part, solve_entry
+from pitchpoint.system.part import Part, factor_entry, solve_entry
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EXCHANGE_ROWS, MACH
 
@@ -105,6 +106,22 @@ def solve_slow(at, spare, other):
             R[edge[i]] -= P[STIFFNESS, i, j] * (q[edge[j]] - X[AT, j])
             R[edge[i]] -= P[DAMPING, i, j] * (v[edge[j]] - X[AT_RATE, j])
     return solve_entry(at, spare, other)
+
+
+@kernel
+def factor_slow(at, mass, other):
+    """Factor the matrix of the rest without the elements of the gear train."""
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    n = m["nedge"]
+    places = view(m["places"], (n, n), I8)
+    P = view(m["coupling"], (4, n, n), F8)
+    A = view(c["A"], 36 * c["na"], F8)
+    for i in range(n):
+        for j in range(n):
+            if places[i, j] >= 0:
+                A[places[i, j]] -= c["cd"] * P[DAMPING, i, j] + P[STIFFNESS, i, j]
+    return factor_entry(at, mass, other)
 
 
 @kernel
@@ -247,10 +264,20 @@ def connect(system: System, state: State, parts: tuple[Part, Part], factors: tup
     shared = {
         "edge": edge,
         "coupling": np.stack([mobility[np.ix_(place, place)], *(found[k] for k in range(CARRIED, 4))]),
+        "places": _places(system, edge),
         "exchange": np.zeros((EXCHANGE_ROWS, n + 2)),
     }
-    fast.attach(shared, address(solve_fast))
-    slow.attach(shared, address(solve_slow))
+    fast.attach(shared, solve_entry=address(solve_fast))
+    slow.attach(shared, solve_entry=address(solve_slow), factor_entry=address(factor_slow))
+
+
+def _places(system: System, edge: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Places of the interface coordinates in the matrix blocks, -1 outside of them, shape (n, n)."""
+    rows, columns, places = system.layout.entries
+    found = np.full((edge.size, edge.size), -1, np.int64)
+    inside = np.isin(rows, edge) & np.isin(columns, edge)
+    found[np.searchsorted(edge, rows[inside]), np.searchsorted(edge, columns[inside])] = places[inside]
+    return found
 
 
 _FACTORS = {CARRIED: (1.0, 0.0, 0.0), STIFFNESS: (0.0, 0.0, 1.0), DAMPING: (0.0, 1.0, 0.0)}
