@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.model.beam_tables import beam_table_of, part_in_file
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.components.beam import BESIDE_MATRICES, FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
@@ -45,11 +45,14 @@ def check_beams(parts: Parts, report: Reader) -> None:
             _place(parts, beam, at, report)
 
 
-def _length(beam: Beam, length: float, at: Place, report: Reader) -> None:
+def _length(parts: Parts, beam: Beam, length: float, at: Place, report: Reader) -> None:
     """Length of a beam from the places of its ends, and of its file."""
     properties = (*at, "properties")
     if beam.properties is None or any(properties == t[: len(properties)] for t in report.tainted):
         return
+    blades = {name for rotor in parts.wind_rotors.values() for name in rotor.beams}
+    if at[1] in blades and part_in_file(beam.properties) == "tower":
+        return  # reported at the rotor
     own = beam_table_of(beam.properties).length
     if own > 0.0 and abs(length / own - 1.0) > LENGTH_ERROR:
         report.problem(
@@ -151,7 +154,7 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
             remedy="correct the positions of the bodies or markers, so that the beam has a length",
         )
         return
-    _length(beam, length, at, report)
+    _length(parts, beam, length, at, report)
     if beam.axis is not None:
         _axis(beam, way / length, at, report)
 
