@@ -50,10 +50,10 @@ def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) 
     found: dict[str, set[str]] = {}
     for other in _files(file, whole.files):
         data = _data(other, wanted)
-        names = set(_names(data))
-        if data is None or names & own or any(key in whole.data for key in data if not is_section(key)):
+        there = set(_names(data))
+        if data is None or there & own or any(key in whole.data for key in data if not is_section(key)):
             continue  # not a part of this model, which would have a name twice
-        if shared := {name for _, name in names} & wanted:
+        if shared := {name for _, name in there} & wanted:
             found[other.relative_to(file.parent).as_posix()] = shared
     if not found:
         return list(problems)
@@ -68,7 +68,7 @@ def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) 
 
 def _cause(due: Sequence[Message], names: set[str], files: Sequence[str], whole: Whole) -> Message:
     """The missing file as one problem."""
-    order = sorted(names, key=lambda name: next(k for k, p in enumerate(due) if name in _words(p)))
+    order = sorted(sorted(names), key=lambda name: next(k for k, p in enumerate(due) if name in _words(p)))
     listed = ", ".join(order[:LISTED]) + (f" and {len(order) - LISTED} more" if order[LISTED:] else "")
     have = f"{files[0]} has" if not files[1:] else f"each of {', '.join(files[:-1])} and {files[-1]} has"
     lacks = "lacks a file" if whole.files else "is missing"
