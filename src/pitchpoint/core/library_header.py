@@ -105,7 +105,7 @@ def _elf(data: bytes) -> tuple[LibraryHeader, ...]:
         return ()
     kind, machine = struct.unpack_from(f"{order}HH", data, 16)
     processor = ELF_PROCESSORS.get(machine, f"processor {machine}")
-    if not wide and processor != "x32":
+    if not wide:
         processor = "x32 (x86-64 with 32-bit addresses)" if machine == 62 else f"{processor} (32 bit)"
     if order == ">" and machine in (3, 62):
         processor += ", big-endian"

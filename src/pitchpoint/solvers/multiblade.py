@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.progress import Progress, silent
 from pitchpoint.solvers.eigen import best_match, ratio_of
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
@@ -72,6 +73,7 @@ def find_multiblade_modes(
     hub: str,
     blades: Sequence[str],
     azimuths: int = 6,
+    progress: Progress = silent,
 ) -> MultibladeModes:
     """Modes of a turning rotor with three or more equal blades, with its support.
 
@@ -87,6 +89,8 @@ def find_multiblade_modes(
         Bodies or beams of the blades, in the order of their azimuths.
     azimuths
         Number of positions within the angle between two blades whose mean is used.
+    progress
+        Called after every element of the matrices.
 
     Returns
     -------
@@ -97,7 +101,7 @@ def find_multiblade_modes(
     CompileError
         If there are fewer than three blades, they differ, or closed loops connect them.
     """
-    linear = linearise(system, scenario)
+    linear = linearise(system, scenario, progress=progress)
     rates = rates_of(linear, hub, scenario)
     axes = TurningRotors(linear.system, [(hub, blades)], rates)
     basis = axes.basis(linear)

@@ -141,7 +141,6 @@ def test_the_trend_of_a_folder_leaves_the_healthy_range_at_the_fourth_record(
     text = (tmp_path / "trend.json").read_text(encoding="utf-8")
     assert {key: value for key, value in json.loads(text).items() if key != "about"} == found
     # a table may be replaced, and in the folder it is not a record
-    assert run_command([*arguments, *healthy, "-o", str(tmp_path / "trend.csv"), "-q"]) == 0
     assert all(written_by_diagnose(tmp_path / f"trend.{ending}") for ending in ("csv", "json"))
     with pytest.raises(SignalError, match="has no records"):
         record_files([str(tmp_path)], None, "FILES")

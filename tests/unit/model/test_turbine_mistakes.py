@@ -59,6 +59,11 @@ def problems_of(text: str) -> list[str]:
         ),
         ("{hub: hub, aero", "{aero", "add hub: BODY or BODY.MARKER"),
         (
+            "blade_1: {ends: [root_1, tip_1],",
+            "blade_1: {ends: [root_1, tip_1], diameters: [2 m, 1 m],",
+            "beams.blade_1.diameters (line N): are not for blades; remove them",
+        ),
+        (
             "onshore/AeroDyn.dat",
             "onshore/Aerodyne.dat",
             "did you mean nrel_5mw/onshore/AeroDyn.dat? file names",

@@ -102,7 +102,7 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
         report.problem((*at, files[1]), f"is given together with {files[0]}", remedy="give one file")
         return
     if files:
-        for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
+        for name in [n for n in given if files[0] != "elastodyn" or n in IN_FILE]:
             report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
         others = [name for name in given if name != "position"]
         if files[0] == "elastodyn" and ("position" in given) != bool(others):
@@ -113,7 +113,7 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
         if missing := [name for name in ("position", "inertia") if name not in given]:
             report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists with stiffness")
             return
-        for name in set(given) - set(BESIDE_MATRICES):
+        for name in [n for n in given if n not in BESIDE_MATRICES]:
             report.problem((*at, name), "is in the section matrices too", remedy="remove it, or stiffness")
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
         report.problem(

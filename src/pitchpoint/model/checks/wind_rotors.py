@@ -59,6 +59,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _turns(rotor, at, report)
             _blades(rotor, at, report)
             _beams(parts, rotor, at, report)
+            _diameters(parts, rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
@@ -120,6 +121,15 @@ def _file_of_blade(parts: Parts, name: str, rotor: WindRotor, report: Reader) ->
     remedy = "give component: blade" if key == "windio" else "give a blade file"
     file = Path(str(getattr(part, key))).name
     report.problem(place, "describes a tower, and the beam is a blade", value=f"'{file}'", remedy=remedy)
+
+
+def _diameters(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Refuse diameters of blades, which are drawn with their chords."""
+    for k, name in enumerate(rotor.beams):
+        beam = parts.beams.get(name)
+        if beam is not None and beam.diameters and (*at, "beams", k) not in report.tainted:
+            remedy = "remove them: a blade has the chords of its stations"
+            report.problem(("beams", name, "diameters"), "are not for blades", remedy=remedy)
 
 
 def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:

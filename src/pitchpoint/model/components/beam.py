@@ -266,7 +266,7 @@ class Beam(Component):
     internal_damping: float = quantity(
         "time",
         "internal damping over stiffness, in axes that rotate with the beam: the damping ratio of a mode is "
-        "half of it times the angular frequency. It replaces the damping of section matrices",
+        "half of it times the angular frequency. Above 0 it replaces the damping of section matrices",
         0.0,
         minimum=0.0,
     )
