@@ -154,26 +154,27 @@ def follow_modes(
     omega, values, shapes, turning, omitted = _branches(modes, omega, at_rest, symmetric(parts.M), progress)
     motions = motions_of(own, linear.state, parts)
     spins = spins_of(motions, rates)
+    turns = np.array([over.rate(float(s)) for s in omega])
     energies = tuple(
         energies_of(
             motions,
             z,
             np.where(modes.modes.omega[:n] == 0.0, 0.0, v),
             terms,
-            over.rate(float(s)) * spins,
+            s * spins,
         )
-        for s, v, z, terms in zip(omega, values, shapes, turning, strict=True)
+        for s, v, z, terms in zip(turns, values, shapes, turning, strict=True)
     )
     words = tuple(tuple(whirl_words(e)) for e in energies)
     rest = energies_of(
         motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), 0.0 * at_rest, 0.0 * spins
     )
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
-    rotating = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
+    rotating = [row for s, row in zip(turns, words, strict=True) if s != 0.0]
     usual = _usual(rotating) if rotating else None
     blades = None
     if linear.axes is not None and rotating:
-        turned = shapes[omega != 0.0]
+        turned = shapes[turns != 0.0]
         blades = _usual([linear.axes.ways(z, parts.M) for z in turned])
     return Campbell(
         body=body,
