@@ -47,10 +47,10 @@ def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) 
     found: dict[str, set[str]] = {}
     for other in _files(file, whole.files):
         data = _data(other)
-        names = set(_names(data))
-        if data is None or names & own or any(key in whole.data for key in data if not is_section(key)):
+        has = set(_names(data))
+        if data is None or has & own or any(key in whole.data for key in data if not is_section(key)):
             continue  # not a part of this model, which would have a name twice
-        if shared := {name for _, name in names} & wanted:
+        if shared := {name for _, name in has} & wanted:
             found[other.relative_to(file.parent).as_posix()] = shared
     if not found:
         return list(problems)

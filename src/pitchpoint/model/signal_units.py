@@ -128,6 +128,7 @@ def unit_at(machine: Any, place: Place) -> str:
     place
         Path of the number.
     """
+    owner: type
     if place[0] == "scenarios":  # scenarios.NAME.inputs.INPUT.KEY
         name, rest, owner = str(place[3]), place[4:], Course
     else:

@@ -55,7 +55,7 @@ class BeamSection(Component):
         return tuple(k for shape in SHAPES for k in shape if getattr(self, k) not in (None, ()))
 
 
-_POSITIVE = {"minimum": 0.0, "above": True}
+_POSITIVE: dict[str, Any] = {"minimum": 0.0, "above": True}
 _SHEAR = "shear stiffness in the direction of the twisted axis"
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy as np
 
@@ -136,7 +137,9 @@ def _table(text: InputText, tower: bool, column: dict[str, np.ndarray]) -> BeamT
     factors = {name: text.number(title, default=1.0) for name, title in _FACTORS[tower].items()}
     text.stop()
     titles = {name: title.lower() for name, title in (_TITLES[tower] | _FURTHER[tower]).items()}
-    found = {name: factors.get(name, 1.0) * column[t] for name, t in titles.items() if t in column}
+    found: dict[str, Any] = {
+        name: factors.get(name, 1.0) * column[t] for name, t in titles.items() if t in column
+    }
     if "twist" in found:
         for k in np.flatnonzero(np.abs(found["twist"]) > MOST_TWIST)[:1]:
             value, limit = f"{found['twist'][k]:.6g} deg", f"-{MOST_TWIST:g} to {MOST_TWIST:g} deg"
