@@ -19,11 +19,14 @@ MOST = 30
 """Number of files that are looked at."""
 LEAST = 3
 """Unknown names in problems from which a file may be missing."""
+FEWEST = 2
+"""Number of these names that the file must have."""
 LISTED = 4
 ABSENT = "which does not exist"
 """Words of problems with the name of a component of another section, or of none."""
 _QUOTED = re.compile(r"'([^']*)'")
 _WORD = re.compile(r"[A-Za-z_]\w*")
+_KEY = re.compile(r"""([A-Za-z_]\w*)["']?\s*:""")
 
 
 def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) -> list[Message]:
@@ -46,11 +49,11 @@ def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) 
     wanted = set().union(*(words for _, words in unknown))
     found: dict[str, set[str]] = {}
     for other in _files(file, whole.files):
-        data = _data(other)
-        has = set(_names(data))
-        if data is None or has & own or any(key in whole.data for key in data if not is_section(key)):
+        data = _data(other, wanted)
+        there = set(_names(data))
+        if data is None or there & own or any(key in whole.data for key in data if not is_section(key)):
             continue  # not a part of this model, which would have a name twice
-        if shared := {name for _, name in has} & wanted:
+        if shared := {name for _, name in there} & wanted:
             found[other.relative_to(file.parent).as_posix()] = shared
     if not found:
         return list(problems)
@@ -58,14 +61,14 @@ def with_missing_include(problems: Sequence[Message], whole: Whole, file: Path) 
     best = [name for name, shared in found.items() if len(shared) == most]
     names = found[best[0]]
     due = [problem for problem, words in unknown if words & names]
-    if len(due) < LEAST or len(names) < 2:
+    if len(due) < LEAST or len(names) < FEWEST:
         return list(problems)
     return [_cause(due, names, best, whole), *(problem for problem in problems if problem not in due)]
 
 
 def _cause(due: Sequence[Message], names: set[str], files: Sequence[str], whole: Whole) -> Message:
     """The missing file as one problem."""
-    order = sorted(names, key=lambda name: next(k for k, p in enumerate(due) if name in _words(p)))
+    order = sorted(sorted(names), key=lambda name: next(k for k, p in enumerate(due) if name in _words(p)))
     listed = ", ".join(order[:LISTED]) + (f" and {len(order) - LISTED} more" if order[LISTED:] else "")
     have = f"{files[0]} has" if not files[1:] else f"each of {', '.join(files[:-1])} and {files[-1]} has"
     lacks = "lacks a file" if whole.files else "is missing"
@@ -99,10 +102,13 @@ def _files(file: Path, included: Iterable[str]) -> list[Path]:
     return small[:MOST]
 
 
-def _data(path: Path) -> dict[str, Any] | None:
-    """Contents of a file; None if it is not a mapping."""
+def _data(path: Path, wanted: set[str]) -> dict[str, Any] | None:
+    """Contents of a file; None if it is not a mapping, or its text has too few of the names as keys."""
     try:
-        data = Tree(text_of(path)).data
+        text = text_of(path)
+        if len(wanted.intersection(_KEY.findall(text))) < FEWEST:
+            return None  # parsing takes half a second for the largest file
+        data = Tree(text).data
     except (ModelError, TreeError):
         return None
     return data if isinstance(data, dict) else None

@@ -128,9 +128,9 @@ def unit_at(machine: Any, place: Place) -> str:
     place
         Path of the number.
     """
-    owner: type
+    owner: type = Course
     if place[0] == "scenarios":  # scenarios.NAME.inputs.INPUT.KEY
-        name, rest, owner = str(place[3]), place[4:], Course
+        name, rest = str(place[3]), place[4:]
     else:
         name, rest = str(place[1]), place[2:]
         owner = type(getattr(machine, str(place[0])).get(name))

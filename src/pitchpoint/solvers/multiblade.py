@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+AZIMUTHS = 12
+"""Positions within the angle between two blades. With the flow around the tower, frequencies and damping ratios
+are then within 0.05 % of those of many positions, of 6 within 0.4 %, of 3 within 0.7 %."""
 LOWEST = 0.03
 """Least imaginary part over the absolute value of eigenvalues that oscillate."""
 
@@ -72,7 +75,7 @@ def find_multiblade_modes(
     *,
     hub: str,
     blades: Sequence[str],
-    azimuths: int = 6,
+    azimuths: int = AZIMUTHS,
     progress: Progress = silent,
 ) -> MultibladeModes:
     """Modes of a turning rotor with three or more equal blades, with its support.
@@ -170,7 +173,7 @@ def solve_multiblade_modes(
     *,
     hub: str,
     blades: Sequence[str],
-    azimuths: int = 6,
+    azimuths: int = AZIMUTHS,
 ) -> xr.Dataset:
     """Modes of a turning rotor in multi-blade coordinates; arguments and errors of `find_multiblade_modes`.
 

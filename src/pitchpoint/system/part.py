@@ -24,7 +24,7 @@ from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system import evaluate, residual
 from pitchpoint.system.residual import COLUMNS, NEWTON
 from pitchpoint.system.system import System
-from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS
+from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS, VALID
 
 LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces")
 """Arrays of a part whose lengths the drivers read."""
@@ -89,7 +89,7 @@ class Part:
 
     def __init__(self, system: System, own: Collection[int], bodies: Collection[int] | None = None) -> None:
         w, nd = system.workspace, system.sizes["nd"]
-        self.system = system
+        self.system, self._factor = system, factor_entry
         self.own = self.loaded = np.array(sorted(own), np.int64)
         self._ctl, self._mach, self._A = w.ctl.copy(), w.mach.copy(), np.zeros_like(w.A)
         self.arrays: dict[str, NDArray[Any]] = {
@@ -120,20 +120,29 @@ class Part:
         ctl["A"], ctl["mach"] = self._A.ctypes.data, self._mach.ctypes.data
         ctl["at"] = self.at = int(self._ctl.ctypes.data)
 
-    def attach(self, shared: dict[str, NDArray[Any]], **entries: int) -> None:
-        """Use arrays that both parts share, and the addresses of entries with coupling to the other one."""
+    def attach(self, shared: dict[str, NDArray[Any]], solve: Any, factor: Any = factor_entry) -> None:
+        """Use arrays that both parts share, and entries with coupling to the other part."""
         mach = self._mach[0]
         for name, array in shared.items():
             self.arrays[name] = array
             mach[name] = array.ctypes.data
-        mach["nedge"] = len(shared["edge"])
-        for name, where in entries.items():
-            mach[name] = where
+        mach["nedge"], self._factor = len(shared["edge"]), factor
+        mach["solve_entry"], mach["factor_entry"] = address(solve), address(factor)
 
     def run(self, kernel_entry: Any, t: float) -> int:
         """Call an entry with the part at the state in the workspace and time t; returns its status."""
         self._ctl[0]["t"] = t
         return invoke(kernel_entry, self.at, 0, 0)
+
+    def refactor(self, t: float, cm: float, cd: float) -> int:
+        """Compute and factor the iteration matrix of the part at the state in the workspace; its status."""
+        ctl = self._ctl[0]
+        ctl["t"], ctl["cm"], ctl["cd"], ctl["ck"] = t, cm, cd, 1.0
+        status = invoke(residual.entry, self.at, NEWTON, 0)
+        if status == OK:
+            status = invoke(self._factor, self.at, 0, 0)
+        self.arrays["clock"][VALID] = 0
+        return status
 
     def run_events(self, t: float, values: NDArray[np.float64]) -> None:
         """Write the event functions that the part evaluates at the state in the workspace, shape (ne,)."""

@@ -11,6 +11,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.io import missing_include
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model import files as files_of_models
 from pitchpoint.model.remarks.collect import remarks_of_file
@@ -258,3 +259,11 @@ def test_a_complete_model_in_the_same_folder_is_no_missing_file(files):
     main = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "")
     other = main + GEARS
     assert not any(p.startswith("include") for p in problems_of(files(model=main, gears=other)))
+
+
+def test_files_without_the_names_are_not_parsed(files, monkeypatch):
+    """A folder may have many large files, each half a second."""
+    main = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "")
+    file = files(model=main, gears="loads: {pinion: {body: a, torque: 1 N m}}\n")
+    monkeypatch.setattr(missing_include, "Tree", None)
+    assert not any(p.startswith("include") for p in problems_of(file))

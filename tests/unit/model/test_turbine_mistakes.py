@@ -11,6 +11,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.remarks.beam_sections import implausible_sections, parts_of_other_files
+from pitchpoint.model.remarks.wind_rotors import upwind_axes
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "wind-turbine" / "model.yaml"
 
@@ -154,3 +155,18 @@ def test_keys_of_a_speed_with_a_box(tmp_path: Path) -> None:
     assert len(told) == 3
     for key in ("direction", "height"):
         assert any(f"winds.w.{key} (line 3): is given together with box" in each for each in told)
+
+
+@pytest.mark.parametrize(("hub", "count"), [("[1, 0, 0.1]", 0), ("[-1, 0, 0]", 1), ("[0, 0, 1]", 1)])
+@pytest.mark.parametrize("direction", ["0 deg", "60 deg"])
+def test_a_hub_that_points_upwind(hub: str, count: int, direction: str) -> None:
+    model = loads_model(
+        f"bodies: {{hub: {{inertia: 1 kg m^2, position: [0, 0, 90 m], axes: {{z: {hub}}}}}}}\n"
+        f"winds: {{steady: {{speed: 8 m/s, height: 90 m, direction: {direction}}}}}\n"
+        "wind_rotors: {rotor: {hub: hub, hub_radius: 1 m, "
+        f"aerodyn: {EXAMPLE.parent / 'nrel_5mw/onshore/AeroDyn.dat'}}}}}\n"
+        "scenarios: {run: {speed: {hub: 9 rpm}, duration: 1 s}}\n"
+    )
+    found = upwind_axes(model)
+    assert len(found) == count
+    assert all("wind_rotors.rotor.hub" in str(each) and "deg to the wind" in str(each) for each in found)

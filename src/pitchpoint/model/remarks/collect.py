@@ -41,7 +41,13 @@ from pitchpoint.model.remarks.unusual_values import (
     overdamped_supports,
     preloads_above_the_rating,
 )
-from pitchpoint.model.remarks.wind_rotors import flat_blades, low_rotors, repeated_turbulence, unused_polars
+from pitchpoint.model.remarks.wind_rotors import (
+    flat_blades,
+    low_rotors,
+    repeated_turbulence,
+    unused_polars,
+    upwind_axes,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -294,6 +300,7 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *repeated_turbulence(model),
         *flat_blades(model),
         *low_rotors(model),
+        *upwind_axes(model),
         *implausible_sections(model),
         *parts_of_other_files(model),
         *at_stages(model, no_backlash(model)),

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.kernel import address, kernel, view
+from pitchpoint.core.kernel import kernel, view
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system import evaluate
 from pitchpoint.system.part import Part, factor_entry, solve_entry
@@ -267,8 +267,8 @@ def connect(system: System, state: State, parts: tuple[Part, Part], factors: tup
         "places": _places(system, edge),
         "exchange": np.zeros((EXCHANGE_ROWS, n + 2)),
     }
-    fast.attach(shared, solve_entry=address(solve_fast))
-    slow.attach(shared, solve_entry=address(solve_slow), factor_entry=address(factor_slow))
+    fast.attach(shared, solve_fast)
+    slow.attach(shared, solve_slow, factor_slow)
 
 
 def _places(system: System, edge: NDArray[np.int64]) -> NDArray[np.int64]:
