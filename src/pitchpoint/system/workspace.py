@@ -105,6 +105,7 @@ MACH = np.dtype(
                 "nchosen",
                 "shift",
                 *("edge", "nedge", "coupling", "exchange", "places"),
+                *("driven", "ndriven", "demand"),
             ),  # of a part of the coordinates, see `system.part`
         )
     ],

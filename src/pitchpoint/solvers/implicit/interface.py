@@ -144,6 +144,29 @@ def begin(m):
 
 
 @kernel
+def begin_signals(m, whole):
+    """Keep the signals that act on a gear train at the start of a long step, and their last slopes."""
+    driven = view(m["driven"], m["ndriven"], I8)
+    n = driven.size
+    D = view(m["demand"], (2, n + 1), F8)
+    for k in range(n):
+        value = view(driven[k], 1, F8)[0]
+        D[1, k] = (value - D[0, k]) / D[1, n] if D[0, n] != 0.0 else 0.0
+        D[0, k] = value
+    D[0, n] = 1.0
+    D[1, n] = whole
+
+
+@kernel
+def place_signals(m, tau):
+    """Extrapolate the signals that act on a gear train by tau: blocks have new values in long steps only."""
+    driven = view(m["driven"], m["ndriven"], I8)
+    D = view(m["demand"], (2, driven.size + 1), F8)
+    for k in range(driven.size):
+        view(driven[k], 1, F8)[0] = D[0, k] + D[1, k] * tau
+
+
+@kernel
 def place(c, m, tau, h):
     """Add z to the extrapolated motion, after a short step h that ends at tau of the long step."""
     edge = view(m["edge"], m["nedge"], I8)
@@ -199,6 +222,7 @@ def measure(at, t):
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
     X[:] = 0.0
+    view(m["demand"], (2, m["ndriven"] + 1), F8)[0, m["ndriven"]] = 0.0
     _set_force(c, m)
     for i in range(n):
         X[END, i] = X[FORCE, i]
@@ -237,6 +261,11 @@ def collect(c, m, k, count, whole):
             shift[edge[i]] = end - X[FORCE, i]
     if k == count:
         X[FLAGS, MEASURED] = 1.0
+
+
+def forget_slopes(fast: Part) -> None:
+    """Extrapolate no signals in the next long step: they have jumped."""
+    fast.arrays["demand"][0, -1] = 0.0
 
 
 def connect(system: System, state: State, parts: tuple[Part, Part], factors: tuple[float, float]) -> None:
