@@ -156,9 +156,9 @@ def compare_solvers(
     """
     if scenario.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", 0)
+    rate = scenario.sample_rate or SAMPLES / scenario.duration
     scenario = without_long_steps(system, scenario, "a comparison of methods")
     begin = prepare_start(system, scenario)
-    rate = scenario.sample_rate or SAMPLES / scenario.duration
     step = choose_step(begin, replace(scenario, sample_rate=rate))[0]
     # the sample period must not shorten the longest step compared
     scenario = replace(scenario, sample_rate=scenario.sample_rate or min(rate, 1.0 / (max(STEPS) * step)))
