@@ -154,11 +154,11 @@ def compare_solvers(
     SolverError
         If the scenario cannot start, or no reference can be computed.
     """
+    scenario = without_long_steps(system, scenario, "a comparison of methods")
     if scenario.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", 0)
-    rate = scenario.sample_rate or SAMPLES / scenario.duration
-    scenario = without_long_steps(system, scenario, "a comparison of methods")
     begin = prepare_start(system, scenario)
+    rate = scenario.sample_rate or SAMPLES / scenario.duration
     step = choose_step(begin, replace(scenario, sample_rate=rate))[0]
     # the sample period must not shorten the longest step compared
     scenario = replace(scenario, sample_rate=scenario.sample_rate or min(rate, 1.0 / (max(STEPS) * step)))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ import pytest
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers import speed_states
+from pitchpoint.solvers import linear_system, speed_states
 from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.campbell_dataset import campbell_dataset
 from pitchpoint.solvers.linear_system import linearise, rates_of
@@ -68,6 +69,68 @@ def test_modes_of_the_parked_turbine_have_the_names_of_the_field():
         "2nd flapwise (tilt)",
         "2nd flapwise (collective)",
     ]
+
+
+@pytest.mark.parametrize("stiffer", [0.1, 0.5, 1.0])
+def test_torsion_of_the_drive_train_has_one_name(stiffer):
+    """Whether most of the strain is in the shaft or in the blades; gearboxes make the train softer."""
+    stiffness = {"torsion_springs.shaft.stiffness": f"{8.67637e8 * stiffer} N m/rad"}
+    system = turbine("production", include="rigid_ratio.yaml", **stiffness)
+    modes = find_multiblade_modes(system, "production", hub="hub", blades=BLADES, azimuths=1)
+    at = modes.names.index("drive-train torsion")
+    mostly = max(modes.strain[at], key=modes.strain[at].get)
+    assert mostly == ("blades of rotor" if stiffer == 1.0 else "coupling shaft")
+
+
+def in_other_units(linear, factor):
+    """The linear system with states that are larger by a factor."""
+    own, other = list(linear.states), np.ones(len(linear.D))
+    other[own] = factor
+
+    def scaled(A):
+        return A * other[:, None] / other
+
+    at_rest = replace(linear.at_rest, M=scaled(linear.at_rest.M), K=scaled(linear.at_rest.K))
+    return replace(linear, D=scaled(linear.D), K=scaled(linear.K), at_rest=at_rest)
+
+
+@pytest.mark.parametrize("large", [False, True])
+def test_eigenvalues_of_states_do_not_depend_on_units(production, monkeypatch, large):
+    """All are found, of large systems up to a stated value; filter 2 pi 0.25 Hz, rate limit 1/0.1 s."""
+    if large:
+        for name, value in (("MAX_MODES", 1), ("SPARSE", 2.0), ("DENSE", 0)):
+            monkeypatch.setattr(linear_system, name, value)
+    _, linear = production
+    one, two = (
+        linear_system.damped_modes(system, linear_system.lowest(system, 12), complete=True)
+        for system in (linear, in_other_units(linear, 1e3))
+    )
+    assert one.reach == (pytest.approx(two.reach) if large else math.inf)
+    np.testing.assert_allclose(two.states, one.states, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(two.values[1:], one.values[1:], rtol=1e-6)
+    assert len(one.states) == len(linear.states) == 4
+    assert one.states[[0, 3]] == pytest.approx([0.0, -10.0], rel=1e-3, abs=1e-9)
+    assert one.states[2].real == pytest.approx(-math.tau * 0.25, rel=0.1)
+
+
+def test_all_eigenvalues_are_modes_or_of_states(production):
+    """The spectrum of the matrices of first order, which has two eigenvalues for each mode."""
+    _, linear = production
+    found = linear_system.damped_modes(linear, linear_system.lowest(linear, 10**6))
+    basis, own = np.asarray(linear.basis), list(linear.states)
+    n = basis.shape[1]
+    M, D, K = linear.at_rest.M, linear.D, linear.K
+    free = np.hstack([basis, np.eye(len(M))[:, own]])
+    m, d, k = (free.T @ A @ free for A in (M, D, K))
+    rates = -np.linalg.solve(m, np.hstack([k[:, :n], d]))
+    spectrum = np.linalg.eigvals(np.vstack([np.eye(n, 2 * n + len(own), n), rates]))
+    listed = np.concatenate([found.values, found.values.conj(), found.states, found.states.conj()])
+    missing = [x for x in spectrum if np.abs(listed - x).min() > 1e-4 * abs(x) + 1e-3]
+    assert np.abs(np.imag(missing)).max() < 1e-6 * np.abs(missing).max()  # second ones of overdamped modes
+    pairs = int(np.sum(found.states.imag > 0.0))
+    overdamped = int(np.sum(found.values.imag == 0.0))
+    assert len(missing) <= overdamped
+    assert len(found.states) + pairs == len(own)
 
 
 def test_strain_energy_is_that_of_whole_components(diagram):

@@ -8,6 +8,7 @@ anything is written. Source: FMI 2.0.4 and FMI 3.0.2, chapter "FMI description s
 from __future__ import annotations
 
 import lzma
+import math
 import platform as host
 import stat
 import xml.etree.ElementTree as ET
@@ -299,11 +300,14 @@ def _variables(root: ET.Element) -> dict[str, FmuVariable]:
 
 
 def _number(element: ET.Element, key: str, default: float) -> float:
-    """Number of an attribute."""
+    """Finite number of an attribute; factors are not zero."""
     text = element.get(key) or default
     try:
-        return int(text) if key == "valueReference" else float(text)
-    except ValueError:
+        found = int(text) if key == "valueReference" else float(text)
+        if not math.isfinite(found) or (key == "factor" and found == 0.0):
+            raise ValueError
+        return found
+    except (ValueError, OverflowError):
         place = f"{element.get('name') or element.tag}: {key}"
         text = f"has a {DESCRIPTION} with a wrong number, {place} '{text}'"
         raise FmuFileError(text) from None

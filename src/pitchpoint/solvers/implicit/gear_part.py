@@ -148,7 +148,7 @@ def _check_coupling(system: System, state: State, parts: tuple[Part, Part], H: f
         name = system.layout.coordinates[slow[worst]]
         longest = H / max(float(damper[worst]), float(spring[worst]) ** 0.5)
         raise SolverError(
-            f"long_step: {H:.3g} s is too long for {name}, to which a gear train is connected stiffly, so that "
+            f"long_step: {H:.3g} s is too long for {name}, to which a gear train is connected stiffly: "
             f"vibrations could gain energy (limit {longest:.2g} s); shorten or remove long_step",
             NOT_FINITE,
         )
