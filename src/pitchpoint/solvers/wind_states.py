@@ -204,9 +204,7 @@ class _Trial:
 
     def _torque(self, found: Operation) -> float:
         """Change of the net torque for a relative change `TRIAL` of the speed, for comparison."""
-        low, high = (
-            self._at(found.speed * (1.0 + d), found.state.v[self.of.idle])[0][0] for d in (0.0, TRIAL)
-        )
+        low, high = (self._at(found.speed * (1.0 + d), found.state.v[self.of.idle])[0][0] for d in (0.0, TRIAL))
         return float(abs(high - low)) / TRIAL
 
     def regulated(self) -> Operation | None:
@@ -215,7 +213,9 @@ class _Trial:
         try:
             left, _ = self._at(x[0], x[1:])
             sizes = np.maximum(1.0, np.abs(x)) * TRIAL
-            slopes = np.column_stack([(self._at(*_split(x + d))[0] - left) / d.sum() for d in np.diag(sizes)])
+            slopes = np.column_stack(
+                [(self._at(*_split(x + d))[0] - left) / d.sum() for d in np.diag(sizes)]
+            )
             acting = np.flatnonzero(np.abs(slopes[0]) > WEAK * abs(slopes[0, 0]))
             if acting.size < 2:
                 return None

@@ -55,7 +55,7 @@ def _set_force(c, m):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     R = view(c["R"], c["nd"], F8)
     a = view(c["a"], c["nd"], F8)
     for i in range(n):
@@ -75,7 +75,7 @@ def solve_fast(at, spare, other):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     v = view(c["v"], c["nd"], F8)
     a = view(c["a"], c["nd"], F8)
     for i in range(n):
@@ -97,7 +97,7 @@ def solve_slow(at, spare, other):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     R = view(c["R"], c["nd"], F8)
     q = view(c["q"], c["nd"], F8)
     v = view(c["v"], c["nd"], F8)
@@ -115,7 +115,7 @@ def factor_slow(at, mass, other):
     m = view(c["mach"], 1, MACH)[0]
     n = m["nedge"]
     places = view(m["places"], (n, n), I8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     A = view(c["A"], 36 * c["na"], F8)
     for i in range(n):
         for j in range(n):
@@ -132,7 +132,7 @@ def begin(m):
     """
     n = m["nedge"]
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     for i in range(n):
         X[SUM, i] = 0.5 * X[FORCE, i]
         X[Z, i] = 0.0
@@ -292,7 +292,7 @@ def connect(system: System, state: State, parts: tuple[Part, Part], factors: tup
     place = np.searchsorted(slow.own, edge)
     shared = {
         "edge": edge,
-        "coupling": np.stack([mobility[np.ix_(place, place)], *(found[k] for k in range(CARRIED, 4))]),
+        "transfer": np.stack([mobility[np.ix_(place, place)], *(found[k] for k in range(CARRIED, 4))]),
         "places": _places(system, edge),
         "exchange": np.zeros((EXCHANGE_ROWS, n + 2)),
     }
