@@ -26,7 +26,7 @@ from pitchpoint.system.residual import COLUMNS, NEWTON
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS, VALID
 
-LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces")
+LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces", "driven")
 """Arrays of a part whose lengths the drivers read."""
 
 
@@ -155,7 +155,7 @@ class Part:
     def _limit(self, bodies: set[int]) -> None:
         """Evaluate elements and inertia of the bodies only, and all bodies up to the last at their ends."""
         w, system = self.system.workspace, self.system
-        rows, ends, seen = [], set(bodies), []
+        rows, ends, seen, driven = [], set(bodies), [], set()
         for row in w.tables["forces"]:
             name = next(n for n, bank in system.records.items() if bank.ctypes.data == row[1])
             bank, kind = system.records[name], registry.find(name)
@@ -166,6 +166,7 @@ class Part:
                 touched |= np.isin(bank[end], list(bodies))
             if kind.role == SIGNAL:  # signals have the values of the whole system
                 touched &= np.isin(bank["op"], (TORQUE, STRUT, FORCE))
+                driven |= {int(b["pool"]) + 8 * int(b["a"]) for b in bank[touched]}
             for end in kind.ends:
                 ends |= {int(b) for b in bank[end][touched]}
             rows += [(row[0], row[1] + first * bank.itemsize, n, *row[3:]) for first, n in _runs(touched)]
@@ -181,6 +182,8 @@ class Part:
         own = np.isin(table[:, 1], list(bodies)) & (table[:, 0] < 3)
         self.arrays["chosen"] = np.array(sorted({*seen, *table[own, 3].tolist()}), np.int64)
         self.arrays["proj"] = proj[inside[proj["pi"]] & inside[proj["pj"]]]
+        self.arrays["driven"] = np.array(sorted(driven), np.int64)
+        self.arrays["demand"] = np.zeros((2, len(driven) + 1))
         self.arrays["body"] = _massless(w.program["body"], bodies)
         self.arrays["forces"] = np.array(rows, np.int64).reshape(-1, COLUMNS)
 

@@ -104,7 +104,8 @@ MACH = np.dtype(
                 "chosen",
                 "nchosen",
                 "shift",
-                *("edge", "nedge", "coupling", "exchange", "places"),
+                *("edge", "nedge", "transfer", "exchange", "places"),
+                *("driven", "ndriven", "demand"),
             ),  # of a part of the coordinates, see `system.part`
         )
     ],

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK, SINGULAR
 from pitchpoint.solvers.implicit.generalized_alpha import Run
+from pitchpoint.solvers.implicit.interface import forget_slopes
 from pitchpoint.solvers.implicit.newton import EXTRA
 from pitchpoint.solvers.implicit.step import coefficients, factors
 from pitchpoint.solvers.implicit.substeps import LONG_RHO, SubstepRun
@@ -92,6 +93,7 @@ def _in_parts(run: SubstepRun, change: NDArray[np.float64]) -> int:
             return run.go_on()
         for history in (w.a, w.arrays["al"], w.arrays["ap"]):
             history[part.own] += delta
+    forget_slopes(run.parts[0])
     return OK
 
 

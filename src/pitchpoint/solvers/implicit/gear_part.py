@@ -31,7 +31,7 @@ SOFT_SPRING = 0.03
 """Limit of H^2 K/M with their stiffness. Undamped vibrations gain no energy if all natural frequencies of the
 gear train against a rest that is held, and of the rest, have six long steps per period or more. Shorter ones
 may gain up to 0.3 % of the critical damping where they coincide with others at the sampling rate 1/H (largest
-of 18 000 random models), in proportion to H^2 K/M. Any damping there prevents it."""
+of 12 000 random models), in proportion to H^2 K/M. Any damping there prevents it."""
 
 
 def start(system: System, state: State, h: float, count: int) -> SubstepRun:
@@ -148,8 +148,8 @@ def _check_coupling(system: System, state: State, parts: tuple[Part, Part], H: f
         name = system.layout.coordinates[slow[worst]]
         longest = H / max(float(damper[worst]), float(spring[worst]) ** 0.5)
         raise SolverError(
-            f"long_step: {H:.3g} s is too long for {name}, to which a gear train is connected stiffly "
-            f"(limit {longest:.2g} s); shorten or remove long_step",
+            f"long_step: {H:.3g} s is too long for {name}, to which a gear train is connected stiffly: "
+            f"vibrations could gain energy (limit {longest:.2g} s); shorten or remove long_step",
             NOT_FINITE,
         )
 
@@ -157,7 +157,7 @@ def _check_coupling(system: System, state: State, parts: tuple[Part, Part], H: f
 def _check_feedback(system: System, state: State, parts: tuple[Part, Part], H: float) -> None:
     """Refuse control loops from gear trains to themselves that are too fast for a long step H [s].
 
-    Their signals have constant values during the short steps. Implicit Euler matrices of a step H give the
+    Their signals are extrapolated during the short steps. Implicit Euler matrices of a step H give the
     torque by a motion through them, with the states of their filters eliminated, relative to the inertia.
     """
     fast, states = parts[0].own, np.intersect1d(system.states, parts[1].own)

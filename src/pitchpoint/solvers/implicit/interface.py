@@ -55,7 +55,7 @@ def _set_force(c, m):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     R = view(c["R"], c["nd"], F8)
     a = view(c["a"], c["nd"], F8)
     for i in range(n):
@@ -75,7 +75,7 @@ def solve_fast(at, spare, other):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     v = view(c["v"], c["nd"], F8)
     a = view(c["a"], c["nd"], F8)
     for i in range(n):
@@ -97,7 +97,7 @@ def solve_slow(at, spare, other):
     edge = view(m["edge"], m["nedge"], I8)
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     R = view(c["R"], c["nd"], F8)
     q = view(c["q"], c["nd"], F8)
     v = view(c["v"], c["nd"], F8)
@@ -115,7 +115,7 @@ def factor_slow(at, mass, other):
     m = view(c["mach"], 1, MACH)[0]
     n = m["nedge"]
     places = view(m["places"], (n, n), I8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     A = view(c["A"], 36 * c["na"], F8)
     for i in range(n):
         for j in range(n):
@@ -132,7 +132,7 @@ def begin(m):
     """
     n = m["nedge"]
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
-    P = view(m["coupling"], (4, n, n), F8)
+    P = view(m["transfer"], (4, n, n), F8)
     for i in range(n):
         X[SUM, i] = 0.5 * X[FORCE, i]
         X[Z, i] = 0.0
@@ -141,6 +141,29 @@ def begin(m):
         for j in range(n):
             second -= P[MOBILITY, i, j] * (X[FORCE, j] - X[END, j])
         X[Z_SECOND, i] = second
+
+
+@kernel
+def begin_signals(m, whole):
+    """Keep the signals that act on a gear train at the start of a long step, and their last slopes."""
+    driven = view(m["driven"], m["ndriven"], I8)
+    n = driven.size
+    D = view(m["demand"], (2, n + 1), F8)
+    for k in range(n):
+        value = view(driven[k], 1, F8)[0]
+        D[1, k] = (value - D[0, k]) / D[1, n] if D[0, n] != 0.0 else 0.0
+        D[0, k] = value
+    D[0, n] = 1.0
+    D[1, n] = whole
+
+
+@kernel
+def place_signals(m, tau):
+    """Extrapolate the signals that act on a gear train by tau: blocks have new values in long steps only."""
+    driven = view(m["driven"], m["ndriven"], I8)
+    D = view(m["demand"], (2, driven.size + 1), F8)
+    for k in range(driven.size):
+        view(driven[k], 1, F8)[0] = D[0, k] + D[1, k] * tau
 
 
 @kernel
@@ -199,6 +222,7 @@ def measure(at, t):
     n = edge.size
     X = view(m["exchange"], (EXCHANGE_ROWS, n + 2), F8)
     X[:] = 0.0
+    view(m["demand"], (2, m["ndriven"] + 1), F8)[0, m["ndriven"]] = 0.0
     _set_force(c, m)
     for i in range(n):
         X[END, i] = X[FORCE, i]
@@ -239,6 +263,11 @@ def collect(c, m, k, count, whole):
         X[FLAGS, MEASURED] = 1.0
 
 
+def forget_slopes(fast: Part) -> None:
+    """Extrapolate no signals in the next long step: they have jumped."""
+    fast.arrays["demand"][0, -1] = 0.0
+
+
 def connect(system: System, state: State, parts: tuple[Part, Part], factors: tuple[float, float]) -> None:
     """Connect a gear train and the rest at their interface.
 
@@ -263,7 +292,7 @@ def connect(system: System, state: State, parts: tuple[Part, Part], factors: tup
     place = np.searchsorted(slow.own, edge)
     shared = {
         "edge": edge,
-        "coupling": np.stack([mobility[np.ix_(place, place)], *(found[k] for k in range(CARRIED, 4))]),
+        "transfer": np.stack([mobility[np.ix_(place, place)], *(found[k] for k in range(CARRIED, 4))]),
         "places": _places(system, edge),
         "exchange": np.zeros((EXCHANGE_ROWS, n + 2)),
     }

@@ -24,11 +24,13 @@ from pitchpoint.solvers.implicit.generalized_alpha import ORDER
 from pitchpoint.solvers.implicit.interface import (
     accept,
     begin,
+    begin_signals,
     collect,
     keep_motion,
     measure,
     measure_entry,
     place,
+    place_signals,
 )
 from pitchpoint.solvers.implicit.part_step import LONG, SHORT, follow, keep_part, part_step, rescale
 from pitchpoint.solvers.implicit.step import DIVISION, MAX_PARTS
@@ -86,6 +88,7 @@ def _short_step(at, other, t, tau, h, whole, rho, tol):
     keep_part(c, m, SHORT, 0)
     follow(s, n, tau, whole)
     place(s, n, tau, h)
+    place_signals(m, tau)
     status = part_step(at, t, h, rho, tol)
     if status == OK:
         accept(n, h)
@@ -101,6 +104,7 @@ def _short_step(at, other, t, tau, h, whole, rho, tol):
             left = (parts - p) * h / parts
             follow(s, n, tau - left, whole)
             place(s, n, tau - left, h / parts)
+            place_signals(m, tau - left)
             status = part_step(at, t - left, h / parts, rho, tol)
             if status != OK:
                 break
@@ -190,6 +194,7 @@ def _long_step(fast, slow, order, first, count, recorder):
     whole = count * h
     start = o["t0"] + first * h
     begin(n)
+    begin_signals(view(view(fast, 1, CTL)[0]["mach"], 1, MACH)[0], whole)
     for k in range(1, count + 1):
         t = o["t0"] + (first + k) * h
         status = _short_step(fast, slow, t, k * h, h, whole, o["rho"], o["tol"])
@@ -328,6 +333,7 @@ class SubstepRun(generalized_alpha.Run):
         status, w = super().go_on(), self.system.workspace
         self._rescale(self.parts[1], 0.0)  # their slopes contain vibrations of the gear train
         self.last = self.count
+        w.arrays["ev1"][:] = w.arrays["ev0"]  # short steps evaluate only events of the fast part
         for part in self.parts:
             part.arrays["clock"][VALID] = 0
         if status == OK:
