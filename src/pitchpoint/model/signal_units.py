@@ -3,18 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from pitchpoint.core import nomenclature
 from pitchpoint.core.discon.records import find_record
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.unit_expression import parse_unit
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components import controller as co
 from pitchpoint.model.components.joint import DISPLACEMENTS
 from pitchpoint.model.components.sensor import UNITS, FrameSensor, JointSensor, LoadSensor
 from pitchpoint.model.keys import Place
-from pitchpoint.model.reading.bare_numbers import SIGNAL, Bare, is_doubtful
+from pitchpoint.model.reading.bare_numbers import GIVEN, SIGNAL, Bare, is_doubtful
 from pitchpoint.model.scenario import Course
 
 FACTOR, OWN, INPUT, RATE, PATH, RECORD, SPEED = "factor", "own", "input", "rate", "path", "record", "speed"
@@ -168,6 +169,8 @@ def doubtful(machine: Any, numbers: Iterable[Bare]) -> list[Bare]:
     """
     found = []
     for bare in numbers:
+        if bare.form == GIVEN:
+            continue
         if bare.dimension == SIGNAL:
             unit = unit_at(machine, bare.place)
             of_angle = unit == "rad/s" and bare.place[2] == "rate"
@@ -176,3 +179,26 @@ def doubtful(machine: Any, numbers: Iterable[Bare]) -> list[Bare]:
                 continue
         found.append(bare)
     return found
+
+
+def contradictory(machine: Any, numbers: Iterable[Bare]) -> Iterator[tuple[Bare, str]]:
+    """Values of signals whose unit is not one of the signal, with the unit of the signal.
+
+    Parameters
+    ----------
+    machine
+        The parts of the model.
+    numbers
+        Notes of the reader.
+    """
+    for bare in numbers:
+        if bare.form == GIVEN:
+            unit = unit_at(machine, bare.place)
+            if unit not in ("", "1") and _exponents(unit) != _exponents(bare.unit):
+                yield bare, unit
+
+
+def _exponents(unit: str) -> tuple[int, ...]:
+    """Exponents of metre, kilogram, second, kelvin and cycle; radians are dimensionless."""
+    found = parse_unit(unit)
+    return found.m, found.kg, found.s, found.K, found.cycle

@@ -43,6 +43,12 @@ def problems_of(text: str) -> list[str]:
             "is not positive (limit > 0, in SI units); give the largest rate",
         ),
         (
+            "limits: [0, 90 deg]",
+            "limits: [0, 90 N m]",
+            "limits[1] (line N): 90 N m is the value of a signal in another unit (limit rad)",
+        ),
+        ("rate: 8 deg/s", "rate: 8 Hz", "8 Hz is the value of a signal in another unit (limit rad/s)"),
+        (
             "{points: [[10 s, 1]",
             "{points: [[10 m, 1]",
             "points[0][0] (line N): '10 m': 'm' is not the unit of",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.formula.dimension import readable
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.checks.discon import check_discon
 from pitchpoint.model.checks.fmus import check_fmu
@@ -12,6 +13,7 @@ from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.controller import DisconController, FmuController, SampledPid
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.signal_units import contradictory
 from pitchpoint.model.signals import SECTIONS, TIME, at_once, made, read
 
 if TYPE_CHECKING:
@@ -27,6 +29,8 @@ def check_signals(parts: Parts, report: Reader) -> None:
         _block(("blocks", name), block, report)
     for name, part in parts.controllers.items():
         _controller(("controllers", name), part, report)
+    if names:
+        _units(parts, report)
     if names and not any((section,) in report.tainted for section in SECTIONS):
         _loops(parts, report)
 
@@ -73,6 +77,13 @@ def _taken(name: str, at: Place, first: Place, report: Reader) -> None:
     who = ".".join(str(step) for step in first[:2])
     remedy = "give each signal and each actuator a unique name"
     report.problem(at, f"has a name that is already used: {who} defines signal[{name}]", remedy=remedy)
+
+
+def _units(parts: Parts, report: Reader) -> None:
+    """Report values whose unit contradicts that of their signal."""
+    for bare, unit in contradictory(parts, report.bare):
+        value = f"{bare.value:.6g} {readable(bare.unit)}"
+        report.problem(bare.place, "is the value of a signal in another unit", value=value, limit=unit)
 
 
 def _loops(parts: Parts, report: Reader) -> None:

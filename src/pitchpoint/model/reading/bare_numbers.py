@@ -26,6 +26,10 @@ USUAL = {"angular_speed": "rpm", "length": "mm", "angle": "deg"}
 SIGNAL = "signal"
 """In place of a dimension: that of a signal, which is known when all blocks and sensors have been read."""
 
+SIGNAL_SECTIONS = (("blocks",), ("controllers",), ("scenarios",))
+"""Sections with values of signals."""
+GIVEN = "given"
+"""Form of a number with a unit."""
 LARGE = 1.0
 """Length [m] from which a number without unit rather is in millimetres."""
 
@@ -61,7 +65,7 @@ class Bare(NamedTuple):
 
     `value` is in SI units, of a function the largest in the first second. `written` is a parameter, a
     constant formula or a function of time, as `form` states; it is empty for a number. `unit` is the one that
-    it probably is in, if not that of `USUAL`.
+    it probably is in, if not that of `USUAL`. The value of a signal with a unit has the form `given`.
     """
 
     place: Place
@@ -136,8 +140,22 @@ def note_signal(reader: Reader, key: Key, data: Any, value: float, path: Place) 
     reader, key, data, value, path
         As in `note_number`.
     """
-    if value != 0.0 and path[:1] in (("blocks",), ("controllers",), ("scenarios",)):
+    if value != 0.0 and path[:1] in SIGNAL_SECTIONS:
         _note(reader, key, data, Bare(path, value, SIGNAL))
+
+
+def note_unit(reader: Reader, unit: str, value: float, path: Place) -> None:
+    """Keep the unit of the value of a signal, to be compared with that of the signal.
+
+    Parameters
+    ----------
+    reader, value, path
+        As in `note_number`.
+    unit
+        SI unit.
+    """
+    if path[:1] in SIGNAL_SECTIONS:
+        reader.bare.append(Bare(path, value, SIGNAL, form=GIVEN, unit=unit))
 
 
 def _note(reader: Reader, key: Key, data: Any, found: Bare) -> None:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Readers of signal values and gains: numbers in SI units of any dimension.
 
-A given unit converts the number to SI units. It is not checked, because the dimensions of the signals are
-unknown.
+A given unit converts the number to SI units. It is checked when all signals are known (`signal_units`).
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import data_files, laws
-from pitchpoint.model.reading.bare_numbers import note_signal
+from pitchpoint.model.reading.bare_numbers import note_signal, note_unit
 from pitchpoint.model.reading.formula_text import WORDS
 from pitchpoint.model.show import shown
 
@@ -45,7 +44,10 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     except FormulaError as error:
         return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
     reader.used |= used
-    note_signal(reader, ANY, data, amount.value, path)
+    if amount.unit:
+        note_unit(reader, amount.unit, amount.value, path)
+    else:
+        note_signal(reader, ANY, data, amount.value, path)
     return amount.value
 
 
