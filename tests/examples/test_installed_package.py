@@ -12,8 +12,11 @@ from tests.support.fresh_environment import borrow, build_wheel, first_five_minu
 
 
 @pytest.mark.study
-def test_the_first_five_minutes_of_an_installed_wheel(tmp_path: Path) -> None:
+def test_the_first_five_minutes_of_an_installed_wheel(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Other packages are those of this environment; ``make newest-numba`` installs them, too."""
+    monkeypatch.delenv("PYTHONPATH", raising=False)  # it may lead to a checkout
     wheel = build_wheel(tmp_path)
     python = borrow(tmp_path / "environment", wheel)
     ask = "import pitchpoint, sys; print(pitchpoint.__file__); print(*sys.path, sep='\\n')"
