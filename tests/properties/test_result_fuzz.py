@@ -178,7 +178,7 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     return sorted(folder.glob("*.h5"))
 
 
-@pytest.mark.parametrize("count", [8, pytest.param(1000, marks=pytest.mark.study)])
+@pytest.mark.parametrize("count", [5, pytest.param(1000, marks=pytest.mark.study)])
 def test_changed_objects_through_the_commands(count: int, results: list[Path], tmp_path: Path) -> None:
     chance = random.Random(count)
     for k in range(count):
