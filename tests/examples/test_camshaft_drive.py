@@ -80,8 +80,9 @@ def test_without_backlash_contact_is_never_lost():
 def test_frequency_over_torque_as_in_figure_4_6():
     """A study over a parameter gives f_n pi/(pi + r) and r/(pi + r) as numbers of every case, and pictures.
 
-    The damper takes 0.1 % of the amplitude in 0.9 s, which lowers the frequency by up to 1e-4. The window is
-    no whole number of the five to seven periods: a tenth of the share.
+    The damper takes 0.1 % of the amplitude in 0.9 s, which lowers the frequency by up to 1e-4. The window
+    of 0.9 s begins in the middle of a contact, and its end shifts by as much; the ends of gaps are known to a
+    fraction of a step, 20 us of 68 ms: 1e-4 of the share each.
     """
     torques = (5.0, 60.0, 1500.0)
     cases = run_cases(
@@ -92,7 +93,10 @@ def test_frequency_over_torque_as_in_figure_4_6():
     natural = math.sqrt(1.0e5 * BASE_RADIUS**2 / INERTIA) / (2.0 * math.pi)
     frequency = study["contact_frequency[stage]"].values
     assert frequency == pytest.approx(natural * math.pi / (math.pi + r), rel=2e-4)
-    assert study["contact_loss_share[stage]"].values == pytest.approx(r / (math.pi + r), rel=0.1)
+    half, gap = 0.25 / natural, r / (2.0 * math.pi * natural)
+    periods, rest = np.divmod(0.9, 2.0 * half + gap)
+    lost = periods * gap + np.clip(rest - half, 0.0, gap)
+    assert study["contact_loss_share[stage]"].values == pytest.approx(lost / 0.9, abs=2e-4)
     figure = plot(study, "contact_frequency")
     assert figure.data[0].y == pytest.approx(frequency) and figure.data[0].x == pytest.approx(torques)
 
@@ -313,7 +317,10 @@ def check_angular_momentum(t, channel):
 
 
 @outside_polynomial
-@pytest.mark.parametrize(("step", "rate"), [("5 us", "200 kHz"), ("2 us", "500 kHz"), ("1 us", "1 MHz")])
+@pytest.mark.parametrize(
+    ("step", "rate"),
+    [("5 us", "200 kHz"), ("2 us", "500 kHz"), pytest.param("1 us", "1 MHz", marks=pytest.mark.study)],
+)
 def test_cam_torque_makes_the_gears_hammer(step, rate):
     """The ranges of the page and a margin: a chaotic motion differs with every step and every change."""
     found = hammering(step=step, sample_rate=rate)

@@ -194,9 +194,9 @@ def test_chunks_do_not_change_the_steps(torsional):
 
 @pytest.mark.study
 def test_alternating_forces_of_all_stages_are_converged(torsional):
-    """0.1 ms in long steps of 1 ms against 0.025 ms everywhere, one second: 2.5 % of the alternating force.
+    """0.1 ms in long steps of 1 ms against 0.025 ms everywhere, one second: 2 % of the alternating force.
 
-    -1.9 % at sun 2 are impacts of spur pairs within 0.1 ms; +2.3 % at ring 2 and 1.2 % of stage 3 are due to
+    -1.4 % at sun 2 are impacts of spur pairs within 0.1 ms; +0.8 % at ring 2 and 0.4 % at others are due to
     the long steps.
     """
     system, state = torsional.system, torsional.state
@@ -206,5 +206,5 @@ def test_alternating_forces_of_all_stages_are_converged(torsional):
         assert run.advance(round(1.0 / run.h)).status == 1
         found.append(statistics(run, 1.0))
     meshes = [k for k, c in enumerate(system.layout.channels) if c.name.startswith("mesh_force[")]
-    np.testing.assert_allclose(found[1].rms[meshes], found[0].rms[meshes], rtol=0.025)
+    np.testing.assert_allclose(found[1].rms[meshes], found[0].rms[meshes], rtol=0.02)
     np.testing.assert_allclose(found[1].mean[meshes], found[0].mean[meshes], rtol=2e-4)

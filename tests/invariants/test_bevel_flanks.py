@@ -83,6 +83,7 @@ def missed_force(m, flank, slices=100):
     return flank * m.get("mesh_force") / total - 1.0
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("pair", ["straight", "left", "spiral 110 deg"])
 @both_flanks
 def test_what_apexes_apart_do_to_the_force_is_missed_to_second_order(pair, flank):

@@ -87,6 +87,7 @@ def forces(law, beta, one=None, two=None):
     return turned_forces(model.replace_all(changes) if changes else model, ANGLES, DEPTH)
 
 
+@pytest.mark.each_value
 @every_pair_of_faults
 @every_law
 def test_without_severity_one_fault_is_the_other_alone(one, two, law):
@@ -99,6 +100,7 @@ def test_without_severity_one_fault_is_the_other_alone(one, two, law):
         assert abs(forces(law, beta, (one, 1.0), (two, 1.0)) - alone).max() > 1e-4 * alone.max()
 
 
+@pytest.mark.each_value
 @every_pair_of_faults
 @every_law
 @pytest.mark.parametrize("beta", [0.0, 15.0])

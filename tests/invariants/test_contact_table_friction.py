@@ -55,6 +55,7 @@ def test_friction_never_drives(pair):
         assert m.get("friction_power") >= 0.0
 
 
+@pytest.mark.each_value
 @every_pair
 @pytest.mark.parametrize(("across", "most"), [(0.0, 0.06), (0.3, 0.3), (3.0, 0.12)])
 def test_friction_is_that_of_flexible_contact(pair, across, most):

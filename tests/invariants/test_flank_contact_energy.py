@@ -63,6 +63,7 @@ def write_table(folder, helical):
     write_contact_table(folder / "t.gcp.h5", tables, inputs)
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("helical", [False, True], ids=["spur", "helical"])
 @pytest.mark.parametrize(
     "contact", ["rigid", "flexible", TABULATED], ids=["rigid", "flexible", "precomputed"]

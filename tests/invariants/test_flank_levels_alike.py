@@ -28,6 +28,7 @@ def made(level, losses=False):
     )
 
 
+@pytest.mark.each_value
 @every_level
 @both_flanks
 def test_never_pulls(level, flank):
@@ -60,6 +61,7 @@ def test_power_balance_of_flanks_that_part_fast(level):
         assert abs(given + cycle - stored - lost) < 1e-6 * abs(stored)
 
 
+@pytest.mark.each_value
 @every_level
 @both_flanks
 @pytest.mark.parametrize("losses", [False, True])
@@ -141,6 +143,7 @@ def test_swapping_the_gears_changes_nothing(level, flank):
     assert abs(found - F).max() < 1e-9 * abs(F).max()
 
 
+@pytest.mark.each_value
 @every_level
 @both_flanks
 def test_size(level, flank):

@@ -65,6 +65,7 @@ def errors(kind, flank, tilt):
     return np.concatenate(found), np.concatenate(roll).max()
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("direction", [(1.0, 0.0), (0.0, 1.0), (0.6, -0.8)])
 @pytest.mark.parametrize("flank", [1, -1])
 @pytest.mark.parametrize("kind", PAIRS)

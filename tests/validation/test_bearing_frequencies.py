@@ -73,6 +73,7 @@ def power_spectrum(signal):
     return np.fft.fftfreq(signal.size, 1.0 / RATE), power
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize(
     ("kind", "outer_turns"),
     [

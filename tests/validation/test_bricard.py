@@ -155,6 +155,7 @@ def test_an_explicit_method(reference):
     check(run.advance_to, run, reference, 1e-10)
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("form", bdf.FORMS)
 @pytest.mark.parametrize("kind", ["gstiff", "wstiff", "dassl"])
 def test_stiff_methods(kind, form, reference):

@@ -115,6 +115,7 @@ def test_error_of_eccentric_gears_is_that_of_touching_involutes():
     assert np.ptp(error) > 2e-4
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("internal", [False, True])
 @pytest.mark.parametrize("torque", [10.0, -10.0])
 def test_small_eccentricities_agree_with_runout(internal, torque):

@@ -79,7 +79,7 @@ def history(model):
     return np.array(rows)
 
 
-@pytest.mark.parametrize("motion", ["planar", "torsion", "free"])
+@pytest.mark.parametrize("motion", ["planar", pytest.param("torsion", marks=pytest.mark.study), "free"])
 def test_a_stiff_carrier_is_rigid(tmp_path, motion):
     """Modes, statics and time response to 1e-6, with a pin error."""
     more = f"planets: 3\nmotion: {motion}\npin_errors: {{planet_1: {{tangential: 5 um}}}}\n"

@@ -193,6 +193,7 @@ def test_runout_is_a_sine_over_the_turn(which, z2, internal):
     assert np.abs(error - runout_error(model, which, error, angle1)).max() < 1e-9
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("which", [1, 2])
 @pytest.mark.parametrize("internal", [False, True])
 @pytest.mark.parametrize("beta", [15.0, -30.0])

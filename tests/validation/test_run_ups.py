@@ -4,7 +4,8 @@
 Oracle: the angle channel of the simulation. A mesh line changes its phase by up to pi where it crosses a
 resonance, and the angle, if it follows this line, by pi over its order: a step of pi/16 for the lowest mesh
 line. The rms of a step about its mean is at most half its height, pi/32 = 0.098 rad. Seen: 0.026 to 0.027 rad
-(healthy) and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal.
+(healthy) and 0.020 to 0.051 rad (broken tooth), the latter with noise as large as the signal. In `make test`
+a healthy run-up is in tests/unit/cli/test_diagnose_run_up.py.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ BROKEN = "profile_shift_coefficient: 0, faults: {broken: {type: broken_tooth, se
 CHANNELS = ("mesh_force[first]", "mesh_force[second]")
 
 
-@pytest.fixture(scope="module", params=["healthy", "broken"])
+@pytest.fixture(scope="module", params=[pytest.param("healthy", marks=pytest.mark.study), "broken"])
 def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, str]:
     """State and result of a run-up from 600 to 1800 rpm in 10 s."""
     model = re.search(r"```yaml\n(title: two-stage.*?)```", DOCS.read_text(encoding="utf-8"), re.S)
@@ -47,23 +48,27 @@ def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     return request.param, result
 
 
-@pytest.mark.parametrize("noise", [pytest.param(20.0, marks=pytest.mark.study), 0.0])
-def test_the_verdict_is_that_of_the_angle_channel(run: tuple[str, str], noise: float) -> None:
+@pytest.mark.parametrize(
+    ("noise", "speeds"),
+    [
+        pytest.param(20.0, ("input=600..1800rpm",), marks=pytest.mark.study),
+        (0.0, ("input=600..1800rpm",)),
+        pytest.param(20.0, (), marks=pytest.mark.study),
+        pytest.param(0.0, (), marks=pytest.mark.study),
+    ],
+    ids=["20.0-range", "0.0-range", "20.0-channel", "0.0-channel"],
+)
+def test_the_verdict_is_that_of_the_angle_channel(
+    run: tuple[str, str], noise: float, speeds: tuple[str, ...]
+) -> None:
+    """With the range of the speed as with the angle channel."""
     state, file = run
-    found = [
-        [
-            (finding.kind, finding.shaft, finding.gears)
-            for finding in diagnose_file(
-                Request(file, speeds=speeds, channels=CHANNELS, noise=noise)
-            ).diagnosis.findings
-        ]
-        for speeds in ((), ("input=600..1800rpm",))
-    ]
-    assert found[0] == found[1]
-    assert found[1] == ([("local fault", "idler", ("z2", "z3"))] if state == "broken" else [])
+    request = Request(file, speeds=speeds, channels=CHANNELS, noise=noise)
+    found = [(one.kind, one.shaft, one.gears) for one in diagnose_file(request).diagnosis.findings]
+    assert found == ([("local fault", "idler", ("z2", "z3"))] if state == "broken" else [])
 
 
-@pytest.mark.parametrize("noise", [20.0, pytest.param(10.0, marks=pytest.mark.study), 0.0])
+@pytest.mark.parametrize("noise", [20.0, *(pytest.param(x, marks=pytest.mark.study) for x in (10.0, 0.0))])
 def test_the_angle_is_within_the_phase_of_one_resonance(run: tuple[str, str], noise: float) -> None:
     _, file = run
     time, angle = (np.asarray(x) for x in read_channel(file, "angle[input]"))

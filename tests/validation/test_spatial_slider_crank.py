@@ -170,6 +170,7 @@ def test_an_explicit_method(expected):
     np.testing.assert_allclose(measured(system, run.state()), expected, atol=1e-8)
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("form", bdf.FORMS)
 @pytest.mark.parametrize("kind", ["gstiff", "wstiff", "dassl"])
 def test_stiff_methods(kind, form, expected):

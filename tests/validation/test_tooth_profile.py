@@ -142,6 +142,7 @@ def test_an_exported_gear_comes_back(kind, tmp_path):
         assert found == pytest.approx(expected, abs=2e-12)
 
 
+@pytest.mark.each_value
 @EVERY_KIND
 @pytest.mark.parametrize("which", [1, 2])
 def test_an_exported_relief_acts_like_the_relief(kind, which, tmp_path):

@@ -117,6 +117,7 @@ def place_after(planar, h, **options):
     return status, moving.t, np.array([*pin["r"][:2], *pin["tw"][:2]])
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("rho_inf", [0.8, 1.0])
 @pytest.mark.parametrize("form", ["I3", "SI2"])
 @pytest.mark.parametrize("planar", [True, False])

@@ -46,7 +46,7 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         say(f"error: compiled Python files of the installation are damaged ({error}), as after a full disk")
         say("  delete the folders __pycache__ of the installation, or reinstall it")
         return FAILED
-    if isinstance(error, KeyboardInterrupt | click.Abort):
+    if isinstance(error, KeyboardInterrupt | click.Abort) or _by_interrupt(error):
         say("interrupted")
         return code_of_interruption()
     if isinstance(error, SolverError):
@@ -72,6 +72,13 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         "with the command, the model file and the output of the same command with --debug."
     )
     return FAULT
+
+
+def _by_interrupt(error: BaseException) -> bool:
+    """Whether an error is due to an interrupt, as Python has it for one in `__set_name__` of a class."""
+    while error.__cause__ is not None:
+        error = error.__cause__
+    return isinstance(error, KeyboardInterrupt)
 
 
 def _line_of(error: click.ClickException) -> str:

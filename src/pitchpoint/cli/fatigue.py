@@ -83,6 +83,10 @@ def fatigue(
         slopes = options["slopes"] or SLOPES
         tooth_slope = options["tooth_slope"] or TOOTH_SLOPE
         found = fatigue_loads(cases, options["patterns"], slopes, options["cycles"], tooth_slope)
+    if not (found["channels"] or found["teeth"]):
+        show_notes(found["notes"])
+        text = "the results have no moments of beams, torques of couplings or springs, or forces of teeth"
+        raise click.UsageError(f"{text}: choose channels with -c")
     if target is not None:
         write_file(target, csv_text(found))
     if as_json:

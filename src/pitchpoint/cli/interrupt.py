@@ -15,6 +15,7 @@ import socket
 import sys
 import threading
 import time
+from collections.abc import Callable
 from typing import Any
 
 APART = 0.3
@@ -39,6 +40,30 @@ def _terminate(number: int, _: Any) -> None:
     """Stop the computation like Ctrl-C, so that result files are closed."""
     _received.append(number)
     raise KeyboardInterrupt
+
+
+def run_to_its_code(command: Callable[[], int]) -> int:
+    """Exit code of a command, also if a signal arrives before its first or after its last instruction.
+
+    Later signals have no effect, since the process is about to end. The evaluation at the end resets a flag
+    of Python: an interrupt that left an `exec` of a text, as in `dataclass`, would otherwise end
+    ``python -m`` by SIGINT although it has been handled.
+
+    Parameters
+    ----------
+    command
+        Function that runs the command and returns its exit code.
+    """
+    try:
+        code = command()
+    except KeyboardInterrupt:
+        code = code_of_interruption()
+    if threading.current_thread() is threading.main_thread():
+        for number in _CODES:
+            if signal.getsignal(number) is not signal.SIG_IGN:
+                signal.signal(number, lambda *_: None)
+    eval("0")  # noqa: S307 - a constant
+    return code
 
 
 def end_at_the_second_interrupt() -> None:
@@ -75,7 +100,7 @@ def _hear_what_is_lost(there: socket.socket) -> None:
 def _listen(here: socket.socket, there: socket.socket) -> None:
     """Wait for interrupts; the reference `there` only keeps the socket open."""
     first: float | None = None
-    own = 0  # resent signals that have not arrived yet
+    own: list[int] = []  # resent signals that have not arrived yet
     while True:
         try:
             received = here.recv(64)
@@ -85,11 +110,11 @@ def _listen(here: socket.socket, there: socket.socket) -> None:
             continue
         for byte in received:
             if byte == AGAIN[0]:
-                own += 1
+                own.append(_received[-1] if _received else signal.SIGINT)
                 time.sleep(PAUSE)
-                _interrupt_main()
-            elif byte == signal.SIGINT and own:
-                own -= 1
+                _interrupt_main(own[-1])
+            elif byte in own:
+                own.remove(byte)
             elif byte in _CODES:
                 now = time.monotonic()
                 if first is None:
@@ -100,12 +125,15 @@ def _listen(here: socket.socket, there: socket.socket) -> None:
                     os._exit(_CODES[signal.Signals(byte)])
 
 
-def _interrupt_main() -> None:
-    """Send SIGINT to the main thread, which also interrupts blocking system calls where possible."""
+def _interrupt_main(number: int) -> None:
+    """Send a signal to the main thread, which also interrupts blocking system calls where possible.
+
+    It is the one that was lost: jobs in the background of a shell ignore SIGINT.
+    """
     if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+        signal.pthread_kill(threading.main_thread().ident or 0, number)
     else:
-        _thread.interrupt_main()
+        _thread.interrupt_main(signal.Signals(number))
 
 
 def _say(text: str) -> None:

@@ -19,7 +19,7 @@ from functools import partial
 
 import click
 
-from pitchpoint.cli.interrupt import end_at_the_second_interrupt
+from pitchpoint.cli.interrupt import end_at_the_second_interrupt, run_to_its_code
 
 COMMANDS = {
     "new": "Write a commented model to start from.",
@@ -125,7 +125,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     end_at_the_second_interrupt()
     if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
         sys.stdout.reconfigure(errors="replace")  # terminals without Greek letters show question marks
-    sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    sys.exit(run_to_its_code(partial(run_command, given)))
 
 
 def run_command(arguments: list[str]) -> int:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ import click
 
 from pitchpoint.cli.campbell_output import damping_text, largest
 from pitchpoint.cli.options import common, model_file, output, state, writes
-from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
 from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
@@ -92,7 +93,7 @@ def modes(
         lambda: compute(
             model, file, name, target, phase=phase, count=count, animation=animation, quiet=quiet
         ),
-        {"total": 0, "modes": [], "states": []},
+        {"total": 0, "modes": [], "states": [], "state_count": 0, "state_reach": None},
     )
     if as_json:
         emit_json(summary)
@@ -138,6 +139,8 @@ def compute(
         "total": found.total,
         "modes": rows_of(found),
         "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],
+        "state_count": found.states,
+        "state_reach": found.state_reach if math.isfinite(found.state_reach) else None,
     }
     return summary, None
 
@@ -147,6 +150,8 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
 
     The lowest modes are those of the undamped frequency; the rows are in the order of the natural frequency.
     """
+    from pitchpoint.solvers.linear_system import omitted_note
+
     least = ROUNDING * max((abs(row["undamped_frequency"]) for row in summary["modes"]), default=0.0)
 
     def above_rounding(frequency: float) -> float:
@@ -166,22 +171,51 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     ]
     heads = ["mode", "natural frequency", "damping ratio", "undamped", "strain energy", "kinetic energy"]
     table(title, heads, cells)
-    if summary["states"]:
-        words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
-        show(f"eigenvalues of states [1/s]: {', '.join(words)}")
+    if summary["state_count"]:
+        show(states_text(summary["states"], summary["state_count"], summary["state_reach"]))
     if quiet:
         return
-    total = summary["total"]
+    total, computed = summary["total"], len(summary["modes"])
     if count < total:
         last = shown(summary["modes"][count - 1]["undamped_frequency"], "frequency", 4)
-        show(f"{count} of {total} modes, up to {last} undamped; --count {total} shows all of them")
+        more = f"; {computed} are written" if summary["output"] is not None and computed != count else ""
+        show(f"the lowest {count} of {total} modes, up to {last} undamped{more}; --count N shows N")
     if count:
         show(
             "natural frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest"
         )
-    show_notes(summary["notes"])
+    show_notes(note for note in summary["notes"] if note != omitted_note(computed, total))
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
+
+
+def states_text(roots: list[list[float]], states: int, reach: float | None) -> str:
+    """Eigenvalues of states in words, and how many of how many they are.
+
+    Parameters
+    ----------
+    roots
+        Real and imaginary parts [1/s], in ascending order of the absolute value.
+    states
+        Number of states.
+    reach
+        Absolute value up to which the eigenvalues are complete [1/s]; None for all.
+
+    Examples
+    --------
+    >>> states_text([[-0.4, 0.0], [-2.0, 3.0]], 3, None)
+    'eigenvalues of states [1/s]: -0.4, -2 ± 3i'
+    >>> states_text([[-0.4, 0.0]], 3, 100.0)
+    'eigenvalues of states [1/s], all up to 100 1/s, of 3 states: -0.4'
+    """
+    least = ROUNDING * max((math.hypot(*root) for root in roots), default=0.0)
+    words = [
+        f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x if abs(x) > least else 0.0:.5g}" for x, y in roots[:SHOWN]
+    ]
+    found = [f"the slowest {SHOWN} of {len(roots)}, --json has all"] if len(roots) > SHOWN else []
+    if reach is not None:
+        found.append(f"all up to {reach:.4g} 1/s, of {states} states")
+    return f"{', '.join(['eigenvalues of states [1/s]', *found])}: {', '.join(words) or NOTHING}"
 
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:

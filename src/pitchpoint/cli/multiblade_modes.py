@@ -36,17 +36,18 @@ def rotor_of(model: Model, name: str) -> WindRotor:
     return rotor
 
 
-def compute(model: Model, name: str | None, rotor: WindRotor) -> tuple[dict[str, Any], None]:
+def compute(model: Model, name: str | None, rotor: WindRotor, *, quiet: bool) -> tuple[dict[str, Any], None]:
     """Compute the modes; return the output of `modes --multiblade --json`."""
+    from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import finished
     from pitchpoint.solvers.multiblade import find_multiblade_modes
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
     system = compile_model(model, name)
-    found = find_multiblade_modes(
-        system, name, hub=rotor.hub.split(".")[0], blades=rotor.beams or rotor.bodies
-    )
+    hub, blades = rotor.hub.split(".")[0], rotor.beams or rotor.bodies
+    with ProgressDisplay("modes", "elements", quiet=quiet) as progress:
+        found = find_multiblade_modes(system, name, hub=hub, blades=blades, progress=progress)
     rows = [
         {
             "mode": k + 1,
@@ -70,7 +71,7 @@ def of_turning_rotor(
 
     rotor = rotor_of(model, rotor_name)
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, name, rotor), {"total": 0, "speed": 0.0, "modes": []}
+        lambda: compute(model, name, rotor, quiet=quiet), {"total": 0, "speed": 0.0, "modes": []}
     )
     if as_json:
         emit_json(summary)
@@ -97,5 +98,5 @@ def show_modes(title: str, summary: dict[str, Any], count: int, *, quiet: bool) 
     if quiet:
         return
     if count < summary["total"]:
-        show(f"{count} of {summary['total']} modes; --count {summary['total']} shows all of them")
+        show(f"the lowest {count} of {summary['total']} modes that oscillate; --count N shows N")
     show("natural frequency: in axes that do not turn; blades: amplitudes over the largest of the mode")

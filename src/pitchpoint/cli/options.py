@@ -163,6 +163,8 @@ def with_suffix(path: str, suffix: str, option: str = "OUTPUT") -> str:
     >>> with_suffix("unit.FMU", ".fmu")
     'unit.FMU'
     """
+    if not Path(path).name:
+        raise click.BadParameter(f"the name of the file is empty; write out{suffix}", param_hint=option)
     if Path(path).suffix.lower() != suffix:
         has = f"has the ending {Path(path).suffix}" if Path(path).suffix else "has no ending"
         remedy = f"write {Path(path).with_suffix(suffix)}"

@@ -27,6 +27,7 @@ def read_model(
     `remarks` prints those on numbers of `--set` without unit. `case` has the values of a case of `--vary`.
     """
     from pitchpoint.cli.settings import changes_of, load_case_of_command, say_bare, settings_of_command
+    from pitchpoint.model.signal_units import doubtful
 
     settings = changes_of(settings_of_command(), file)
     case = case or {}
@@ -35,7 +36,8 @@ def read_model(
     options |= dict.fromkeys(case, "--vary")
     model = _read(file, allow_code, quiet, {**settings, **chosen, **case}, options)
     if remarks and settings:
-        say_bare((bare for bare in model.origin.bare if not bare.in_file), options)
+        new = (bare for bare in model.origin.bare if not bare.in_file)
+        say_bare(doubtful(model, new), options)
     return model
 
 

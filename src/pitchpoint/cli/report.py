@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet
 from pitchpoint.cli.output import show, show_notes
+from pitchpoint.cli.settings import load_case_of_command, set_option, settings_of_command
 
 RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
@@ -18,6 +19,7 @@ RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 @click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
 @output("HTML file; default: name of the model file with .html.")
 @click.option("--compare", is_flag=True, help="Overlay runs of different scenarios in one picture, too.")
+@set_option
 @allow_code
 @quiet
 @debug
@@ -29,6 +31,7 @@ def report(files: tuple[str, ...], output: str | None, compare: bool, allow_code
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
+    from pitchpoint.cli.results import refuse_without_effect
     from pitchpoint.report.stored_model import stored_model
     from pitchpoint.report.write import write_report
 
@@ -36,6 +39,9 @@ def report(files: tuple[str, ...], output: str | None, compare: bool, allow_code
     models = [name for name in files if name not in results]
     if len(models) > 1:
         raise click.UsageError(f"more than one model file: {', '.join(models)}")
+    if not models:
+        given = {"--set": settings_of_command(), "--load-case": load_case_of_command()}
+        refuse_without_effect("without a model file", {name: value or None for name, value in given.items()})
     model = read_model(models[0], allow_code, quiet) if models else stored_model(results[0], allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "parts", quiet=quiet) as progress:

@@ -76,6 +76,7 @@ def view(
     With OTHER, show two scenes side by side with a common time. With --live, the compiled model runs in the
     page, without a server; --scenario, --parameter, --input and --set apply to it.
     """
+    from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import refuse_without_effect
     from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view
@@ -99,7 +100,8 @@ def view(
         raise click.BadParameter("modes can only be shown for one result or model", param_hint="--modes")
     sources = [file] if other is None else [file, other]
     start = SceneStart(view=direction, parallel=parallel, section=section or "")
-    written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0, start=start)
+    with ProgressDisplay("view", quiet=quiet):
+        written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0, start=start)
     if not quiet:
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
         show_notes(notes)

@@ -28,8 +28,11 @@ def with_time(sentence: str, t: float) -> str:
     --------
     >>> with_time("not finite", 0.25), with_time("the law failed (t = 0.3 s)", 0.25)
     ('not finite (at t = 0.25 s)', 'the law failed (t = 0.3 s)')
+    >>> with_time("the rate of rotor.spin is 1e+20 at t = 0.3 s; reduce `step`", 0.3)
+    'the rate of rotor.spin is 1e+20 at t = 0.3 s; reduce `step`'
     """
-    return sentence if "(t = " in sentence else f"{sentence} (at t = {t:.6g} s)"
+    has_one = "(t = " in sentence or " at t = " in sentence
+    return sentence if has_one else f"{sentence} (at t = {t:.6g} s)"
 
 
 class PitchpointError(Exception):

@@ -34,6 +34,8 @@ SYSTEMS = {"linux": "Linux", "win32": "Windows", "darwin": "macOS"}
 LIBRARY, OBJECT, PROGRAM, OTHER = "shared library", "object file", "program", "other file"
 _ELF_KINDS = {1: OBJECT, 2: PROGRAM, 3: LIBRARY}
 _MACH_KINDS = {1: OBJECT, 2: PROGRAM, 6: LIBRARY, 8: LIBRARY}
+_BEYOND = (struct.error, IndexError, ValueError, OverflowError)
+"""Errors of places that the file does not have."""
 _MOST = 1 << 20
 """Largest number of entries of a table that is read."""
 
@@ -103,7 +105,7 @@ def _elf(data: bytes) -> tuple[LibraryHeader, ...]:
         return ()
     kind, machine = struct.unpack_from(f"{order}HH", data, 16)
     processor = ELF_PROCESSORS.get(machine, f"processor {machine}")
-    if not wide and processor != "x32":
+    if not wide:
         processor = "x32 (x86-64 with 32-bit addresses)" if machine == 62 else f"{processor} (32 bit)"
     if order == ">" and machine in (3, 62):
         processor += ", big-endian"
@@ -127,7 +129,7 @@ def _elf(data: bytes) -> tuple[LibraryHeader, ...]:
         ]
         size = max([size, *(row[4] + row[5] for row in rows if row[1] != 8)])  # 8: without contents
         names = _elf_names(data, rows, wide, order)
-    except (struct.error, IndexError, ValueError):
+    except _BEYOND:
         pass
     return (LibraryHeader(f"Linux {processor}", _ELF_KINDS.get(kind, OTHER), size, names),)
 
@@ -175,7 +177,7 @@ def _pe(data: bytes) -> tuple[LibraryHeader, ...]:
         (magic,) = struct.unpack_from("<H", data, at + 24)
         (exports,) = struct.unpack_from("<I", data, at + 24 + (112 if magic == 0x20B else 96))
         names = _pe_names(data, exports, sections) if exports else ()
-    except (struct.error, IndexError, ValueError, StopIteration):
+    except (*_BEYOND, StopIteration):
         pass
     platform = f"Windows {PE_PROCESSORS.get(machine, f'processor {machine}')}"
     return (LibraryHeader(platform, kind, size, names),)
@@ -241,7 +243,7 @@ def _mach(data: bytes, processor: int) -> LibraryHeader:
             if step < 8:
                 break
             at += step
-    except (struct.error, IndexError, ValueError):
+    except _BEYOND:
         pass
     found = tuple(names) if names else None
     return LibraryHeader(_mac(processor or own), _MACH_KINDS.get(kind, OTHER), size, found)

@@ -6,11 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.geometry.beam_line import BeamLine, FloatArray
 
-FloatArray = NDArray[np.float64]
 STIFF_TORSION, STIFF_AXIAL = 100.0, 1e4
 """Torsional stiffness, and axial stiffness times the square of the length, over the larger bending stiffness,
 of a table without them."""
@@ -25,13 +24,13 @@ _NOT_NEGATIVE = ("mass", "gyration")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class BeamTable:
+class BeamTable(BeamLine):
     """Properties of a beam, linear between the given positions.
 
     Parameters
     ----------
-    position
-        Positions from the first end, 0, to the second, 1, increasing, shape (n,).
+    position, twist, offset_1, offset_2, length
+        As for `BeamLine`.
     mass
         Mass per length, shape (n,) [kg/m].
     bending_1, bending_2
@@ -41,8 +40,6 @@ class BeamTable:
     axial
         Axial stiffness, shape (n,) [N]; empty: 1e4 times the larger bending stiffness over the square of the
         length.
-    twist
-        Rotation of the axes 1 and 2 about the beam axis, shape (n,) [rad]; empty for zero.
     center_1, center_2
         Centre of mass along the twisted axes, shape (n,) [m]; empty for zero.
     gyration
@@ -56,11 +53,6 @@ class BeamTable:
         the elastic centre.
     shear_1, shear_2
         Shear stiffness along the twisted axes, shape (n,) [N]; empty: no shear deflection.
-    offset_1, offset_2
-        Position of the curved axis of the beam from the straight line between its ends, along the axes
-        without twist, shape (n,) [m]; empty for zero.
-    length
-        Length of the line to which the table belongs [m]; 0: any.
 
     Raises
     ------
@@ -74,13 +66,11 @@ class BeamTable:
     250.0
     """
 
-    position: FloatArray
     mass: FloatArray
     bending_1: FloatArray
     bending_2: FloatArray
     torsion: FloatArray = ()  # type: ignore[assignment]
     axial: FloatArray = ()  # type: ignore[assignment]
-    twist: FloatArray = ()  # type: ignore[assignment]
     center_1: FloatArray = ()  # type: ignore[assignment]
     center_2: FloatArray = ()  # type: ignore[assignment]
     gyration: FloatArray = ()  # type: ignore[assignment]
@@ -90,9 +80,6 @@ class BeamTable:
     shear_center_2: FloatArray = ()  # type: ignore[assignment]
     shear_1: FloatArray = ()  # type: ignore[assignment]
     shear_2: FloatArray = ()  # type: ignore[assignment]
-    offset_1: FloatArray = ()  # type: ignore[assignment]
-    offset_2: FloatArray = ()  # type: ignore[assignment]
-    length: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("position", *_COLUMNS):
@@ -101,22 +88,7 @@ class BeamTable:
             raise ModelError(problems)
 
     def _problems(self) -> list[Message]:
-        found = []
-        x = self.position
-        falling = np.flatnonzero(~(np.diff(x) > 0.0))
-        if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0:
-            shown = f"{x.size} values" if x.size < 2 else f"{x[0]:g} to {x[-1]:g}"
-            text, remedy = (
-                "is not a list of increasing places",
-                "give the places from the first end to the last",
-            )
-            found.append(Message("position", text, shown, "0 to 1", remedy))
-        elif falling.size:
-            k = int(falling[0]) + 1
-            remedy = "sort the places"
-            found.append(
-                Message(f"position[{k}]", "does not increase", f"{x[k]:g}", f"> {x[k - 1]:g}", remedy)
-            )
+        found, x = self._position_problems(), self.position
         for name in _COLUMNS:
             values = getattr(self, name)
             if values.size != x.size and (values.size or name in _NEEDED):
@@ -143,19 +115,13 @@ class BeamTable:
         length
             Length of the beam [m].
         """
-        inner = self.position[(self.position > start) & (self.position < end)]
-        x = np.r_[start, inner, end]
+        x = self.within(start, end)
         found = {}
         for name in _COLUMNS:
             values = self._values(name, length)
             at = np.interp(x, self.position, values)
             found[name] = float(np.trapezoid(at, x)) / (end - start)
         return found
-
-    def offset(self, at: FloatArray) -> FloatArray:
-        """Curved axis of the beam from the straight line at positions, shape (m,) to (m, 2) [m]."""
-        both = [self._values(name, 1.0) for name in ("offset_1", "offset_2")]
-        return np.stack([np.interp(at, self.position, values) for values in both], axis=1)
 
     def _values(self, name: str, length: float) -> FloatArray:
         """A property at all positions, with its default."""

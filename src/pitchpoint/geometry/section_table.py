@@ -6,16 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.geometry.beam_line import BeamLine, FloatArray
 from pitchpoint.geometry.section_matrix import check_inertia, check_stiffness
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class SectionTable:
+class SectionTable(BeamLine):
     """Stiffness and mass matrices of the sections of a beam, linear between the given positions.
 
     Strains and section forces are in the order of BeamDyn and windIO: along the axes 1, 2 and the beam, then
@@ -23,8 +21,8 @@ class SectionTable:
 
     Parameters
     ----------
-    position
-        Positions from the first end, 0, to the second, 1, increasing, shape (n,).
+    position, twist, offset_1, offset_2, length
+        As for `BeamLine`.
     stiffness
         Section forces for the strains, symmetric and positive definite, shape (n, 6, 6) [N, N m, N m²].
     inertia
@@ -32,13 +30,6 @@ class SectionTable:
     damping
         Damping over stiffness of each strain, shape (6,) [s]: the damping matrix of a section is
         sqrt(damping_i damping_j) K_ij; empty for none.
-    twist
-        Rotation of the axes 1 and 2 about the beam axis, shape (n,) [rad]; empty for zero.
-    offset_1, offset_2
-        Position of the curved axis of the beam from the straight line between its ends, along the axes
-        without twist, shape (n,) [m]; empty for zero.
-    length
-        Length of the line to which the table belongs [m]; 0: any.
 
     Raises
     ------
@@ -53,14 +44,9 @@ class SectionTable:
     8750000000.0
     """
 
-    position: FloatArray
     stiffness: FloatArray
     inertia: FloatArray
     damping: FloatArray = ()  # type: ignore[assignment]
-    twist: FloatArray = ()  # type: ignore[assignment]
-    offset_1: FloatArray = ()  # type: ignore[assignment]
-    offset_2: FloatArray = ()  # type: ignore[assignment]
-    length: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("position", "stiffness", "inertia", "damping", "twist", "offset_1", "offset_2"):
@@ -72,10 +58,7 @@ class SectionTable:
             raise ModelError(problems)
 
     def _problems(self) -> list[Message]:
-        found, x = [], self.position
-        if x.size < 2 or x[0] != 0.0 or x[-1] != 1.0 or not (np.diff(x) > 0.0).all():
-            shown = f"{x.size} values" if x.size < 2 else f"{x[0]:g} to {x[-1]:g}"
-            found.append(Message("position", "is not a list of increasing places", shown, "0 to 1"))
+        found, x = self._position_problems(), self.position
         for name in ("stiffness", "inertia", "twist", "offset_1", "offset_2"):
             values = getattr(self, name)
             if len(values) != x.size:
@@ -110,19 +93,13 @@ class SectionTable:
         start, end
             Ends of the piece, from 0 to 1.
         """
-        inner = self.position[(self.position > start) & (self.position < end)]
-        x = np.r_[start, inner, end]
+        x = self.within(start, end)
         columns: dict[str, FloatArray] = {"twist": np.asarray(np.interp(x, self.position, self.twist))}
         columns |= {name: self._at(getattr(self, name), x) for name in ("stiffness", "inertia")}
         found: dict[str, FloatArray] = {}
         for name, values in columns.items():
             found[name] = np.asarray(np.trapezoid(values, x, axis=0)) / (end - start)
         return found
-
-    def offset(self, at: FloatArray) -> FloatArray:
-        """Curved axis of the beam from the straight line at positions, shape (m,) to (m, 2) [m]."""
-        both = (self.offset_1, self.offset_2)
-        return np.stack([np.interp(at, self.position, values) for values in both], axis=1)
 
     def _at(self, matrices: FloatArray, at: FloatArray) -> FloatArray:
         """Matrices at positions, shape (m, 6, 6)."""

@@ -150,7 +150,7 @@ class _Merger:
             self.adopt((key,), lines)
         elif value is None:
             return
-        elif _is_section(key) and isinstance(value, dict) and isinstance(data[key] or {}, dict):
+        elif is_section(key) and isinstance(value, dict) and isinstance(data[key] or {}, dict):
             data[key] = data[key] or {}
             for name, part in value.items():
                 if self.is_new((key, name), name in data[key], lines):
@@ -200,7 +200,8 @@ class _Merger:
         self.whole.problems.append(Message(dotted(place), text, value, None, remedy, line))
 
 
-def _is_section(key: str) -> bool:
+def is_section(key: str) -> bool:
+    """Whether a key is a section with names."""
     known = keys_of(Model).get(key)
     return sections.find(key) is not None if known is None else known.kind in ("components", "parameters")
 

@@ -112,12 +112,9 @@ class Dimensions:
         import h5py
 
         self._names: dict[int, str] = {}
-        groups: list[h5py.Group] = [file]
-        while groups:
-            for name, item in members(groups.pop()).items():
-                if isinstance(item, h5py.Group):
-                    groups.append(item)
-                elif isinstance(item, h5py.Dataset) and item.is_scale and item.ndim == 1:
+        for _, inside in _groups(file):
+            for name, item in inside.items():
+                if isinstance(item, h5py.Dataset) and item.is_scale and item.ndim == 1:
                     self._names[_address(item)] = name
 
     def of(self, item: h5py.Dataset) -> tuple[str, ...]:
@@ -140,6 +137,22 @@ class Dimensions:
         if len(names) != item.ndim or not all(names):
             raise ValueError(f"the dimensions of {item.name} are missing")
         return names
+
+
+def _groups(file: h5py.File) -> Iterator[tuple[h5py.Group, dict[str, h5py.Group | h5py.Dataset]]]:
+    """All groups of a file with their members, each once: a damaged file may have a group within itself."""
+    import h5py
+
+    waiting: list[h5py.Group] = [file]
+    known = {_address(file)}
+    while waiting:
+        group = waiting.pop()
+        inside = members(group)
+        yield group, inside
+        for item in inside.values():
+            if isinstance(item, h5py.Group) and _address(item) not in known:
+                known.add(_address(item))
+                waiting.append(item)
 
 
 def _address(item: h5py.HLObject) -> int:
@@ -271,17 +284,12 @@ def _look_through(file: h5py.File) -> None:
     import h5py
 
     size, dimensions = file.id.get_filesize(), Dimensions(file)
-    groups: list[h5py.Group] = [file]
-    while groups:
-        group = groups.pop()
-        inside = members(group).values()
-        for item in (group, *inside):
+    for group, inside in _groups(file):
+        for item in (group, *inside.values()):
             for name in item.attrs:
                 item.attrs[name]
-        for item in inside:
-            if isinstance(item, h5py.Group):
-                groups.append(item)
-            elif isinstance(item, h5py.Dataset):
+        for item in inside.values():
+            if isinstance(item, h5py.Dataset):
                 _look_at(item, size)
                 dimensions.of(item)
 

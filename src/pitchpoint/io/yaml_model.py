@@ -13,6 +13,7 @@ from typing import Any, TextIO
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.includes import MEANT, Whole, means_include, with_included
+from pitchpoint.io.missing_include import with_missing_include
 from pitchpoint.io.model_tables import read_tables
 from pitchpoint.model.build import build_model
 from pitchpoint.model.changes import Paths, named, put
@@ -136,7 +137,13 @@ def loads_model(
         reader = Reader(
             lines=whole.lines, allow_code=allow_code, directory=directory, problems=[*whole.problems, *more]
         )
-        return read_tables(build_model(data, reader, file, tuple(whole.files)))
+        try:
+            return read_tables(build_model(data, reader, file, tuple(whole.files)))
+        except ModelError as error:
+            if file is None:
+                raise
+            problems = with_missing_include(error.problems, whole, Path(file))
+            raise ModelError(problems, error.file) from None
 
     if not changes:
         return build(whole.data, [])

@@ -15,7 +15,7 @@ from pitchpoint.geometry.section_table import SectionTable
 from pitchpoint.model.components.beam import FILES
 from pitchpoint.model.files import at_key, states
 from pitchpoint.model.openfast.beamdyn import read_beamdyn
-from pitchpoint.model.openfast.elastodyn import read_elastodyn
+from pitchpoint.model.openfast.elastodyn import elastodyn_part, read_elastodyn
 from pitchpoint.model.windio.beam import read_windio_beam
 
 if TYPE_CHECKING:
@@ -53,6 +53,19 @@ def beam_table_of(given: BeamProperties) -> BeamTable | SectionTable:
         if name != "position"
     }
     return replace(table, **own)
+
+
+def part_in_file(given: BeamProperties) -> str:
+    """Part of a turbine that the file of a beam describes, "blade" or "tower"; "" for lists.
+
+    Parameters
+    ----------
+    given
+        Lists or a file.
+    """
+    if given.elastodyn is not None:
+        return elastodyn_part(given.elastodyn)
+    return "blade" if given.beamdyn is not None else given.component or ""
 
 
 @functools.lru_cache(maxsize=16)

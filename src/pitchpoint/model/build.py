@@ -81,17 +81,17 @@ def _in_one(problems: list[Message]) -> list[Message]:
     found = []
     for (_, text, remedy), each in groups.items():
         names = str(text).startswith("names the ") and str(text).endswith("which does not exist")
-        if len(each) < MANY or not (names or "in parameters" in str(remedy)):
+        unread = "unknown name " in str(text)
+        if len(each) < MANY or not (names or unread or "in parameters" in str(remedy)):
             found += each
             continue
+        so = "so do" if names else "nor can" if unread else "so are"
         first = each[0]
         lines = sorted(
             {p.line for p in each[1:] if p.line not in (None, first.line) and p.file == first.file}
         )
         at = f": {'lines' if lines[1:] else 'line'} {', '.join(map(str, lines))}" if lines else ""
-        found.append(
-            first.changed(text=f"{text}; so {'do' if names else 'are'} {len(each) - 1} other values{at}")
-        )
+        found.append(first.changed(text=f"{text}; {so} {len(each) - 1} other values{at}"))
     return found
 
 

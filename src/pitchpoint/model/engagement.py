@@ -37,7 +37,11 @@ def is_open(name: str, clutch: Clutch, engaged: Engaged) -> bool:
 
 def braked_body(parts: Parts, clutch: Clutch) -> str | None:
     """The body that a brake keeps at rest; None for a clutch between two moving bodies."""
-    ends = [*bodies_of(clutch.bodies), GROUND][:2]
+    return held_body(parts, [*bodies_of(clutch.bodies), GROUND][:2])
+
+
+def held_body(parts: Parts, ends: Sequence[str]) -> str | None:
+    """The moving one of two bodies, if the other is ground or fixed."""
     moving = [e for e in ends if e != GROUND and not (e in parts.bodies and parts.bodies[e].moves == "fixed")]
     return moving[0] if len(moving) == 1 and moving[0] in parts.mechanism.seats else None
 

@@ -16,6 +16,7 @@ from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
 from pitchpoint.model.reading.laws import MATERIALS, material_source
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import dotted, shown
+from pitchpoint.model.signal_units import doubtful
 from pitchpoint.model.stand_ins import own_parts, path_of
 
 if TYPE_CHECKING:
@@ -102,7 +103,7 @@ def bare_in(model: Model, path: str, value: Any) -> list[Bare]:
         changed_parts(model, {path: value}, report)
     except ModelError:
         return []
-    return report.bare
+    return doubtful(model, report.bare)
 
 
 def _change(

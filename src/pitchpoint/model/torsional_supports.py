@@ -16,7 +16,7 @@ import numpy as np
 from pitchpoint.core.formula.formula import Formula
 from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
-from pitchpoint.model.engagement import Engaged, braked_body, is_open
+from pitchpoint.model.engagement import Engaged, braked_body, held_body, is_open
 from pitchpoint.model.frames import GROUND, axes_of, bodies_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 
@@ -43,7 +43,7 @@ def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
     springs = parts.torsion_springs.values()
     found = [bodies_of(s.bodies)[0] for s in springs if len(s.bodies) == 1 and s.stiffness > 0.0]
     for spring in parts.springs.values():
-        body = _held(parts, [split(end)[0] for end in spring.ends])
+        body = held_body(parts, [split(end)[0] for end in spring.ends])
         if body is not None and spring.stiffness > 0.0 and _has_lever(parts, spring, body):
             found.append(body)
     for bearing in parts.bearings.values():
@@ -58,7 +58,7 @@ def supported_bodies(parts: Parts, engaged: Engaged = None) -> list[str]:
     coaxial = bushed_pairs(parts)
     for name, bushing in parts.bushings.items():
         ends = [split(end)[0] for end in bushing.ends]
-        body = _held(parts, ends)
+        body = held_body(parts, ends)
         turning = [body] if body is not None else [] if name in coaxial else _framed(parts, ends)
         found += [one for one in turning if _resists(parts, bushing, one)]
     for name, clutch in parts.clutches.items():
@@ -74,7 +74,7 @@ def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
     for name, bushing in parts.bushings.items():
         one, two = (split(end)[0] for end in bushing.ends)
         seats = parts.mechanism.seats
-        if one == two or one not in seats or two not in seats or _held(parts, [one, two]):
+        if one == two or one not in seats or two not in seats or held_body(parts, [one, two]):
             continue
         if not _resists(parts, bushing, one):
             continue
@@ -83,12 +83,6 @@ def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
         if axes[:, 2] @ turned[:, 2] > 1.0 - SAME and np.linalg.norm(off) <= SAME:
             found[name] = (one, two)
     return found
-
-
-def _held(parts: Parts, ends: Sequence[str]) -> str | None:
-    """The moving one of two bodies, if the other is ground or fixed."""
-    moving = [e for e in ends if e != GROUND and not (e in parts.bodies and parts.bodies[e].moves == "fixed")]
-    return moving[0] if len(moving) == 1 and moving[0] in parts.mechanism.seats else None
 
 
 def _framed(parts: Parts, ends: Sequence[str]) -> list[str]:

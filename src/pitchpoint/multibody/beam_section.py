@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Matrices of Timoshenko beam elements: stiffness, consistent mass, gyroscopic and geometric stiffness.
+"""Matrices of Timoshenko beam elements: stiffness, consistent mass, gyroscopic matrix.
 
 The beam axis is the third axis, like the spin axis of a body. Order of the twelve displacements: three
 translations and three rotations of the first end, then those of the second end. The shape functions are the
@@ -205,16 +205,6 @@ class Beam:
                 D[one[r][0], two[c][0]] += one[r][1] * two[c][1] * polar[r, c]
                 D[two[r][0], one[c][0]] -= two[r][1] * one[c][1] * polar[r, c]
         return D
-
-    def geometric(self) -> Matrix:
-        """Geometric stiffness per tensile force (12, 12) of a beam without shear deformation [1/m, 1, m]."""
-        h = self.length
-        K = np.zeros((12, 12))
-        rows = [[36.0, 3 * h, -36, 3 * h], [0, 4 * h**2, -3 * h, -(h**2)]]
-        rows += [[0, 0, 36, -3 * h], [0, 0, 0, 4 * h**2]]
-        for plane in (1, 2):
-            _spread(K, plane, _full(rows) / (30.0 * h))
-        return K
 
     def _rotary(self, p: float) -> Matrix:
         """Rotary inertia of one plane per rho I (4, 4): integrals of products of the section rotations."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.progress import Progress, as_steps, silent
 from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def campbell_of(
     if body is None:
         raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
     system = compile_model(model, scenario)
-    linear = linearise(system, scenario, turning=body)
+    linear = linearise(system, scenario, turning=body, progress=as_steps("matrices"))
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1

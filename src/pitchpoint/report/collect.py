@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError, split_notes
-from pitchpoint.core.progress import Progress
+from pitchpoint.core.progress import Progress, report_step
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.fatigue import LoadCases, fatigue_loads
 from pitchpoint.report.main_channels import drawn_groups
@@ -101,6 +101,7 @@ def collect(
     words = {C_PRIME_B: "c′·b", MEAN: "mean"}
     for result in results:
         if isinstance(result, str | os.PathLike):
+            report_step(f"result {Path(result).name}")
             with understood(result):
                 _add_file(found, os.fspath(result), model)
         else:
@@ -283,6 +284,7 @@ def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str
     planets = load_sharing(model, data, settle)
     about: dict[str, Any] = {"note": note, "groups": groups, "planets": planets}
     if model.wind_rotors:
+        report_step("fatigue loads")
         try:
             about["fatigue"] = fatigue_loads(LoadCases(model, [data], [None]))
         except PitchpointError as problem:  # of an unfinished run

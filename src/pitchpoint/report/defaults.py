@@ -8,6 +8,8 @@ from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.geometry.section_table import SectionTable
+from pitchpoint.model.beam_tables import beam_table_of
 from pitchpoint.model.components.beam import BESIDE_MATRICES, IN_FILE, MATRICES, OPTIONAL, Beam
 from pitchpoint.model.components.flank_contact import default_clamp
 from pitchpoint.model.components.rolling_bearing import RollingBearing
@@ -106,7 +108,8 @@ def _idle_of_a_beam(part: Beam) -> set[str]:
         idle = set(OPTIONAL) - set(BESIDE_MATRICES)
     else:
         idle = {*MATRICES, *(IN_FILE if given.elastodyn is not None else ())}
-    damped = given.beamdyn is not None or bool(given.damping)
+    table = beam_table_of(given)
+    damped = isinstance(table, SectionTable) and bool(table.damping.any())
     return {"material", *(["internal_damping"] if damped else []), *(f"properties.{name}" for name in idle)}
 
 

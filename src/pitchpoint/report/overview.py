@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.progress import report_step
 from pitchpoint.core.units import format_quantity
 from pitchpoint.report.housing import housing_facts
 from pitchpoint.report.load_cases import lubricant_facts
@@ -132,6 +133,7 @@ def power_part(model: Model, runs: Mapping[str, TimeRun]) -> dict[str, Any]:
 
     found: dict[str, PowerFlow | str] = {}
     for name, run in runs.items():
+        report_step(f"power flow of {name}")
         try:
             flow = power_flow(model, _finite(run.data)[0], run.settle_time)
         except PitchpointError as error:

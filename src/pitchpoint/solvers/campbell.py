@@ -40,7 +40,7 @@ from pitchpoint.solvers.modes.energies import (
     whirl_words,
 )
 from pitchpoint.solvers.modes.names import base_names, full_names
-from pitchpoint.solvers.over_speed import over_speed
+from pitchpoint.solvers.over_speed import OverSpeed, over_speed
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.solvers.whirl_basis import Complex, Found, WhirlModes, normalised
 from pitchpoint.system.system import System
@@ -127,8 +127,12 @@ def follow_modes(
     count: int | None = None,
     progress: Progress = silent,
     linear: Linearised | None = None,
+    over: OverSpeed | None = None,
 ) -> Campbell:
-    """Modes over speed; parameters as in `campbell_dataset.solve_campbell`, `linear` if already computed."""
+    """Modes over speed; parameters as in `campbell_dataset.solve_campbell`, `linear` if already computed.
+
+    `over`: the linear system as function of the speeds or, instead of them, of another parameter.
+    """
     body = body or system.layout.bodies[1]
     if body not in system.layout.bodies[1:]:
         known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
@@ -138,7 +142,7 @@ def follow_modes(
     rates = rates_of(linear, body, scenario)
     total = linear.basis.shape[1]
     wanted = min(count if count is not None else total if total <= ALL else FEW, total)
-    over = over_speed(linear, rates)
+    over = over or over_speed(linear, rates)
     over.prepare(omega)
     linear = over.reference
     few = not over.rotors or system.sizes["nd"] > KEPT
@@ -156,7 +160,7 @@ def follow_modes(
             z,
             np.where(modes.modes.omega[:n] == 0.0, 0.0, v),
             terms,
-            s * spins,
+            over.rate(float(s)) * spins,
         )
         for s, v, z, terms in zip(omega, values, shapes, turning, strict=True)
     )

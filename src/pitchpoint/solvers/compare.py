@@ -22,7 +22,7 @@ from pitchpoint.core.kernel import address
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, OK
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, FORMS, STIFF_METHODS
-from pitchpoint.solvers.fixed_steps import loop_of
+from pitchpoint.solvers.fixed_steps import loop_of, without_long_steps
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import run_time
@@ -154,6 +154,7 @@ def compare_solvers(
     SolverError
         If the scenario cannot start, or no reference can be computed.
     """
+    scenario = without_long_steps(system, scenario, "a comparison of methods")
     if scenario.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", 0)
     begin = prepare_start(system, scenario)

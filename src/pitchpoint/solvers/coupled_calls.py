@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.model import Model
 
@@ -63,9 +65,11 @@ def number_problem(where: str, value: Any, unit: str) -> Message | None:
     --------
     >>> print(number_problem("loads.motor.torque", "4 N m", "N m"))
     loads.motor.torque: '4 N m' is not a number; write the number in N m
+    >>> print(number_problem("communication step", True, "s"))
+    communication step: True is not a number; write the number in s
     """
     try:
-        if not isinstance(value, str | bytes):
+        if not isinstance(value, str | bytes | bool | np.bool_):
             float(value)
             return None
     except (TypeError, ValueError, OverflowError):

@@ -33,9 +33,8 @@ The sources are
 
 Without gyroscopic effects T = V, and the amplification is p/(2 zeta), the response sqrt(p)/(2 zeta).
 
-Crossings are ranked by the response with a damping ratio of at least that of welded steel stacks [1]_: a mode
-that the model hardly damps, or that is unstable, ranks by what excites it, not by what damping the model
-lacks. Unstable modes are listed apart (`unstable_modes`).
+Crossings are ranked by the response with a damping ratio of at least that of welded steel stacks [1]_: modes
+that are hardly damped or unstable (see `unstable_modes`) rank by what excites them.
 
 References
 ----------
@@ -52,6 +51,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import report_step
 from pitchpoint.solvers.campbell import Campbell
 from pitchpoint.solvers.cycle_means import moving_phases
 from pitchpoint.solvers.eigen import ratio_of
@@ -180,6 +180,7 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         phases = phases or moving_phases(found.motions.system, found.motions.state, found.rates)
         source = _source(found, order, phases)
         for mode, ends in crossings:
+            report_step(f"critical speeds of order {order.name}, mode {mode + 1}")
             try:
                 speed, value, shape, slope = solve(found, order.value, mode, ends)
             except SolverError:  # no equilibrium at a speed between the computed ones

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.core.symmetric_pencil import symmetric_pencil
+from pitchpoint.solvers.state_shares import OWN, Complex, state_shares
 
 Array = NDArray[np.float64]
 
@@ -208,7 +209,7 @@ def _left_over(values: NDArray[np.complex128], rigid: NDArray[np.bool_], d: Arra
 
 def damped_with_states(
     M: Array, D: Array, K: Array, shapes: Array, omega: Array, states: Sequence[int], left: Array
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+) -> tuple[Complex, Complex, Complex]:
     """Eigenvalues and shapes of a system whose force elements have states.
 
     A state is stored as the rate of a coordinate whose value is not used: its first derivative is x''.
@@ -218,7 +219,7 @@ def damped_with_states(
     M, D, K
         Matrices of the whole system, shape (nd, nd).
     shapes, omega
-        Undamped modes with constant states, shape (n, nd) and (n,).
+        All undamped modes with constant states, shape (n, nd) and (n,).
     states
         Coordinates whose rates are the states, ns of them.
     left
@@ -226,9 +227,11 @@ def damped_with_states(
 
     Returns
     -------
-    eigenvalue (n + ns,), shape over the coordinates (n + ns, nd); first those of the undamped modes, then
-    those of the states in ascending order
+    eigenvalue (n,) and shape over the coordinates (n, nd) of the undamped modes, and the other eigenvalues in
+    which states take part, in ascending order, those with Im >= 0
     """
+    from scipy.linalg import eig
+
     n, ns = len(shapes), len(states)
     own = list(states)
     mass = M[np.ix_(own, own)]
@@ -240,29 +243,29 @@ def damped_with_states(
     A[2 * n :, :n] = -np.linalg.solve(mass, K[own] @ shapes.T)
     A[2 * n :, n : 2 * n] = -np.linalg.solve(mass, D[own] @ shapes.T)
     A[2 * n :, 2 * n :] = -np.linalg.solve(mass, D[np.ix_(own, own)])
-    values, vectors = np.linalg.eig(A)
+    found: Any = eig(A, left=True, right=True)
+    values, lefts, vectors = found
     unit = max(float(np.abs(values).max(initial=0.0)), 1e-300)
+    share = state_shares(values, vectors, lefts.conj(), slice(2 * n, None))
     upper = np.flatnonzero(values.imag > -1e-12 * unit)
-    values, vectors = values[upper], vectors[:, upper]
+    values, vectors, share = values[upper], vectors[:, upper], share[upper]
     values = np.where(np.abs(values.imag) <= 1e-12 * unit, values.real, values)
     z = vectors[:n] / np.maximum(np.linalg.norm(vectors[:n], axis=0), 1e-300)
-    # assign modes by similarity of shape and frequency
+    # assign modes by similarity of shape and frequency; eigenvalues of states have shapes of others
     size = np.maximum(np.abs(values), 1e-12 * unit)
     apart = np.abs(np.log(size / np.maximum(np.abs(omega), 1e-12 * unit)[:, None]))
-    likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart)
+    likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart) * (1.0 - share)
     first = best_match(likeness) if n else np.zeros(0, np.intp)
-    rest = np.setdiff1d(np.arange(values.size), first)
-    carried = np.linalg.norm(vectors[2 * n :], axis=0) / np.maximum(np.linalg.norm(vectors, axis=0), 1e-300)
-    rest = rest[np.argsort(-carried[rest], kind="stable")][:ns]
-    order = np.concatenate([first, rest[np.argsort(np.abs(values[rest]), kind="stable")]])
-    found = values[order]
+    rest = np.setdiff1d(np.flatnonzero(share > OWN), first)
+    rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
+    own_values = values[first]
     rigid = omega == 0.0
     if not A[n : 2 * n, 2 * n :][rigid].any():  # no state acts on a rigid rotation
-        found[:n][_left_over(found[:n] / unit, rigid, -A[n : 2 * n, n : 2 * n] / unit)] = 0.0
-    full = (shapes.T @ vectors[:n, order]).astype(np.complex128)
-    still = np.abs(found) <= 1e-12 * unit
-    full[own] = np.where(still, 0.0, vectors[2 * n :, order] / np.where(still, 1.0, found))
-    return np.asarray(found, dtype=np.complex128), np.asarray(full.T)
+        own_values[_left_over(own_values / unit, rigid, -A[n : 2 * n, n : 2 * n] / unit)] = 0.0
+    full = (shapes.T @ vectors[:n, first]).astype(np.complex128)
+    still = np.abs(own_values) <= 1e-12 * unit
+    full[own] = np.where(still, 0.0, vectors[2 * n :, first] / np.where(still, 1.0, own_values))
+    return own_values, np.asarray(full.T), values[rest]
 
 
 def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:

@@ -24,7 +24,7 @@ from pitchpoint.solvers.event_watch import FUNCTIONS
 from pitchpoint.solvers.explicit import equal_steps
 from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.exported_rest import ExportedRest, exported_rest
-from pitchpoint.solvers.fixed_steps import FIXED_METHODS, loop_of, start_fixed_steps
+from pitchpoint.solvers.fixed_steps import FIXED_METHODS, loop_of, start_fixed_steps, without_long_steps
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.input_places import Place, drive_places, load_places, shafts
@@ -128,6 +128,7 @@ def export_run(system: System, scenario: Scenario | None = None) -> ExportedRun:
     """
     chosen = scenario_of(system, scenario)
     check_exportable(system, chosen)
+    chosen = without_long_steps(system, chosen, "an exported model")
     start = started(system, chosen)
     h, every = choose_step(start, chosen)
     loop = loop_of(chosen.method)

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.model.scenario import EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system.system import State, System
@@ -46,6 +49,24 @@ def start_run(
         count, every = aligned(count, every)
         h = period / every
     return gear_part.start(system, state, h, count), h, every
+
+
+def without_long_steps(system: System, scenario: Scenario, what: str) -> Scenario:
+    """The scenario with equal steps of all bodies; a warning if `long_step` would have an effect.
+
+    Parameters
+    ----------
+    system, scenario
+        The system and the scenario to run.
+    what
+        Words for what cannot take long steps.
+    """
+    if scenario.long_step is None:
+        return scenario
+    if round(scenario.long_step / (scenario.step or scenario.long_step)) > 1:
+        text = f"long_step: {what} takes the same step for all bodies; the long step has no effect"
+        warnings.warn(text, ValidityWarning, stacklevel=3)
+    return replace(scenario, long_step=None)
 
 
 def aligned(count: int, every: int) -> tuple[int, int]:

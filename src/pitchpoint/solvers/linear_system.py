@@ -43,6 +43,11 @@ MAX_MODES = 200
 """Largest system (number of modes) for which all modes are computed by default."""
 LOWEST = 40
 """Default number of modes of larger systems."""
+DENSE = 1200
+"""Largest number of unknowns of first order, of a large system with states, for which all eigenvalues are
+computed, so that those of the states are complete."""
+FEW_STATES = 50
+"""Number of states up to which iterations for the lowest modes take less time."""
 SPARSE = 0.3
 """Share of the modes up to which they are computed iteratively."""
 
@@ -287,14 +292,18 @@ class Undamped:
     whole: tuple[Array, Array] | None
 
 
+def omitted_note(found: int, total: int) -> str:
+    """Note on modes that are not computed by default."""
+    return f"the lowest {found} of {total} modes: give a number of modes to get more"
+
+
 def lowest(linear: Linearised, count: int | None = None) -> Undamped:
     """Undamped modes, lowest first: all of systems with up to `MAX_MODES`, or as many as are requested."""
     parts, rigid = linear.at_rest, linear.rigid
     total = linear.basis.shape[1]
     wanted = total if total <= MAX_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
-    note = (f"the lowest {wanted} of {total} modes: give a number of modes to get more",)
-    notes = note if count is None and wanted < total else ()
+    notes = (omitted_note(wanted, total),) if count is None and wanted < total else ()
     if total > MAX_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
         return Undamped(*found, total, notes, None)
@@ -334,25 +343,49 @@ def _sparse(basis: Any) -> Any:
     return csc_array(basis)
 
 
-def damped_modes(
-    linear: Linearised, modes: Undamped
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues and shapes at speed, in the order of the undamped modes, those of states last."""
+@dataclass(frozen=True)
+class Damped:
+    """Damped modes in the order of the undamped ones, and other eigenvalues of states.
+
+    Parameters
+    ----------
+    values, shapes
+        Eigenvalues [1/s] (m,) and shapes (m, nd).
+    states
+        Other eigenvalues in which states of force elements take part [1/s], in ascending order.
+    reach
+        Absolute value up to which these are complete [1/s].
+    """
+
+    values: NDArray[np.complex128]
+    shapes: NDArray[np.complex128]
+    states: NDArray[np.complex128]
+    reach: float = math.inf
+
+
+def damped_modes(linear: Linearised, modes: Undamped, complete: bool = False) -> Damped:
+    """Modes and eigenvalues of states at speed; `complete`: those of all states, up to `DENSE` unknowns."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
+    none = np.zeros(0, np.complex128)
     if modes.whole is None and _is_undamped(linear, modes, left):
-        return np.asarray(1j * modes.omega, np.complex128), modes.shapes.astype(np.complex128)
-    if modes.whole is None:
+        return Damped(1j * modes.omega.astype(np.complex128), modes.shapes.astype(np.complex128), none)
+    whole = modes.whole
+    if whole is None:
         basis = _sparse(linear.basis)
-        return nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
-    omega, shapes = modes.whole
+        states = len(linear.states)
+        few = states <= (0 if complete else FEW_STATES)
+        if few or 2 * modes.total + states > DENSE:
+            found = nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
+            return Damped(*found)
+        whole = undamped(M, linear.at_rest.K, basis.toarray(), linear.rigid)
+    omega, shapes = whole
+    m = len(modes.omega)
     if linear.states:
-        values, found = damped_with_states(M, D, K, shapes, omega, linear.states, left)
-    else:
-        values, z = damped(D, left, shapes, omega)
-        found = np.asarray(z.T @ shapes, dtype=np.complex128)
-    own = np.r_[: len(modes.omega), len(omega) : len(values)]
-    return values[own], found[own]
+        values, z, rest = damped_with_states(M, D, K, shapes, omega, linear.states, left)
+        return Damped(values[:m], z[:m], rest)
+    values, z = damped(D, left, shapes, omega)
+    return Damped(values[:m], np.asarray(z.T[:m] @ shapes, dtype=np.complex128), none)
 
 
 def _is_undamped(linear: Linearised, modes: Undamped, left: Array) -> bool:

@@ -100,7 +100,12 @@ class Modes:
     body_shape, damped_body_shape
         Displacement of the origins and rotation of the bodies in a mode, world axes, shape (n, nb, 6).
     state_eigenvalue
-        Further eigenvalues [1/s], those of the states of force elements, in ascending order.
+        Further eigenvalues [1/s], those of the states of force elements, in ascending order; of a pair the
+        one with Im > 0.
+    state_reach
+        Absolute value up to which they are complete [1/s]; infinite except for very large systems.
+    states
+        Number of states.
     total
         Number of modes of the system; more than n if only the lowest were requested.
     notes
@@ -130,6 +135,8 @@ class Modes:
     body_shape: Array
     damped_body_shape: NDArray[np.complex128]
     state_eigenvalue: NDArray[np.complex128]
+    state_reach: float
+    states: int
     total: int
     notes: tuple[str, ...] = ()
 
@@ -193,16 +200,16 @@ def find_modes(
     own, parts = linear.system, linear.at_rest
     modes = lowest(linear, count)
     omega, shapes = modes.omega, modes.shapes
-    values, complex_shapes = damped_modes(linear, modes)
-    n = len(omega)
-    complex_shapes = _normalised(complex_shapes[:n], parts.M)
+    damped = damped_modes(linear, modes, complete=True)
+    values = damped.values
+    complex_shapes = _normalised(damped.shapes, parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
     motions = motions_of(own, linear.state, parts)
     spins = spins_of(motions, linear.state.v)
     energies = energies_of(
         motions,
         complex_shapes,
-        np.where(omega == 0.0, 0.0, values[:n]),
+        np.where(omega == 0.0, 0.0, values),
         gyroscopic_terms(complex_shapes, linear.D),
         spins,
     )
@@ -218,9 +225,9 @@ def find_modes(
     return Modes(
         frequency=omega / (2.0 * np.pi),
         shape=shapes,
-        eigenvalue=values[:n],
-        damped_frequency=values[:n].imag / (2.0 * np.pi),
-        damping_ratio=ratio_of(values[:n]),
+        eigenvalue=values,
+        damped_frequency=values.imag / (2.0 * np.pi),
+        damping_ratio=ratio_of(values),
         damped_shape=complex_shapes,
         kinetic=kinetic,
         potential=potential,
@@ -238,7 +245,9 @@ def find_modes(
         axes=frames["R"].copy(),
         body_shape=np.asarray(moved, dtype=np.float64),
         damped_body_shape=np.asarray(moved_damped, dtype=np.complex128),
-        state_eigenvalue=values[n:],
+        state_eigenvalue=damped.states,
+        state_reach=damped.reach,
+        states=len(linear.states),
         total=modes.total,
         notes=(*linear.notes, *modes.notes),
     )

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.progress import Progress, silent
 from pitchpoint.solvers.eigen import best_match, ratio_of
 from pitchpoint.solvers.linear_system import linearise, rates_of
 from pitchpoint.solvers.modal import FREQUENCY, RATIO
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+AZIMUTHS = 12
+"""Positions within the angle between two blades. With the flow around the tower, frequencies and damping
+ratios are then within 0.05 % of those of 24 positions; with 6 within 0.4 %, with 3 within 0.7 %."""
 LOWEST = 0.03
 """Least imaginary part over the absolute value of eigenvalues that oscillate."""
 
@@ -71,7 +75,8 @@ def find_multiblade_modes(
     *,
     hub: str,
     blades: Sequence[str],
-    azimuths: int = 6,
+    azimuths: int = AZIMUTHS,
+    progress: Progress = silent,
 ) -> MultibladeModes:
     """Modes of a turning rotor with three or more equal blades, with its support.
 
@@ -87,6 +92,8 @@ def find_multiblade_modes(
         Bodies or beams of the blades, in the order of their azimuths.
     azimuths
         Number of positions within the angle between two blades whose mean is used.
+    progress
+        Called after every element of the matrices.
 
     Returns
     -------
@@ -97,7 +104,7 @@ def find_multiblade_modes(
     CompileError
         If there are fewer than three blades, they differ, or closed loops connect them.
     """
-    linear = linearise(system, scenario)
+    linear = linearise(system, scenario, progress=progress)
     rates = rates_of(linear, hub, scenario)
     axes = TurningRotors(linear.system, [(hub, blades)], rates)
     basis = axes.basis(linear)
@@ -166,7 +173,7 @@ def solve_multiblade_modes(
     *,
     hub: str,
     blades: Sequence[str],
-    azimuths: int = 6,
+    azimuths: int = AZIMUTHS,
 ) -> xr.Dataset:
     """Modes of a turning rotor in multi-blade coordinates; arguments and errors of `find_multiblade_modes`.
 

@@ -98,7 +98,7 @@ class Sampler:
         self.status, changed = self.update(run.t)
         if not changed:
             return self.status
-        if type(run) is not generalized_alpha.Run:
+        if not isinstance(run, generalized_alpha.Run):
             return begin_anew(run)
         forces = self.system.workspace.R
         before = forces.copy()

@@ -157,6 +157,22 @@ RECORDER = np.dtype(
 )
 
 
+def fill_record(record: NDArray[np.void], recorder: Recorder) -> None:
+    """Write the addresses and sizes of the buffers to a RECORDER record, shape (1,)."""
+    record[0]["every"], record[0]["stride"] = recorder.every, recorder.stride
+    record[0]["columns"] = recorder.rows.shape[1]
+    buffers = (
+        ("rows", recorder.rows),
+        ("sums", recorder.sums),
+        ("counts", recorder.counts),
+        ("found", recorder.found),
+        ("picked", recorder.picked),
+    )
+    for name, array in buffers:
+        record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
+    record[0]["done"] = recorder.done.ctypes.data
+
+
 def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorder) -> Chunk:
     """Run a compiled time loop for one chunk.
 
@@ -173,21 +189,7 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorde
     """
     rows, sums, found, done = recorder.rows, recorder.sums, recorder.found, recorder.done
     record = np.zeros(1, RECORDER)
-    record[0]["every"], record[0]["stride"], record[0]["columns"] = (
-        recorder.every,
-        recorder.stride,
-        rows.shape[1],
-    )
-    buffers = (
-        ("rows", rows),
-        ("sums", sums),
-        ("counts", recorder.counts),
-        ("found", found),
-        ("picked", recorder.picked),
-    )
-    for name, array in buffers:
-        record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
-    record[0]["done"] = done.ctypes.data
+    fill_record(record, recorder)
     status = invoke(entry, at, order.ctypes.data, record.ctypes.data)
     steps, samples, events = (int(n) for n in done)
     kept, lost = rows[:samples], None

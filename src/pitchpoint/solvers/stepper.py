@@ -8,7 +8,7 @@ equal time steps; the method restarts after a change of an input. The loop is th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +21,7 @@ from pitchpoint.model.scenario import ERROR_METHODS
 from pitchpoint.solvers.controller_end import EndsControllers
 from pitchpoint.solvers.coupled_calls import check_list, check_scenario, number_problem
 from pitchpoint.solvers.exported_run import export_run, instead_of, started
-from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps
+from pitchpoint.solvers.fixed_steps import FIXED_METHODS, start_fixed_steps, without_long_steps
 from pitchpoint.solvers.input_places import Place
 from pitchpoint.solvers.sampled_control import begin_anew
 from pitchpoint.solvers.stepper_inputs import StepperInputs
@@ -131,7 +131,7 @@ class Stepper(EndsControllers):
             raise ModelError([Message(where, text, chosen.method, limit, remedy)])
         kept = np.array(chosen_channels(system, chosen.channels), np.int64) if record else None
         self._record = _Record(kept)
-        everywhere = replace(chosen, long_step=None)
+        everywhere = without_long_steps(system, chosen, "a Stepper")
         self._loop = Loop(started(system, chosen), everywhere, self._record)
         self._end_with(self._loop.sampler)
         self._system = self._loop.system

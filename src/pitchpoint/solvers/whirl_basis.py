@@ -104,9 +104,8 @@ class WhirlModes:
         system = self.at(speed)
         same = system.at_rest is self.linear.at_rest
         modes = self.modes if same else lowest(system, self.count)
-        n = len(modes.omega)
-        values, z = damped_modes(system, modes)
-        values, z = values[:n], normalised(z[:n], system.at_rest.M)
+        found = damped_modes(system, modes)
+        values, z = found.values, normalised(found.shapes, system.at_rest.M)
         if self.reducible and self.count is not None:
             self.exact[speed] = values, z
             self._extend()

@@ -24,9 +24,9 @@ from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system import evaluate, residual
 from pitchpoint.system.residual import COLUMNS, NEWTON
 from pitchpoint.system.system import System
-from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS
+from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS, VALID
 
-LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces")
+LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces", "driven")
 """Arrays of a part whose lengths the drivers read."""
 
 
@@ -89,7 +89,7 @@ class Part:
 
     def __init__(self, system: System, own: Collection[int], bodies: Collection[int] | None = None) -> None:
         w, nd = system.workspace, system.sizes["nd"]
-        self.system = system
+        self.system, self._factor = system, factor_entry
         self.own = self.loaded = np.array(sorted(own), np.int64)
         self._ctl, self._mach, self._A = w.ctl.copy(), w.mach.copy(), np.zeros_like(w.A)
         self.arrays: dict[str, NDArray[Any]] = {
@@ -120,10 +120,42 @@ class Part:
         ctl["A"], ctl["mach"] = self._A.ctypes.data, self._mach.ctypes.data
         ctl["at"] = self.at = int(self._ctl.ctypes.data)
 
+    def attach(self, shared: dict[str, NDArray[Any]], solve: Any, factor: Any = factor_entry) -> None:
+        """Use arrays that both parts share, and entries with coupling to the other part."""
+        mach = self._mach[0]
+        for name, array in shared.items():
+            self.arrays[name] = array
+            mach[name] = array.ctypes.data
+        mach["nedge"], self._factor = len(shared["edge"]), factor
+        mach["solve_entry"], mach["factor_entry"] = address(solve), address(factor)
+
+    def run(self, kernel_entry: Any, t: float) -> int:
+        """Call an entry with the part at the state in the workspace and time t; returns its status."""
+        self._ctl[0]["t"] = t
+        return invoke(kernel_entry, self.at, 0, 0)
+
+    def refactor(self, t: float, cm: float, cd: float) -> int:
+        """Compute and factor the iteration matrix of the part at the state in the workspace; its status."""
+        ctl = self._ctl[0]
+        ctl["t"], ctl["cm"], ctl["cd"], ctl["ck"] = t, cm, cd, 1.0
+        status = invoke(residual.entry, self.at, NEWTON, 0)
+        if status == OK:
+            status = invoke(self._factor, self.at, 0, 0)
+        self.arrays["clock"][VALID] = 0
+        return status
+
+    def run_events(self, t: float, values: NDArray[np.float64]) -> None:
+        """Write the event functions that the part evaluates at the state in the workspace, shape (ne,)."""
+        ctl = self._ctl[0]
+        ctl["t"], ctl["ev"] = t, values.ctypes.data
+        status = invoke(residual.entry, self.at, residual.FORCES, 0)
+        ctl["ev"] = 0
+        evaluate.check(self.system, status)
+
     def _limit(self, bodies: set[int]) -> None:
-        """Evaluate only elements at the bodies, and all bodies up to the last one at their ends."""
+        """Evaluate elements and inertia of the bodies only, and all bodies up to the last at their ends."""
         w, system = self.system.workspace, self.system
-        rows, ends, seen = [], set(bodies), []
+        rows, ends, seen, driven = [], set(bodies), [], set()
         for row in w.tables["forces"]:
             name = next(n for n, bank in system.records.items() if bank.ctypes.data == row[1])
             bank, kind = system.records[name], registry.find(name)
@@ -134,6 +166,7 @@ class Part:
                 touched |= np.isin(bank[end], list(bodies))
             if kind.role == SIGNAL:  # signals have the values of the whole system
                 touched &= np.isin(bank["op"], (TORQUE, STRUT, FORCE))
+                driven |= {int(b["pool"]) + 8 * int(b["a"]) for b in bank[touched]}
             for end in kind.ends:
                 ends |= {int(b) for b in bank[end][touched]}
             rows += [(row[0], row[1] + first * bank.itemsize, n, *row[3:]) for first, n in _runs(touched)]
@@ -149,16 +182,31 @@ class Part:
         own = np.isin(table[:, 1], list(bodies)) & (table[:, 0] < 3)
         self.arrays["chosen"] = np.array(sorted({*seen, *table[own, 3].tolist()}), np.int64)
         self.arrays["proj"] = proj[inside[proj["pi"]] & inside[proj["pj"]]]
+        self.arrays["driven"] = np.array(sorted(driven), np.int64)
+        self.arrays["demand"] = np.zeros((2, len(driven) + 1))
+        self.arrays["body"] = _massless(w.program["body"], bodies)
         self.arrays["forces"] = np.array(rows, np.int64).reshape(-1, COLUMNS)
 
-    def matrix(self, t: float, cd: float, ck: float) -> NDArray[np.float64]:
-        """Newton matrix cd D + ck K of the part at the state in the workspace, shape (nd, nd)."""
+    def matrix(self, t: float, cm: float, cd: float, ck: float) -> NDArray[np.float64]:
+        """Newton matrix cm M + cd D + ck K of the part at the state in the workspace, shape (nd, nd)."""
         ctl = self._ctl[0]
-        ctl["t"], ctl["cm"], ctl["cd"], ctl["ck"] = t, 0.0, cd, ck
+        ctl["t"], ctl["cm"], ctl["cd"], ctl["ck"] = t, cm, cd, ck
         evaluate.check(self.system, invoke(residual.entry, self.at, NEWTON, 0))
         found = self._A.copy()
         found[0] = 0.0
         return evaluate.dense(self.system, found)
+
+
+def _massless(table: NDArray[np.void], bodies: set[int]) -> NDArray[np.void]:
+    """Bodies without inertia, except the given ones and those fixed to them."""
+    found, heavy = table.copy(), set(bodies)
+    for b in range(1, table.size):
+        if {int(table[b]["parent"]), int(table[b]["spinner"])} & heavy:
+            heavy.add(b)
+        if b not in heavy:
+            for name in ("mass", "i_p", "i_t", "inertia"):
+                found[b][name] = 0.0
+    return found
 
 
 def _runs(chosen: NDArray[np.bool_]) -> list[tuple[int, int]]:

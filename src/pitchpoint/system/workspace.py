@@ -33,6 +33,9 @@ from pitchpoint.multibody.tree import MOTION
 #: Rows of the stage array: 16 stages, two states, 7 coefficients of the dense output.
 STAGE_ROWS = 25
 
+#: Rows of the values at the interface of two parts, see `solvers.implicit.interface`.
+EXCHANGE_ROWS = 18
+
 #: Programmes with a separate version for the mass matrix.
 PROGRAMMES = ("proj", "factor", "solve")
 
@@ -101,6 +104,8 @@ MACH = np.dtype(
                 "chosen",
                 "nchosen",
                 "shift",
+                *("edge", "nedge", "transfer", "exchange", "places"),
+                *("driven", "ndriven", "demand"),
             ),  # of a part of the coordinates, see `system.part`
         )
     ],

@@ -237,7 +237,7 @@ def test_map_of_a_fast_run_up_states_its_resolution_in_speed() -> None:
     peak = fast.speed[np.argmax(fast.amplitude[:, track].max(axis=1))] * 30.0 / np.pi
     low, high = (float(word.split(" rpm")[0]) for word in note.removeprefix("between ").split(" and ")[:2])
     assert low < peak < high
-    _, slow = resonance(60.0, 2.0)
+    _, slow = resonance(30.0, 2.0)
     assert slow.notes == ()
     assert slow.amplitude[:, np.abs(slow.order - 23.0) < 1.5].max() == pytest.approx(25.0, rel=0.01)
 

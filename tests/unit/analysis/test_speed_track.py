@@ -37,6 +37,7 @@ def record(turns: Array, level: float, seed: int = 3, modulation: float = 0.1) -
     return np.asarray(x / np.std(x) * 10 ** (level / 20) + noise)
 
 
+@pytest.mark.each_value
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize(("level", "limit"), [(20.0, 0.001), (0.0, 0.005), (-10.0, 0.02)])
 def test_the_angle_agrees_with_the_closed_form(law: str, level: float, limit: float) -> None:

@@ -22,9 +22,9 @@ MACHINE = ["--train", "32/95", "--speed", "10Hz"]
 
 
 def record(path: Path, load: float, seed: int, fault: float = 0.0, name: str = "acc") -> str:
-    """Three seconds of a pair 32/95 whose mesh grows by 6 dB with the load, with a damaged tooth of Z1."""
+    """4.2 s of a pair 32/95 whose mesh grows by 6 dB with the load, with a damaged tooth of Z1."""
     rng = np.random.default_rng(seed)
-    turned = (10.0 + rng.uniform(-0.02, 0.02)) * np.arange(int(3 * RATE)) / RATE
+    turned = (10.0 + rng.uniform(-0.02, 0.02)) * np.arange(int(4.2 * RATE)) / RATE
     size = 10.0 ** ((6.0 * load / 100.0 + rng.normal(0.0, 0.2)) / 20.0)
     mesh = size * (np.cos(2 * np.pi * 32 * turned) + 0.4 * np.cos(2 * np.pi * 64 * turned))
     since = (turned + 0.3) % 1
@@ -141,7 +141,6 @@ def test_the_trend_of_a_folder_leaves_the_healthy_range_at_the_fourth_record(
     text = (tmp_path / "trend.json").read_text(encoding="utf-8")
     assert {key: value for key, value in json.loads(text).items() if key != "about"} == found
     # a table may be replaced, and in the folder it is not a record
-    assert run_command([*arguments, *healthy, "-o", str(tmp_path / "trend.csv"), "-q"]) == 0
     assert all(written_by_diagnose(tmp_path / f"trend.{ending}") for ending in ("csv", "json"))
     with pytest.raises(SignalError, match="has no records"):
         record_files([str(tmp_path)], None, "FILES")

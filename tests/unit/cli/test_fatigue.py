@@ -43,6 +43,20 @@ def result(tmp_path_factory):
     return str(folder / "run.h5")
 
 
+def test_results_without_loads_of_parts_need_channels(tmp_path, capsys):
+    """A table without rows would look like a result."""
+    text = """\
+bodies: {wheel: {inertia: 1 kg m^2}}
+loads: {drive: {body: wheel, torque: 1 N m}}
+scenarios: {run: {speed: {wheel: 60 rpm}, duration: 0.1 s, step: 1 ms}}
+"""
+    file, target = written(tmp_path, text), str(tmp_path / "run.h5")
+    assert run_command(["run", file, "-q", "-o", target]) == 0
+    assert run_command(["fatigue", target]) == 2
+    assert "have no moments of beams" in (told := capsys.readouterr().err) and "-c" in told
+    assert run_command(["fatigue", target, "-c", "speed[wheel]"]) == 0
+
+
 def test_pulses_of_a_pair_at_constant_torque(result, capsys):
     """0.3 s at 10 Hz: 3 turns of the pinion, 2 of the wheel; all pulses are equal."""
     found = json_of(["fatigue", result], capsys)

@@ -13,6 +13,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.elements import registry
 from pitchpoint.io.reading import open_result
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers import linear_system
 from pitchpoint.solvers.multiblade import find_multiblade_modes
 from pitchpoint.system.compile import compile_model
 from tests.support.cli_files import TORSION, json_of, written
@@ -67,13 +68,30 @@ def test_the_table_shows_the_lowest_twenty_and_says_so(
     assert run_command(["modes", file]) == 0
     out = capsys.readouterr().out
     assert out.count("torsion of") + out.count("rotation") >= 20
-    assert "20 of 25 modes, up to" in out
-    assert "--count 25 shows all of them" in out
+    assert "the lowest 20 of 25 modes, up to" in out
+    assert "--count N shows N" in out
     assert "undamped: at rest" in out
     assert run_command(["modes", file, "--count", "25"]) == 0
     assert "25 modes, up to" not in capsys.readouterr().out
     found = json_of(["modes", file], capsys)
     assert found["total"] == len(found["modes"]) == 25
+
+
+def test_the_number_of_modes_is_stated_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a large system 40 are computed and 20 shown; with a file, the number in the file is stated, too."""
+    monkeypatch.setattr(linear_system, "MAX_MODES", 40)
+    inertias = "".join(f"  b{k}: {{motion: torsion, inertia: 0.01}}\n" for k in range(50))
+    springs = "".join(
+        f"  c{k}: {{bodies: [b{k}, b{k + 1}], stiffness: {{torsion: 1e4}}}}\n" for k in range(49)
+    )
+    file = written(tmp_path, f"bodies:\n{inertias}couplings:\n{springs}")
+    for more, words in (([], ""), (["-o", str(tmp_path / "m.h5")], "; 40 are written")):
+        assert run_command(["modes", file, *more]) == 0
+        lines = [line for line in capsys.readouterr().out.splitlines() if " of 50 modes" in line]
+        assert len(lines) == 1 and f"undamped{words}; --count N shows N" in lines[0]
+    assert "the lowest 40 of 50 modes" in json_of(["modes", file], capsys)["notes"][0]
 
 
 def test_unknown_scenario(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

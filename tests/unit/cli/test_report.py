@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
+from pitchpoint.cli.progress import ProgressDisplay
 from pitchpoint.io.container import Header
 from pitchpoint.io.sweep_store import SweepWriter
 from pitchpoint.io.writing import Channel, ResultWriter
@@ -46,7 +47,11 @@ def test_model_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert "model.html" in capsys.readouterr().out
 
 
-def test_model_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_model_with_results(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps: list[str] = []
+    monkeypatch.setattr(ProgressDisplay, "aside", lambda _, words: steps.append(words))
     file = written(tmp_path, TORSION)
     results = [write_run(tmp_path / "run.h5", status="failed"), write_sweep(tmp_path / "sweep.h5")]
     target = tmp_path / "page.html"
@@ -55,6 +60,15 @@ def test_model_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     page = target.read_text(encoding="utf-8")
     assert "This run is not complete: failed. the Newton iteration diverged" in page
     assert "Speed sweep" in page
+    said = " ".join(steps)
+    for part in (
+        "result run.h5",
+        "critical speeds of order",
+        "power flow of steady",
+        "scene, 0 %",
+        "page, 50 %",
+    ):
+        assert part in said, part
 
 
 def test_the_model_of_a_result_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -64,6 +78,16 @@ def test_the_model_of_a_result_file(tmp_path: Path, capsys: pytest.CaptureFixtur
     bare = write_run(tmp_path / "bare.h5")
     assert run_command(["report", bare]) == 2
     assert "give the model file, too" in capsys.readouterr().err
+
+
+def test_values_of_set(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The page shows the changed model; without a model file nothing can be changed."""
+    file = written(tmp_path, TORSION)
+    assert run_command(["report", file, "--set", "title=two changed wheels", "--quiet"]) == 0
+    assert "two changed wheels" in (tmp_path / "model.html").read_text(encoding="utf-8")
+    result = write_run(tmp_path / "run.h5", text=TORSION)
+    assert run_command(["report", result, "--set", "title=x"]) == 2
+    assert "--set has no effect without a model file" in capsys.readouterr().err
 
 
 def test_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

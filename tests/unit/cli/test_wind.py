@@ -44,3 +44,9 @@ def test_the_file_is_one_of_turbsim(tmp_path, capsys, name, has):
     said = capsys.readouterr().err
     assert f"{has} (limit .bts); write {tmp_path / 'wind.bts'}" in said
     assert not list(tmp_path.iterdir())
+
+
+def test_an_empty_name_is_refused(capsys):
+    options = [text for pair in GIVEN.items() for text in pair]
+    assert run_command(["wind", "", *options]) == 2
+    assert "OUTPUT: the name of the file is empty; write out.bts" in capsys.readouterr().err

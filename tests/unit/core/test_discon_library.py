@@ -74,6 +74,8 @@ def test_cut_libraries(probe, told):
         limit = header.size if length >= 64 + 56 * 20 else 64
         assert f"has {length} bytes and is cut off (limit at least " in told(probe[:length])
         assert int(told(probe[:length]).split("at least ")[1].split()[0]) >= limit
+    for place in (32, 40):  # of the program headers and of the section headers, beyond 63 bits
+        assert "is cut off" in told(patched(probe, place, "<Q", (1 << 63) + 64))
 
 
 @pytest.mark.parametrize(

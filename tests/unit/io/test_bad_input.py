@@ -313,7 +313,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         ),
         "loads.l.torque.table[1]",
         10,
-        "sort the table",
+        "sort the rows",
     ),
     "two balances": (
         pair(

@@ -205,7 +205,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "points that fall": (
         [block("{type: table, input: turn, points: [[0, 1], [0, 2]]}")],
         "blocks.more.points[1]",
-        "larger input",
+        "larger in input",
     ),
     "points of three": (
         [block("{type: table, input: turn, points: [[0, 1], [1, 2, 3]]}")],

@@ -119,3 +119,14 @@ def test_a_text_of_the_file_that_is_a_number(name: str, value: object, run: Path
         file.attrs[name] = value
     with pytest.raises(ResultError, match=f"the attribute {name} is not a text"):
         open_result(run)
+
+
+@pytest.mark.parametrize("status", ["finished", "running"])
+def test_a_group_within_itself(status: str, run: Path) -> None:
+    """A hard link that closes a circle: every group is read once."""
+    with h5py.File(run, "r+") as file:
+        group = file.create_group("inner")
+        group["again"] = group
+        file.attrs["status"] = status
+    with open_result(run) as data:
+        assert data["force"].values.tolist() == [1.0] * 10

@@ -11,6 +11,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.io import missing_include
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model import files as files_of_models
 from pitchpoint.model.remarks.collect import remarks_of_file
@@ -235,3 +236,34 @@ def test_a_result_contains_the_whole_model(files, capsys, tmp_path):
     assert json.dumps(found["parameters"]["torque"]) == json.dumps(
         {"written": "50 N m", "value": 50.0, "unit": "N m", "text": ""}
     )
+
+
+def test_a_removed_include_is_one_problem_with_the_files_that_have_the_names(files):
+    main = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "").replace("20 mm", "width")
+    text = main + "loads: {drive: {body: a, torque: torque}, brake: {body: wheel_seat, torque: 2*torque}}\n"
+    more = GEARS + "bodies: {wheel_seat: {inertia: 1 kg m^2}}\nparameters: {torque: 50 N m}\n"
+    file = files(model=text, gears=more)
+    (problem,) = problems_of(file)
+    assert problem.startswith("include (line 1): ")
+    assert (
+        "is missing: 7 problems are names that this model does not define, and that gears.yaml has" in problem
+    )
+    assert problem.endswith("write include: [gears.yaml]")
+    files(model=text, gears=more, variant=more)
+    (problem,) = problems_of(file)
+    assert "each of gears.yaml and variant.yaml has" in problem
+    assert problem.endswith("write include: [gears.yaml], or another of them")
+
+
+def test_a_complete_model_in_the_same_folder_is_no_missing_file(files):
+    main = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "")
+    other = main + GEARS
+    assert not any(p.startswith("include") for p in problems_of(files(model=main, gears=other)))
+
+
+def test_files_without_the_names_are_not_parsed(files, monkeypatch):
+    """A folder may have many large files, each half a second."""
+    main = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "")
+    file = files(model=main, gears="loads: {pinion: {body: a, torque: 1 N m}}\n")
+    monkeypatch.setattr(missing_include, "Tree", None)
+    assert not any(p.startswith("include") for p in problems_of(file))

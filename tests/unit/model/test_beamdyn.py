@@ -155,9 +155,28 @@ WRONG = {
     ("Blade.dat", "9.7294800000E+08"): ("9.7x", "'9.7x' is not a number"),
     ("Blade.dat", "9.7294800000E+09 0.0000000000E+00"): (
         "9.7294800000E+09",
-        "row 3, column 6 (line 10): nothing is",
+        "station 1 (line 10): 5 is the number of values of a line (limit 6, row 3 of its matrices); complete",
     ),
 }
+
+
+def test_a_missing_line_is_one_problem(primary):
+    path = primary.with_name("Blade.dat")
+    lines = path.read_text(encoding="utf-8").splitlines()
+    path.write_text("\n".join([*lines[:99], *lines[100:], lines[-1]]), encoding="utf-8")
+    with pytest.raises(ModelError) as error:
+        read_beamdyn(primary)
+    [problem] = error.value.problems
+    assert "is the number of values of a line (limit " in problem
+
+
+def test_matrices_with_the_same_fault_are_one_problem(primary):
+    path = primary.with_name("Blade.dat")
+    text = path.read_text(encoding="utf-8").replace("9.7294800000E+08 0.0", "-9.7294800000E+08 0.0")
+    path.write_text(text.replace("9.7294800000E+09", "-9.7294800000E+09"), encoding="utf-8")
+    with pytest.raises(ModelError) as error:
+        read_beamdyn(primary)
+    assert len(error.value.problems) == 1
 
 
 @pytest.mark.parametrize("place", WRONG)

@@ -9,9 +9,13 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.reading.bare_numbers import is_doubtful
+from pitchpoint.model.keys import walk
+from pitchpoint.model.model import Model
+from pitchpoint.model.reading.bare_numbers import USUAL, is_doubtful
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.remarks.collect import remarks_of_file
 from pitchpoint.model.remarks.file import numbers_without_unit
+from pitchpoint.model.signal_units import MEANINGS
 
 MODEL = """\
 gears:
@@ -224,3 +228,95 @@ def test_an_unused_parameter_is_named():
     assert list(map(str, remarks_of_file(loads_model(text)))) == [
         "parameters.c (line 1): is not used; use or remove it"
     ]
+
+
+SIGNALS = """\
+bodies: {a: {inertia: 1 kg m^2}, b: {mass: 1 kg}}
+joints: {slide: {type: prismatic, bodies: [ground, b], position: [0, 0, 0]}}
+sensors:
+  p: {type: joint, coordinate: a}
+  w: {type: joint, coordinate: a, derivative: 1}
+  x: {type: joint, coordinate: slide.z}
+blocks:
+  command: {type: input, value: 12, unit: rad}
+  low: {type: filter, input: p, time_constant: 1 s}
+  cut: {type: limits, input: low, limits: [0, 90]}
+  drive: {type: rate_limit, input: cut, rate: 8, time_constant: 0.1 s, start: 0.3}
+  curve: {type: table, input: w, points: [[0, 0], [100, 5000]], unit: N m}
+  error: {type: sum, inputs: {w: -1}, offset: 1500, unit: rad/s}
+  slip: {type: friction, input: w, wind_up: 1}
+  torque: {type: pid, input: error, proportional: 100, limits: [0, 5000], unit: N m}
+  place: {type: limits, input: x, limits: [0, 20]}
+  move: {type: rate_limit, input: x, rate: 8, time_constant: 0.1 s}
+  right: {type: rate_limit, input: cut, rate: 8 deg/s, time_constant: 0.1 s}
+controllers:
+  pid: {type: pid, input: error, output: angle, proportional: 3, limits: [-30, "30"], period: 1 ms, unit: rad}
+scenarios:
+  run: {duration: 1 s, start: assembled, inputs: {command: {points: [[0 s, 0], [1 s, 45]]}}}
+"""
+
+
+def test_numbers_of_signals_are_remarked_in_the_unit_of_their_signal():
+    found = [str(each) for each in numbers_without_unit(loads_model(SIGNALS))]
+    assert [each.partition(":")[0] for each in found] == [
+        "blocks.command.value (line 8)",
+        "blocks.cut.limits[1] (line 10)",
+        "blocks.drive.rate (line 11)",
+        "blocks.curve.points[1][0] (line 12)",
+        "blocks.error.offset (line 13)",
+        "blocks.slip.wind_up (line 14)",
+        "blocks.place.limits[1] (line 16)",
+        "controllers.pid.limits[0] (line 20)",
+        "scenarios.run.inputs.command.points[1][1] (line 22)",
+    ]
+    assert "8 has no unit and is read as 8 rad/s = 458.37 deg/s; write 8 deg/s, or 8 rad/s if" in found[2]
+    assert "90 has no unit and is read as 90 rad = 5156.6 deg; write 90 deg" in found[1]
+    changed = loads_model(SIGNALS).replace("blocks.right.rate", 9)
+    assert "blocks.right.rate: 9 has no unit" in str(numbers_without_unit(changed)[-1])
+
+
+def test_a_curve_from_a_file_has_one_remark(tmp_path):
+    (tmp_path / "curve.txt").write_text("0 0\n50 20\n100 30\n")
+    text = SIGNALS.replace("[[0, 0], [100, 5000]]", "curve.txt")
+    (tmp_path / "model.yaml").write_text(text)
+    model = loads_model(text, file=str(tmp_path / "model.yaml"))
+    assert sum("blocks.curve" in str(each) for each in numbers_without_unit(model)) == 1
+
+
+FORMS = {
+    "quantity": lambda v, n: v,
+    "law": lambda v, n: v,
+    "center": lambda v, n: v,
+    "quantities": lambda v, n: [v] * n,
+    "pitch": lambda v, n: [v] * n,
+    "laws": lambda v, n: [v] * n,
+    "grid": lambda v, n: [[v]],
+    "points": lambda v, n: [[v, v], [v + 1.0, v]],
+    "speeds": lambda v, n: {"a": v},
+    "gears": lambda v, n: {"a": v},
+    "rates": lambda v, n: {"spin": v},
+    "displacements": lambda v, n: {"x": v},
+    "motions": lambda v, n: {"x": v},
+    "orders": lambda v, n: {1: [v, v]},
+}
+"""Numbers without unit in the form of every kind of key that has a length, an angle or a speed."""
+OF_SIGNALS = ("value", "values", "gains", "curve", "records")
+
+
+def test_no_key_of_a_model_escapes_the_remark_on_numbers_without_unit():
+    watched = 0
+    for owner, name, key in {
+        (owner, name): (owner, name, key) for _, owner, name, key in walk(Model)
+    }.values():
+        if key.kind in OF_SIGNALS:
+            assert (owner, name) in MEANINGS
+        elif key.dimension in USUAL or (not key.dimension and key.kind in FORMS):
+            dimension = key.dimension or "length"
+            value = next((v for v in (7.0, 1.0) if key.allows(v) and is_doubtful(v, dimension)), None)
+            if value is None:  # refused by its range
+                continue
+            reader = Reader()
+            reader.keyed(key, FORMS[key.kind](value, max(key.length[0], 1)), (owner.__name__, name))
+            assert reader.bare, (owner, name)
+            watched += 1
+    assert watched > 200

@@ -10,6 +10,8 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model, loads_model
+from pitchpoint.model.remarks.beam_sections import implausible_sections, parts_of_other_files
+from pitchpoint.model.remarks.wind_rotors import upwind_axes
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "wind-turbine" / "model.yaml"
 
@@ -58,6 +60,11 @@ def problems_of(text: str) -> list[str]:
         ),
         ("{hub: hub, aero", "{aero", "add hub: BODY or BODY.MARKER"),
         (
+            "blade_1: {ends: [root_1, tip_1],",
+            "blade_1: {ends: [root_1, tip_1], diameters: [2 m, 1 m],",
+            "beams.blade_1.diameters (line N): are not for blades; remove them",
+        ),
+        (
             "onshore/AeroDyn.dat",
             "onshore/Aerodyne.dat",
             "did you mean nrel_5mw/onshore/AeroDyn.dat? file names",
@@ -82,9 +89,58 @@ def test_an_unknown_name_in_many_places_is_one_problem() -> None:
     text = re.sub(r"(?s)  hub: \{mass.*?(?=  root_1)", "", EXAMPLE.read_text(encoding="utf-8"))
     [problem] = problems_of(text)
     assert "line N): names the body 'hub', which does not exist; so do 8 other values: line" in problem
-    told = problems_of(EXAMPLE.read_text(encoding="utf-8").replace("include:", "#"))
-    assert len(told) <= 16
-    assert any("define sampling in parameters" in each and "so are 5 other values" in each for each in told)
+    text = EXAMPLE.read_text(encoding="utf-8").replace("sample_rate: sampling", "sample_rate: sampled")
+    [problem] = problems_of(text)
+    assert "unknown name 'sampled'; did you mean sampling" in problem and "nor can 5 other values" in problem
+
+
+def test_a_removed_drive_train_is_one_problem() -> None:
+    [problem] = problems_of(EXAMPLE.read_text(encoding="utf-8").replace("include:", "#"))
+    assert problem.startswith("include (line N): is missing: 16 problems are names that this model does not")
+    assert "rigid_ratio.yaml and two_mass.yaml has (nacelle, generator, generator_ratio, sampling" in problem
+
+
+def test_the_file_of_a_tower_for_the_blades() -> None:
+    text = EXAMPLE.read_text(encoding="utf-8")
+    [problem] = problems_of(text.replace("5MW_Blade.dat", "5MW_Onshore_ElastoDyn_Tower.dat"))
+    assert "beams.blade_1.properties.elastodyn (line N): 'NRELOffshrBsline5MW_Onshore_Elasto" in problem
+    assert "describes a tower, and the beam is a blade; give a blade file" in problem
+
+
+def test_the_file_of_a_blade_for_the_tower() -> None:
+    text = EXAMPLE.read_text(encoding="utf-8").replace(
+        "NRELOffshrBsline5MW_Onshore_ElastoDyn_Tower.dat,\n      position: [0, 1], torsion: [4.7275e11, "
+        "8.913e10], axial: [1.3813e11, 6.266e10]",
+        "NRELOffshrBsline5MW_Blade.dat",
+    )
+    [remark] = parts_of_other_files(loads_model(text, file=str(EXAMPLE)))
+    assert "beams.tower.properties.elastodyn: describes a blade, and the beam is not among" in remark
+
+
+@pytest.mark.parametrize(
+    ("factor", "scale", "words"),
+    [
+        ("AdjFlSt", 1000.0, "radius of gyration of the section of 12.3 m even for the stiffest material"),
+        ("AdjFlSt", 0.001, "deflects by 1.14e+03 m under its own weight (limit 15.4 m, a quarter of"),
+        ("AdjEdSt", 0.001, "deflects by 423 m under its own weight"),
+        ("AdjBlMs", 1000.0, "deflects by 1.09e+03 m under its own weight"),
+        ("AdjBlMs", 0.001, "radius of gyration of the section of 12.6 m"),
+        ("AdjFlSt", 1.0, ""),
+    ],
+)
+def test_a_stiffness_or_mass_in_another_unit(factor: str, scale: float, words: str, tmp_path: Path) -> None:
+    blade = EXAMPLE.parent / "nrel_5mw/5MW_Baseline/NRELOffshrBsline5MW_Blade.dat"
+    lines = blade.read_text(encoding="utf-8", errors="replace").splitlines()
+    lines[[factor in line for line in lines].index(True)] = f"{scale}  {factor}"
+    (tmp_path / "blade.dat").write_text("\n".join(lines))
+    (tmp_path / "model.yaml").write_text(
+        "bodies: {root: {motion: fixed, position: [0, 0, 0]}, "
+        "tip: {motion: free, mass: 1 kg, inertia_tensor: [1, 1, 1, 0, 0, 0], position: [61.5 m, 0, 0]}}\n"
+        "beams: {blade: {ends: [root, tip], axis: [0, 1, 0], properties: {elastodyn: blade.dat}}}\n"
+    )
+    found = implausible_sections(load_model(tmp_path / "model.yaml"))
+    assert len(found) == bool(words)
+    assert all(words in each and "beams.blade.properties.elastodyn" in each for each in found)
 
 
 def test_keys_of_a_speed_with_a_box(tmp_path: Path) -> None:
@@ -99,3 +155,18 @@ def test_keys_of_a_speed_with_a_box(tmp_path: Path) -> None:
     assert len(told) == 3
     for key in ("direction", "height"):
         assert any(f"winds.w.{key} (line 3): is given together with box" in each for each in told)
+
+
+@pytest.mark.parametrize(("hub", "count"), [("[1, 0, 0.1]", 0), ("[-1, 0, 0]", 1), ("[0, 0, 1]", 1)])
+@pytest.mark.parametrize("direction", ["0 deg", "60 deg"])
+def test_a_hub_that_points_upwind(hub: str, count: int, direction: str) -> None:
+    model = loads_model(
+        f"bodies: {{hub: {{inertia: 1 kg m^2, position: [0, 0, 90 m], axes: {{z: {hub}}}}}}}\n"
+        f"winds: {{steady: {{speed: 8 m/s, height: 90 m, direction: {direction}}}}}\n"
+        "wind_rotors: {rotor: {hub: hub, hub_radius: 1 m, "
+        f"aerodyn: {EXAMPLE.parent / 'nrel_5mw/onshore/AeroDyn.dat'}}}}}\n"
+        "scenarios: {run: {speed: {hub: 9 rpm}, duration: 1 s}}\n"
+    )
+    found = upwind_axes(model)
+    assert len(found) == count
+    assert all("wind_rotors.rotor.hub" in str(each) and "deg to the wind" in str(each) for each in found)

@@ -155,6 +155,11 @@ def test_airfoils_and_polars_that_are_not_used_are_noted(file):
     )
     blade = read_windio_rotor(file(text, "rough.yaml")).rotor.blade
     assert blade.polars[blade.polar_index[0]].at(0.0)[1] == 0.7
+    text = VERSION_2.replace(
+        "spanwise_position: 0.6, configuration: [default]", "spanwise_position: 0.6, configuration: [clean]"
+    )
+    with pytest.raises(ModelError, match=r"polars .*: has no polars of the configuration 'clean', .*default"):
+        read_windio_rotor(file(text, "clean.yaml"))
 
 
 def test_polars_of_several_reynolds_numbers(file):

@@ -79,6 +79,7 @@ def test_diameters_of_a_beam_are_those_of_its_ends():
         ("heights: [0], diameters: [1]", "do not make an outline"),
         ("heights: [1, 0], diameters: [1, 1]", "do not ascend"),
         ("heights: [0, 1], diameters: [0, 0]", "has no volume"),
+        ("heights: [0, 1], diameters: [1, 1], rounding: 0.1", "rounding .*: is for boxes"),
     ],
 )
 def test_impossible_shapes_are_refused(shape, words):

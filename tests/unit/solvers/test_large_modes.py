@@ -48,7 +48,7 @@ def sparse_ways(monkeypatch):
     """A switch: systems of any size are taken as large from now on."""
 
     def switch():
-        for name, value in (("MAX_MODES", 1), ("SPARSE", 2.0)):
+        for name, value in (("MAX_MODES", 1), ("SPARSE", 2.0), ("DENSE", 0)):
             monkeypatch.setattr(linear_system, name, value)
         monkeypatch.setattr(free_directions, "LARGE", 1)
         monkeypatch.setattr(frequency_response, "LARGE", 1)
@@ -163,6 +163,7 @@ def test_states_of_elements(sparse_ways):
     )
     assert modes.eigenvalue[1] == pytest.approx(roots[roots.imag > 0][0], rel=1e-8)
     assert modes.state_eigenvalue == pytest.approx([roots[np.abs(roots.imag) < 1e-9][0].real], rel=1e-8)
+    assert modes.states == 1 and abs(modes.state_eigenvalue[0]) < modes.state_reach < 1e6
 
 
 def test_frequency_response_of_a_large_machine(sparse_ways):

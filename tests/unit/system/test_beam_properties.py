@@ -20,6 +20,7 @@ from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.beam_pieces import beam_pieces
 from tests.support.rotors import FOLDER
+from tests.support.windio import VERSION_2
 
 TEXT = """\
 bodies:
@@ -202,6 +203,17 @@ def test_defaults_are_those_in_effect():
         assert not {f"beams.mast.properties.{name}" for name in idle} & found
 
 
+def test_internal_damping_is_a_default_only_without_damping_of_the_sections(tmp_path):
+    """That of a windIO file counts, as does that of lists."""
+    damped = "structural_damping: {mu: [0.003, 0.002, 0.001, 0.002, 0.003, 0.001]}"
+    text = VERSION_2.replace("elastic_properties:\n", f"elastic_properties:\n        {damped}\n", 1)
+    for number, (contents, shown) in enumerate(((VERSION_2, True), (text, False))):
+        (tmp_path / f"{number}.yaml").write_text(contents)
+        model = TEXT.replace("2 m]", "30 m]").replace("PIECES", "1")
+        model = model.replace("PROPERTIES", f"windio: {tmp_path}/{number}.yaml, component: blade")
+        assert (("beams.mast.internal_damping", "0 s") in defaults(loads_model(model))) is shown
+
+
 def with_entry(i, j, value):
     """Properties with another entry of the second stiffness matrix."""
     other = K.copy()
@@ -230,6 +242,14 @@ def test_wrong_section_matrices_are_told(word):
     told = [str(p) for p in error.value.problems]
     assert any(place in each and words in each for each in told), told
     assert all(p.line for p in error.value.problems)
+
+
+def test_problems_at_one_line_are_in_the_order_of_the_keys():
+    """Not in that of a set, which changes from process to process."""
+    with pytest.raises(ModelError) as error:
+        mast(f"{SAME}, gyration: [1, 1], mass: [3, 3], bending_2: [3, 3], bending_1: [3, 3]")
+    keys = [p.where.rpartition(".")[2] for p in error.value.problems]
+    assert keys == ["mass", "bending_1", "bending_2", "gyration"]
 
 
 def test_a_section_that_is_not_flat_is_noted():

@@ -438,6 +438,8 @@ def test_a_size_bomb_is_refused_before_it_is_written(tmp_path, monkeypatch):
             r"has no library ../odd.so for .* but strange.so",
         ),
         ({'valueReference="': 'valueReference="x'}, "with a wrong number, .*: valueReference 'x"),
+        ({'factor="0.10': 'factor="0" x="0.10'}, "with a wrong number, BaseUnit: factor '0'"),
+        ({'factor="0.10': 'factor="inf" x="0.10'}, "with a wrong number, BaseUnit: factor 'inf'"),
         ({"<CoSimulation": "<ModelExchange"}, "is not for co-simulation"),
         ({'identifier="strange"': 'identifier="strange" needsExecutionTool="true"'}, "needs the program"),
         ({"<UnitDefinitions>": "<UnitDefinitions"}, "that is not XML"),
@@ -491,3 +493,9 @@ def test_files_that_are_no_fmu(tmp_path):
     (tmp_path / "damaged.fmu").write_bytes(damaged)
     with pytest.raises(FmuFileError, match=r"is damaged"):
         read_fmu(str(tmp_path / "damaged.fmu"))
+    damaged = bytearray(whole)
+    struct.pack_into("<H", damaged, 26, 60_000)  # length of the first name
+    (tmp_path / "long.fmu").write_bytes(damaged)
+    with pytest.raises(FmuFileError, match=r"is damaged: File name in directory") as error:
+        read_fmu(str(tmp_path / "long.fmu"))
+    assert len(str(error.value)) < 300

@@ -8,6 +8,7 @@ anything is written. Source: FMI 2.0.4 and FMI 3.0.2, chapter "FMI description s
 from __future__ import annotations
 
 import lzma
+import math
 import platform as host
 import stat
 import xml.etree.ElementTree as ET
@@ -22,7 +23,7 @@ from pitchpoint.core.errors import Message, PitchpointError
 from pitchpoint.core.library_header import own_platform as this_platform
 from pitchpoint.core.library_header import read_headers
 
-DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, lzma.LZMAError)
+DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, UnicodeDecodeError, lzma.LZMAError)
 """Errors of damaged archives."""
 DESCRIPTION = "modelDescription.xml"
 LARGEST = 2_000_000_000
@@ -118,7 +119,13 @@ class FmuFile:
                 for entry in entries:
                     archive.extract(entry, folder)
             except DAMAGED as error:
-                raise FmuFileError(f"is damaged: {error}") from error
+                raise FmuFileError(_damage(error)) from error
+
+
+def _damage(error: BaseException) -> str:
+    """Reason of a damaged archive; that of Python may contain half of the file."""
+    reason = " ".join(str(error).split())
+    return f"is damaged: {reason[:120]}{'...' if reason[120:] else ''}"
 
 
 def own_platform() -> str:
@@ -162,7 +169,7 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
             for entry in entries.values():
                 _verify(archive, entry)
         except DAMAGED as error:
-            raise FmuFileError(f"is damaged: {error}") from error
+            raise FmuFileError(_damage(error)) from error
     if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
         raise FmuFileError(f"has a {DESCRIPTION} with entities, which FMI does not permit")
     try:
@@ -299,11 +306,14 @@ def _variables(root: ET.Element) -> dict[str, FmuVariable]:
 
 
 def _number(element: ET.Element, key: str, default: float) -> float:
-    """Number of an attribute."""
+    """Finite number of an attribute; factors are not zero."""
     text = element.get(key) or default
     try:
-        return int(text) if key == "valueReference" else float(text)
-    except ValueError:
+        found = int(text) if key == "valueReference" else float(text)
+        if not math.isfinite(found) or (key == "factor" and found == 0.0):
+            raise ValueError
+        return found
+    except (ValueError, OverflowError):
         place = f"{element.get('name') or element.tag}: {key}"
         text = f"has a {DESCRIPTION} with a wrong number, {place} '{text}'"
         raise FmuFileError(text) from None

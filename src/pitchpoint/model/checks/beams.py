@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.model.beam_tables import beam_table_of
+from pitchpoint.model.beam_tables import beam_table_of, part_in_file
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.components.beam import BESIDE_MATRICES, FILES, IN_FILE, SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
@@ -45,11 +45,14 @@ def check_beams(parts: Parts, report: Reader) -> None:
             _place(parts, beam, at, report)
 
 
-def _length(beam: Beam, length: float, at: Place, report: Reader) -> None:
+def _length(parts: Parts, beam: Beam, length: float, at: Place, report: Reader) -> None:
     """Length of a beam from the places of its ends, and of its file."""
     properties = (*at, "properties")
     if beam.properties is None or any(properties == t[: len(properties)] for t in report.tainted):
         return
+    blades = {name for rotor in parts.wind_rotors.values() for name in rotor.beams}
+    if at[1] in blades and part_in_file(beam.properties) == "tower":
+        return  # reported at the rotor
     own = beam_table_of(beam.properties).length
     if own > 0.0 and abs(length / own - 1.0) > LENGTH_ERROR:
         report.problem(
@@ -99,7 +102,7 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
         report.problem((*at, files[1]), f"is given together with {files[0]}", remedy="give one file")
         return
     if files:
-        for name in given if files[0] != "elastodyn" else set(given) & set(IN_FILE):
+        for name in [n for n in given if files[0] != "elastodyn" or n in IN_FILE]:
             report.problem((*at, name), "is in the file too", remedy=f"remove it, or remove {files[0]}")
         others = [name for name in given if name != "position"]
         if files[0] == "elastodyn" and ("position" in given) != bool(others):
@@ -110,7 +113,7 @@ def _properties(part: BeamProperties, at: Place, report: Reader, reported: set[t
         if missing := [name for name in ("position", "inertia") if name not in given]:
             report.problem(at, f"has no {', '.join(missing)}", remedy="give these lists with stiffness")
             return
-        for name in set(given) - set(BESIDE_MATRICES):
+        for name in [n for n in given if n not in BESIDE_MATRICES]:
             report.problem((*at, name), "is in the section matrices too", remedy="remove it, or stiffness")
     elif missing := [name for name in ("position", *IN_FILE[:3]) if name not in given]:
         report.problem(
@@ -151,7 +154,7 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
             remedy="correct the positions of the bodies or markers, so that the beam has a length",
         )
         return
-    _length(beam, length, at, report)
+    _length(parts, beam, length, at, report)
     if beam.axis is not None:
         _axis(beam, way / length, at, report)
 

@@ -70,6 +70,8 @@ def _check_shape(shape: Shape, at: Place, report: Reader) -> None:
     if (shape.box is not None) == turned:
         message = "is two shapes" if turned else "has no size"
         report.problem(at, message, remedy="give box, or heights and diameters")
+    elif turned and shape.rounding > 0.0:
+        report.problem((*at, "rounding"), "is for boxes", remedy="remove it, or add diameters for the edge")
     elif shape.box is not None:
         if min(shape.box) <= 0.0:
             limit = "> 0"

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pitchpoint.core.errors import ModelError
+from pitchpoint.model.beam_tables import part_in_file
 from pitchpoint.model.checks.references import known
+from pitchpoint.model.components.beam import FILES
 from pitchpoint.model.frames import GROUND, axes_of, place_of, split
 from pitchpoint.model.keys import Place, defaults_of
 from pitchpoint.model.reading.reader import Reader
@@ -56,6 +59,7 @@ def check_wind_rotors(parts: Parts, report: Reader) -> None:
             _turns(rotor, at, report)
             _blades(rotor, at, report)
             _beams(parts, rotor, at, report)
+            _diameters(parts, rotor, at, report)
             _wind(parts, rotor, at, report)
             _step(parts, rotor, at, report)
     for name, scenario in parts.scenarios.items():
@@ -100,6 +104,32 @@ def _beams(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
                     remedy="name the beams in the order of rotation, from the direction of x of the hub",
                 )
                 break
+        else:
+            _file_of_blade(parts, name, rotor, report)
+
+
+def _file_of_blade(parts: Parts, name: str, rotor: WindRotor, report: Reader) -> None:
+    """Report the file of a tower for a blade, once for the blades of a rotor."""
+    part = parts.beams[name].properties
+    if part is None or part_in_file(part) != "tower":
+        return
+    key = next(k for k in FILES if getattr(part, k) is not None)
+    place = ("beams", name, "properties", key)
+    if any(("beams", other, "properties", key) in report.tainted for other in rotor.beams):
+        report.taint(place)
+        return
+    remedy = "give component: blade" if key == "windio" else "give a blade file"
+    file = Path(str(getattr(part, key))).name
+    report.problem(place, "describes a tower, and the beam is a blade", value=f"'{file}'", remedy=remedy)
+
+
+def _diameters(parts: Parts, rotor: WindRotor, at: Place, report: Reader) -> None:
+    """Refuse diameters of blades, which are drawn with their chords."""
+    for k, name in enumerate(rotor.beams):
+        beam = parts.beams.get(name)
+        if beam is not None and beam.diameters and (*at, "beams", k) not in report.tainted:
+            remedy = "remove them: a blade has the chords of its stations"
+            report.problem(("beams", name, "diameters"), "are not for blades", remedy=remedy)
 
 
 def _blades(rotor: WindRotor, at: Place, report: Reader) -> None:

@@ -55,6 +55,15 @@ class BeamSection(Component):
         return tuple(k for shape in SHAPES for k in shape if getattr(self, k) not in (None, ()))
 
 
+_POSITIVE: dict[str, Any] = {"minimum": 0.0, "above": True}
+_SHEAR = "shear stiffness in the direction of the twisted axis"
+
+
+def _list(dimension: str, meaning: str, display: str = "", **more: Any) -> Any:
+    """Field for values at the positions; `display` describes its default."""
+    return quantities(dimension, meaning, (), display=display, **more)
+
+
 @dataclass(frozen=True, kw_only=True)
 class BeamProperties(Component):
     """Properties over the length of a beam, linear between the given places: lists, or a file of OpenFAST or
@@ -86,90 +95,63 @@ class BeamProperties(Component):
         "dimensionless", "places from the first end, 0, to the second, 1", (), minimum=0.0, maximum=1.0
     )
     mass: tuple[float, ...] = quantities("mass_per_length", "mass per length", (), minimum=0.0)
-    bending_1: tuple[float, ...] = quantities(
-        "bending_stiffness", "bending stiffness E I in the direction of axis 1", (), minimum=0.0, above=True
+    bending_1: tuple[float, ...] = _list(
+        "bending_stiffness", "bending stiffness E I in the direction of axis 1", **_POSITIVE
     )
-    bending_2: tuple[float, ...] = quantities(
-        "bending_stiffness", "bending stiffness E I in the direction of axis 2", (), minimum=0.0, above=True
+    bending_2: tuple[float, ...] = _list(
+        "bending_stiffness", "bending stiffness E I in the direction of axis 2", **_POSITIVE
     )
-    torsion: tuple[float, ...] = quantities(
+    torsion: tuple[float, ...] = _list(
         "bending_stiffness",
         "torsional stiffness G J",
-        (),
-        minimum=0.0,
-        above=True,
-        display="stiff: 100 times the larger bending stiffness",
+        "stiff: 100 times the larger bending stiffness",
+        **_POSITIVE,
     )
-    axial: tuple[float, ...] = quantities(
+    axial: tuple[float, ...] = _list(
         "force",
         "axial stiffness E A",
-        (),
-        minimum=0.0,
-        above=True,
-        display="stiff: 1e4 times the larger bending stiffness over the square of the length",
+        "stiff: 1e4 times the larger bending stiffness over the square of the length",
+        **_POSITIVE,
     )
-    twist: tuple[float, ...] = quantities(
-        "angle",
-        "rotation of axes 1 and 2 about the beam, from the first end to the second",
-        (),
-        display="0",
+    twist: tuple[float, ...] = _list(
+        "angle", "rotation of axes 1 and 2 about the beam, from the first end to the second", "0"
     )
-    center_1: tuple[float, ...] = quantities(
-        "length", "position of the centre of mass along the twisted axis 1", (), display="0"
+    center_1: tuple[float, ...] = _list(
+        "length", "position of the centre of mass along the twisted axis 1", "0"
     )
-    center_2: tuple[float, ...] = quantities(
-        "length", "position of the centre of mass along the twisted axis 2", (), display="0"
+    center_2: tuple[float, ...] = _list(
+        "length", "position of the centre of mass along the twisted axis 2", "0"
     )
-    gyration: tuple[float, ...] = quantities(
+    gyration: tuple[float, ...] = _list(
         "length",
         "radius of gyration of the mass about its centre, along the beam",
-        (),
+        "that of a homogeneous section",
         minimum=0.0,
-        display="that of a homogeneous section",
         later=True,
     )
-    elastic_1: tuple[float, ...] = quantities(
+    elastic_1: tuple[float, ...] = _list(
         "length",
         "position of the elastic centre, where a tensile force does not bend, along the twisted axis 1",
-        (),
-        display="0",
+        "0",
         later=True,
     )
-    elastic_2: tuple[float, ...] = quantities(
-        "length", "position of the elastic centre along the twisted axis 2", (), display="0", later=True
+    elastic_2: tuple[float, ...] = _list(
+        "length", "position of the elastic centre along the twisted axis 2", "0", later=True
     )
-    shear_center_1: tuple[float, ...] = quantities(
+    shear_center_1: tuple[float, ...] = _list(
         "length",
         "position of the shear centre, where a transverse force does not twist, along the twisted axis 1",
-        (),
-        display="that of the elastic centre",
+        "that of the elastic centre",
         later=True,
     )
-    shear_center_2: tuple[float, ...] = quantities(
+    shear_center_2: tuple[float, ...] = _list(
         "length",
         "position of the shear centre along the twisted axis 2",
-        (),
-        display="that of the elastic centre",
+        "that of the elastic centre",
         later=True,
     )
-    shear_1: tuple[float, ...] = quantities(
-        "force",
-        "shear stiffness in the direction of the twisted axis 1",
-        (),
-        minimum=0.0,
-        above=True,
-        display="no shear deflection",
-        later=True,
-    )
-    shear_2: tuple[float, ...] = quantities(
-        "force",
-        "shear stiffness in the direction of the twisted axis 2",
-        (),
-        minimum=0.0,
-        above=True,
-        display="no shear deflection",
-        later=True,
-    )
+    shear_1: tuple[float, ...] = _list("force", f"{_SHEAR} 1", "no shear deflection", later=True, **_POSITIVE)
+    shear_2: tuple[float, ...] = _list("force", f"{_SHEAR} 2", "no shear deflection", later=True, **_POSITIVE)
     stiffness: tuple[Matrix6, ...] = key(
         "matrices",
         "instead of stiffnesses and centres: stiffness matrix of the section at each place, in SI units. "
@@ -187,25 +169,23 @@ class BeamProperties(Component):
         needs="stiffness",
         later=True,
     )
-    damping: tuple[float, ...] = quantities(
+    damping: tuple[float, ...] = _list(
         "time",
         "with stiffness: internal damping over stiffness for each of the six strains",
-        (),
+        "0",
         minimum=0.0,
         needs="stiffness",
-        display="0",
         later=True,
     )
-    offset_1: tuple[float, ...] = quantities(
+    offset_1: tuple[float, ...] = _list(
         "length",
         "prebend: position of the curved axis of the beam from the line between its ends, along axis 1 "
         "without twist",
-        (),
-        display="0",
+        "0",
         later=True,
     )
-    offset_2: tuple[float, ...] = quantities(
-        "length", "sweep: likewise along axis 2 without twist", (), display="0", later=True
+    offset_2: tuple[float, ...] = _list(
+        "length", "sweep: likewise along axis 2 without twist", "0", later=True
     )
 
     @property
@@ -286,7 +266,7 @@ class Beam(Component):
     internal_damping: float = quantity(
         "time",
         "internal damping over stiffness, in axes that rotate with the beam: the damping ratio of a mode is "
-        "half of it times the angular frequency. It replaces the damping of section matrices",
+        "half of it times the angular frequency. Above 0 it replaces the damping of section matrices",
         0.0,
         minimum=0.0,
     )

@@ -195,7 +195,9 @@ def _stations(text: InputText) -> tuple[FloatArray, FloatArray, FloatArray]:
             "stations", "is the number of complete stations", str(len(lines) // _ROWS), f"{count} as stated"
         )
     text.stop()
+    _check_shape(text, lines, count)
     place, found = np.zeros(count), np.zeros((2, count, 6, 6))
+    wrong: dict[str, list[tuple[int, str]]] = {}
     for k in range(count):
         own = lines[_ROWS * k : _ROWS * (k + 1)]
         name = f"station {k + 1}"
@@ -211,12 +213,35 @@ def _stations(text: InputText) -> tuple[FloatArray, FloatArray, FloatArray]:
             try:
                 check(rows[first : first + 6])
             except ValueError as error:
-                at = own[1 + first].number
-                text.problem(f"{name}, {part}", str(error), None, None, at, "correct the matrix")
+                wrong.setdefault(part, []).append((k, str(error)))
+    for part, each in wrong.items():
+        k, reason = each[0]
+        more = f"; {len(each) - 1} others are wrong, too" if each[1:] else ""
+        at = lines[_ROWS * k + (1 if part == "stiffness" else 7)].number
+        text.problem(f"station {k + 1}, {part}", f"{reason}{more}", None, None, at, "correct the matrix")
     if not text.problems and (place[0] != 0.0 or place[-1] != 1.0 or (np.diff(place) <= 0.0).any()):
         text.problem("stations", "are not increasing places", f"{place[0]:g} to {place[-1]:g}", "0 to 1")
     text.stop()
     return place, found[0], found[1]
+
+
+def _check_shape(text: InputText, lines: list[Line], count: int) -> None:
+    """Stop at the first line that has not the numbers of its place in a station."""
+    for k, line in enumerate(lines[: _ROWS * count]):
+        station, row = divmod(k, _ROWS)
+        wanted = 6 if row else 1
+        if len(line.tokens) < wanted or (not row and len(line.tokens) != 1):
+            what = f"row {row} of its matrices" if row else "its place"
+            limit, remedy = f"{wanted}, {what}", "complete the station, or correct the line"
+            text.problem(
+                f"station {station + 1}",
+                "is the number of values of a line",
+                str(len(line.tokens)),
+                limit,
+                line.number,
+                remedy,
+            )
+            text.stop()
 
 
 def _numbers_at_the_end(text: InputText) -> list[Line]:

@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy as np
 
 from pitchpoint.core.errors import FileLine, Message, ModelError
 from pitchpoint.geometry.beam_table import BeamTable
+from pitchpoint.model.files import read_once
 from pitchpoint.model.openfast.text import InputText, Line, read_input
 
-_BLADE = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
 MOST_TWIST = 90.0
 """Largest twist of a blade [deg]."""
 _CORRECT = "correct the value"
@@ -26,7 +27,16 @@ _TITLES: tuple[dict[str, str], ...] = (
     {"position": "HtFract", "mass": "TMassDen", "bending_1": "TwFAStif", "bending_2": "TwSSStif"},
 )
 """Titles of the columns of blades and towers by the properties of a beam."""
-_TOWER = ("HtFract", "TMassDen", "TwFAStif", "TwSSStif")
+_FURTHER: tuple[dict[str, str], ...] = (
+    {"torsion": "GJStff", "axial": "EAStff", "center_1": "FlpcgOf", "center_2": "EdgcgOf"},
+    {"torsion": "TwGJStif", "axial": "TwEAStif"},
+)
+"""Titles of columns that a file may have, too."""
+_FACTORS: tuple[dict[str, str], ...] = (
+    {"mass": "AdjBlMs", "bending_1": "AdjFlSt", "bending_2": "AdjEdSt"},
+    {"mass": "AdjTwMa", "bending_1": "AdjFASt", "bending_2": "AdjSSSt"},
+)
+"""Names of the adjustment factors; 1 if they are missing."""
 
 
 def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
@@ -66,19 +76,36 @@ def read_elastodyn(path: str | os.PathLike[str]) -> BeamTable:
     if blade is not None and tower is not None:
         text.problem("NBlInpSt, NTwInpSt", "are given together", None, "one of them", remedy=remedy)
         text.stop()
-    columns = (
-        _columns(text, blade, "NBlInpSt", _BLADE) if blade else _columns(text, tower, "NTwInpSt", _TOWER)
-    )
+    count = "NTwInpSt" if blade is None else "NBlInpSt"
+    columns = _columns(text, blade or tower, count, tuple(_TITLES[blade is None].values()))
     try:
-        return _blade(text, columns) if blade is not None else _tower(text, columns)
+        return _table(text, blade is None, columns)
     except ModelError as error:
         raise ModelError([_in_row(text, p) for p in error.problems]) from None
+
+
+@read_once(files=16)
+def elastodyn_part(path: str) -> str:
+    """Part that a file of ElastoDyn describes, "blade" or "tower"; "" if it cannot be read.
+
+    Parameters
+    ----------
+    path
+        The file.
+    """
+    try:
+        text = read_input(path)
+    except ModelError:
+        return ""
+    found = [part for part, name in (("blade", "NBlInpSt"), ("tower", "NTwInpSt")) if text.find(name)]
+    return found[0] if len(found) == 1 else ""
 
 
 def _in_row(text: InputText, problem: Message) -> Message:
     """Problem of a table at the column and the line of the file."""
     name, _, index = problem.where.partition("[")
-    columns = _TITLES[text.find("NBlInpSt") is None]
+    tower = text.find("NBlInpSt") is None
+    columns = _TITLES[tower] | _FURTHER[tower]
     title = columns.get(name, name)
     first = next(ln for ln in text.lines if ln.tokens[0].lower() == columns["position"].lower())
     line = text.row_line(first, int(index[:-1])) if index else first.number
@@ -105,43 +132,18 @@ def _columns(
     return dict(zip(names, np.array(rows).reshape(-1, len(names)).T, strict=True))
 
 
-def _factor(text: InputText, name: str) -> float:
-    """Adjustment factor; 1 if it is missing."""
-    return text.number(name, default=1.0)
-
-
-def _blade(text: InputText, column: dict[str, np.ndarray]) -> BeamTable:
-    factors = [_factor(text, name) for name in ("AdjBlMs", "AdjFlSt", "AdjEdSt")]
+def _table(text: InputText, tower: bool, column: dict[str, np.ndarray]) -> BeamTable:
+    """Table of the columns of a blade or a tower."""
+    factors = {name: text.number(title, default=1.0) for name, title in _FACTORS[tower].items()}
     text.stop()
-    for k in np.flatnonzero(np.abs(column["strctwst"]) > MOST_TWIST)[:1]:
-        value, limit = f"{column['strctwst'][k]:.6g} deg", f"-{MOST_TWIST:g} to {MOST_TWIST:g} deg"
-        problem = Message(
-            f"twist[{k}]", "is out of range", value, limit, "correct the value; it is in degrees"
-        )
-        raise ModelError([problem])
-    none = np.zeros(0)
-    return BeamTable(
-        position=column["blfract"],
-        mass=factors[0] * column["bmassden"],
-        bending_1=factors[1] * column["flpstff"],
-        bending_2=factors[2] * column["edgstff"],
-        torsion=column.get("gjstff", none),
-        axial=column.get("eastff", none),
-        twist=-np.radians(column["strctwst"]),
-        center_1=column.get("flpcgof", none),
-        center_2=column.get("edgcgof", none),
-    )
-
-
-def _tower(text: InputText, column: dict[str, np.ndarray]) -> BeamTable:
-    factors = [_factor(text, name) for name in ("AdjTwMa", "AdjFASt", "AdjSSSt")]
-    text.stop()
-    none = np.zeros(0)
-    return BeamTable(
-        position=column["htfract"],
-        mass=factors[0] * column["tmassden"],
-        bending_1=factors[1] * column["twfastif"],
-        bending_2=factors[2] * column["twssstif"],
-        torsion=column.get("twgjstif", none),
-        axial=column.get("tweastif", none),
-    )
+    titles = {name: title.lower() for name, title in (_TITLES[tower] | _FURTHER[tower]).items()}
+    found: dict[str, Any] = {
+        name: factors.get(name, 1.0) * column[t] for name, t in titles.items() if t in column
+    }
+    if "twist" in found:
+        for k in np.flatnonzero(np.abs(found["twist"]) > MOST_TWIST)[:1]:
+            value, limit = f"{found['twist'][k]:.6g} deg", f"-{MOST_TWIST:g} to {MOST_TWIST:g} deg"
+            remedy = "correct the value; it is in degrees"
+            raise ModelError([Message(f"twist[{k}]", "is out of range", value, limit, remedy)])
+        found["twist"] = -np.radians(found["twist"])
+    return BeamTable(**found)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pitchpoint.core.errors import Message, UnitError, remark
 from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.core.units import format_quantity, natural_quantity
+from pitchpoint.core.units import format_quantity, in_unit, natural_quantity
 from pitchpoint.model.keys import Key, Place
 from pitchpoint.model.reading.formula_text import is_formula
 
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 USUAL = {"angular_speed": "rpm", "length": "mm", "angle": "deg"}
 """Unit that a number without unit is probably in."""
+
+SIGNAL = "signal"
+"""In place of a dimension: that of a signal, which is known when all blocks and sensors have been read."""
 
 LARGE = 1.0
 """Length [m] from which a number without unit rather is in millimetres."""
@@ -57,7 +60,8 @@ class Bare(NamedTuple):
     """Number without unit that is rarely meant in SI units.
 
     `value` is in SI units, of a function the largest in the first second. `written` is a parameter, a
-    constant formula or a function of time, as `form` states; it is empty for a number.
+    constant formula or a function of time, as `form` states; it is empty for a number. `unit` is the one that
+    it probably is in, if not that of `USUAL`.
     """
 
     place: Place
@@ -66,21 +70,32 @@ class Bare(NamedTuple):
     written: str = ""
     form: str = "number"
     in_file: bool = True
+    unit: str = ""
 
     @property
     def text(self) -> str:
         """What is read, and how."""
-        number = f"{self.value:g} has no unit and is read as {_both(self.value, self.dimension)}"
+        number = f"{self.value:g} has no unit and is read as {self._both}"
         if self.form == "function":
             si = DIMENSIONS[self.dimension].si
-            most = f"up to {_both(self.value, self.dimension)} in the first second"
+            most = f"up to {self._both} in the first second"
             return f"{self.written!r} has no unit and is read in {si}: {most}"
         return f"{'parameter ' * (self.form == 'parameter')}{self.written} = {number}".removeprefix(" = ")
 
     @property
+    def _both(self) -> str:
+        """The value in SI and in its customary unit."""
+        in_si = f"{self.value:g} {DIMENSIONS[self.dimension].si}"
+        if self.unit:
+            usual = f"{in_unit(self.value, self.dimension, self.unit):.5g} {self.unit}"
+        else:
+            usual = format_quantity(self.value, self.dimension)
+        return in_si if in_si == usual else f"{in_si} = {usual}"
+
+    @property
     def cure(self) -> str:
         """How to write it in the unit that it probably is in."""
-        usual = USUAL[self.dimension]
+        usual = self.unit or USUAL[self.dimension]
         if self.form in ("formula", "function"):
             return f"multiply it by 1 {usual}"
         return f"write {self.written}: {self.value:g} {usual}".replace("write :", "write")
@@ -91,12 +106,6 @@ class Bare(NamedTuple):
         si = DIMENSIONS[self.dimension].si
         meant = f"by 1 {si}" if self.form in ("formula", "function") else f"{self.value:g} {si}"
         return f"{self.cure}, or {meant} if that is meant"
-
-
-def _both(value: float, dimension: str) -> str:
-    """A value in SI and in its customary unit."""
-    in_si, usual = f"{value:g} {DIMENSIONS[dimension].si}", format_quantity(value, dimension)
-    return in_si if in_si == usual else f"{in_si} = {usual}"
 
 
 def note_number(reader: Reader, key: Key, data: Any, value: float, path: Place) -> None:
@@ -115,20 +124,36 @@ def note_number(reader: Reader, key: Key, data: Any, value: float, path: Place) 
     path
         Path of the key.
     """
-    if not is_doubtful(value, key.dimension):
-        return
+    if is_doubtful(value, key.dimension):
+        _note(reader, key, data, Bare(path, value, key.dimension))
+
+
+def note_signal(reader: Reader, key: Key, data: Any, value: float, path: Place) -> None:
+    """Keep the value of a signal if it has no unit; that of the signal is not yet known.
+
+    Parameters
+    ----------
+    reader, key, data, value, path
+        As in `note_number`.
+    """
+    if value != 0.0 and path[:1] in (("blocks",), ("controllers",), ("scenarios",)):
+        _note(reader, key, data, Bare(path, value, SIGNAL))
+
+
+def _note(reader: Reader, key: Key, data: Any, found: Bare) -> None:
+    """Keep a number if it has no unit as written."""
     if isinstance(data, str):
         name = data.strip()
         if name in reader.parameters:
             if not reader.parameters[name].unit:
-                reader.bare.append(Bare(path, value, key.dimension, name, "parameter"))
+                reader.bare.append(found._replace(written=name, form="parameter"))
             return
         if is_formula(data, reader.parameters):
             if is_without_unit(reader, key, data):
-                reader.bare.append(Bare(path, value, key.dimension, name, "formula"))
+                reader.bare.append(found._replace(written=name, form="formula"))
             return
     if is_without_unit(reader, key, data):
-        reader.bare.append(Bare(path, value, key.dimension))
+        reader.bare.append(found)
 
 
 def note_formula(reader: Reader, key: Key, text: str, variables: tuple[str, ...], path: Place) -> None:
@@ -174,7 +199,11 @@ def said_of(reader: Reader, path: Place) -> str:
         Path of the value, or of a list.
     """
     for bare in reader.bare:
-        if bare.place[: len(path)] == path and all(isinstance(step, int) for step in bare.place[len(path) :]):
+        if (
+            bare.dimension != SIGNAL
+            and bare.place[: len(path)] == path
+            and all(isinstance(step, int) for step in bare.place[len(path) :])
+        ):
             return f"{bare.text}; {bare.cure}"
     return ""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -109,6 +109,49 @@ def pairs(reader: Reader, name: str, dimensions: tuple[str, str], path: Place) -
     if without and is_doubtful(largest, dimensions[0]):
         reader.bare.append(Bare(path, largest, dimensions[0]))
     return rows
+
+
+def increasing_rows(
+    reader: Reader,
+    rows: Any,
+    at: Place,
+    read: Callable[[int, Any, Place], Any],
+    over: str,
+    example: str,
+) -> Any:
+    """Read rows of two values with increasing first values; BAD with any problem.
+
+    Parameters
+    ----------
+    reader
+        Collects the problems.
+    rows, at
+        The rows and their path.
+    read
+        Reader of a value: its column, the value and its path.
+    over
+        What the first values are, for messages.
+    example
+        Valid rows, for messages.
+    """
+    if not isinstance(rows, list | tuple) or len(rows) < 2:
+        remedy = f"write {example}"
+        return reader.problem(at, "is not a list of at least two rows", value=shown(rows), remedy=remedy)
+    points = []
+    for i, row in enumerate(rows):
+        if not isinstance(row, list | tuple) or len(row) != 2:
+            reader.problem((*at, i), "is not a row of two values", remedy=f"write [{over}, value]")
+            continue
+        point = (read(0, row[0], (*at, i, 0)), read(1, row[1], (*at, i, 1)))
+        if BAD not in point:
+            points.append(point)
+    if len(points) != len(rows):
+        return BAD
+    for i in range(1, len(points)):
+        if not points[i][0] > points[i - 1][0]:
+            text = f"is not larger in {over} than the previous row"
+            return reader.problem((*at, i), text, remedy="sort the rows")
+    return points
 
 
 def column(reader: Reader, key: Key, name: str, path: Place) -> Any:

@@ -23,8 +23,7 @@ def gears(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a list of gear names or a mapping of names to axial positions."""
     if isinstance(data, Mapping):
         axial = Key("quantity", key.meaning, dimension="length")
-        offsets = {str(n): reader.number(axial, v, (*path, str(n))) for n, v in data.items()}
-        return BAD if any(v is BAD for v in offsets.values()) else offsets
+        return signals.mapping(reader, axial, data, path, type(reader).number)
     found = reader.names(key, data, path)
     if found is BAD:
         return BAD
@@ -36,12 +35,8 @@ def gears(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of names to quantities."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path, "is not a mapping of names", value=shown(data), remedy="write {BODY: 1500 rpm}"
-        )
-    speeds = {str(n): reader.number(key, v, (*path, str(n))) for n, v in data.items()}
-    if any(v is BAD for v in speeds.values()):
+    speeds = signals.mapping(reader, key, data, path, type(reader).number, "names", "write {BODY: 1500 rpm}")
+    if speeds is BAD:
         return BAD
     written = {(*path, str(n)): Source(v, frozenset()) for n, v in data.items() if isinstance(v, str)}
     reader.sources |= written  # each with its unit

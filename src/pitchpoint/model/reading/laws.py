@@ -114,30 +114,16 @@ def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, ove
     """Read rows of two values with increasing first values, or a text file of them; BAD with any problem."""
     if isinstance(rows, str):
         return BAD if over is BAD else data_files.pairs(reader, rows, (x_key.dimension, key.dimension), at)
-    if not isinstance(rows, list | tuple) or len(rows) < 2:
-        return reader.problem(
-            at,
-            "is not a list of at least two rows",
-            remedy="write [[0 s, 0], [1 s, 150]], or name a text file",
-        )
     if over is BAD:
         return BAD
-    points = []
-    for i, row in enumerate(rows):
-        if not isinstance(row, list | tuple) or len(row) != 2:
-            reader.problem((*at, i), "is not a row of two values", remedy=f"write [{over}, value]")
-            continue
-        point = (reader.number(x_key, row[0], (*at, i, 0)), reader.number(key, row[1], (*at, i, 1)))
-        if BAD not in point:
-            points.append(point)
-    if len(points) != len(rows):
-        return BAD
-    for i in range(1, len(points)):
-        if not points[i][0] > points[i - 1][0]:
-            return reader.problem(
-                (*at, i), f"is not larger in {over} than the previous row", remedy="sort the table"
-            )
-    return points
+
+    def read(column: int, cell: Any, place: Place) -> Any:
+        """Value of a column."""
+        return reader.number(key if column else x_key, cell, place)
+
+    return data_files.increasing_rows(
+        reader, rows, at, read, str(over), "[[0 s, 0], [1 s, 150]], or name a text file"
+    )
 
 
 def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:

@@ -82,14 +82,9 @@ def _remedy(reader: Reader, key: Key, data: Any, value: float) -> str:
     if key.dimension == "dimensionless" and sample == usual and not key.allows(float(usual)):
         closest = min(max(value, key.minimum), key.maximum)
         sample = f"{closest:g}" if key.allows(closest) else f"a number {limit_text(key)}"
-    elif not key.allows(parse_quantity(sample, key.dimension)) if _is_one(sample) else False:
+    elif not sample.startswith(("[", "{")) and not key.allows(parse_quantity(sample, key.dimension)):
         sample = f"a value {limit_text(key)}"
     return f"write {sample}"
-
-
-def _is_one(sample: str) -> bool:
-    """Whether a sample is a single quantity."""
-    return not sample.startswith(("[", "{"))
 
 
 def is_quoted_number(data: Any) -> bool:

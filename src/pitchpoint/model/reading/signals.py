@@ -7,12 +7,13 @@ unknown.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import data_files, laws
+from pitchpoint.model.reading.bare_numbers import note_signal
 from pitchpoint.model.reading.formula_text import WORDS
 from pitchpoint.model.show import shown
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 REMEDY = "write a number in SI units, or one with its unit such as 1500 rpm"
 NUMBER = Key("quantity", "", dimension="dimensionless")
+ANY = Key("quantity", "")
 
 
 def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
@@ -28,7 +30,10 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     from pitchpoint.core.formula.formula import FormulaError, constant
 
     if isinstance(data, Real) and not isinstance(data, bool):
-        return reader.number(NUMBER, data, path)
+        number = reader.number(NUMBER, data, path)
+        if number is not BAD:
+            note_signal(reader, ANY, data, number, path)
+        return number
     if not isinstance(data, str):
         return reader.problem(
             path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
@@ -40,6 +45,7 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     except FormulaError as error:
         return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
     reader.used |= used
+    note_signal(reader, ANY, data, amount.value, path)
     return amount.value
 
 
@@ -55,82 +61,76 @@ def values(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return reader.sequence(key, data, path, lambda k, entry, at: value(reader, k, entry, at))
 
 
+def mapping(
+    reader: Reader,
+    key: Key,
+    data: Any,
+    path: Place,
+    read: Callable[..., Any],
+    what: str = "names",
+    remedy: str = "",
+) -> Any:
+    """Read a mapping entry by entry; `what` it maps is part of the message."""
+    if not isinstance(data, Mapping):
+        return reader.problem(path, f"is not a mapping of {what}", value=shown(data), remedy=remedy)
+    found = {str(name): read(reader, key, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
 def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of signal names to gains."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path, "is not a mapping of names to numbers", value=shown(data), remedy="write {speed: -1}"
-        )
-    found = {str(name): value(reader, key, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    return mapping(reader, key, data, path, value, "names to numbers", "write {speed: -1}")
 
 
 def records(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of records of a controller library to names of signals or numbers."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path,
-            "is not a mapping of records",
-            value=shown(data),
-            remedy="write {generator_speed: SIGNAL}, or {power_demand: 5 MW} for a constant number",
-        )
-    found = {}
-    for name, given in data.items():
+
+    def read(reader: Reader, key: Key, given: Any, at: Place) -> Any:
+        """Name of a signal, or a number."""
         is_name = isinstance(given, str) and (given[:1].isalpha() or given[:1] == "_")
-        found[str(name)] = given if is_name else value(reader, key, given, (*path, str(name)))
-    return BAD if any(v is BAD for v in found.values()) else found
+        return given if is_name else value(reader, key, given, at)
+
+    remedy = "write {generator_speed: SIGNAL}, or {power_demand: 5 MW} for a constant number"
+    return mapping(reader, key, data, path, read, "records", remedy)
 
 
 def record_signals(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of records of a controller library to names of its output signals."""
     remedy = "write {generator_torque_demand: SIGNAL}"
-    if not isinstance(data, Mapping) or len(data) < key.length[0]:
-        return reader.problem(path, "is not a mapping of records", value=shown(data), remedy=remedy)
-    text = Key("text", "")
-    found = {str(name): reader.string(text, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    if data == {}:
+        return reader.problem(path, "is empty", remedy=remedy)
+    return mapping(reader, key, data, path, _name, "records", remedy)
 
 
 def wires(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a mapping of variables of another program to signals."""
-    if not isinstance(data, Mapping):
-        return reader.problem(
-            path, "is not a mapping of variables to signals", value=shown(data), remedy="write {w: speed}"
-        )
-    found = {str(name): reader.string(key, given, (*path, str(name))) for name, given in data.items()}
-    return BAD if any(v is BAD for v in found.values()) else found
+    return mapping(reader, key, data, path, _name, "variables to signals", "write {w: speed}")
+
+
+def _name(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a signal."""
+    return reader.string(key, data, path)
 
 
 def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read rows [input, value] with increasing inputs, or a text file with two columns."""
     if isinstance(data, str):
         lines = data_files.lines(reader, data, path, "a list of rows")
-        data = BAD if lines is BAD else [cells for _, cells in lines]
-        if data is BAD:
+        if lines is BAD:
             return BAD
-    if not isinstance(data, list | tuple) or len(data) < 2:
-        return reader.problem(
-            path, "is not a list of at least two rows", value=shown(data), remedy="write [[0, 0], [10, 2]]"
-        )
-    points = []
-    for i, row in enumerate(data):
-        if not isinstance(row, list | tuple) or len(row) != 2:
-            reader.problem((*path, i), "is not a row of two values", remedy="write [input, value]")
-            continue
-        first = reader.number(key, row[0], (*path, i, 0)) if key.dimension else None
-        point = tuple(
-            value(reader, key, x, (*path, i, k)) if k or first is None else first for k, x in enumerate(row)
-        )
-        if BAD not in point:
-            points.append(point)
-    if len(points) < len(data):
-        return BAD
-    for i in range(1, len(points)):
-        if not points[i][0] > points[i - 1][0]:
-            return reader.problem(
-                (*path, i), "does not have a larger input than the previous row", remedy="sort the rows"
-            )
-    return tuple(points)
+        known = len(reader.bare)
+        found = curve(reader, key, [cells for _, cells in lines], path)
+        reader.bare[known:] = reader.bare[known:][-2:]  # one remark on a file
+        return found
+
+    def read(column: int, cell: Any, place: Place) -> Any:
+        """Value of a column."""
+        if key.dimension and not column:
+            return reader.number(key, cell, place)
+        return value(reader, key, cell, place)
+
+    rows = data_files.increasing_rows(reader, data, path, read, "input", "[[0, 0], [10, 2]]")
+    return BAD if rows is BAD else tuple(rows)
 
 
 def code(reader: Reader, key: Key, data: Any, path: Place) -> Any:

@@ -17,7 +17,7 @@ from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.planetary_stages import at_stages
-from pitchpoint.model.remarks.beam_sections import implausible_sections
+from pitchpoint.model.remarks.beam_sections import implausible_sections, parts_of_other_files
 from pitchpoint.model.remarks.beams import ends_left_behind, sections_not_flat
 from pitchpoint.model.remarks.bores import bores_off_their_shafts, gears_thinner_than_their_shafts
 from pitchpoint.model.remarks.clutches import couplings_without_torque, idle_clutches
@@ -41,7 +41,13 @@ from pitchpoint.model.remarks.unusual_values import (
     overdamped_supports,
     preloads_above_the_rating,
 )
-from pitchpoint.model.remarks.wind_rotors import flat_blades, low_rotors, repeated_turbulence, unused_polars
+from pitchpoint.model.remarks.wind_rotors import (
+    flat_blades,
+    low_rotors,
+    repeated_turbulence,
+    unused_polars,
+    upwind_axes,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -294,7 +300,9 @@ def remarks_of_file(model: Model) -> tuple[Message, ...]:
         *repeated_turbulence(model),
         *flat_blades(model),
         *low_rotors(model),
+        *upwind_axes(model),
         *implausible_sections(model),
+        *parts_of_other_files(model),
         *at_stages(model, no_backlash(model)),
     )
     named = (e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import FileLine, Message, remark
 from pitchpoint.model.reading.bare_numbers import messages_on
 from pitchpoint.model.reading.laws import material_source
+from pitchpoint.model.signal_units import doubtful
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -18,7 +19,7 @@ _WORDS = re.compile(r"[A-Za-z_]\w*")
 
 def numbers_without_unit(model: Model) -> tuple[Message, ...]:
     """A remark for every number without unit that is rarely meant in SI units."""
-    return messages_on(model.origin.bare, model.line)
+    return messages_on(doubtful(model, model.origin.bare), model.line)
 
 
 def unused_materials(model: Model) -> tuple[Message, ...]:

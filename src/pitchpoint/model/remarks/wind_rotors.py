@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.checks.wind_boxes import box_extent, rotor_reach, winds_of_scenario
+from pitchpoint.model.frames import axes_of
 from pitchpoint.model.rotor_input import rotor_input
 
 if TYPE_CHECKING:
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
 
 FLAT = 1.0
 """Largest twist of a blade that may be in another unit [deg]."""
+ACROSS = 1e-6
+"""Cosine of the angle between an axis and the wind that is across it, rounding errors included."""
 MAKE = "use a longer file, such as with pitchpoint wind --duration"
 
 
@@ -53,6 +57,21 @@ def low_rotors(model: Model) -> tuple[Message, ...]:
         if reach is not None and reach[2, 0] <= 0.0:
             text = f"the blades reach a height of {reach[2, 0]:.3g} m, and there is no wind at and below 0"
             found.append(remark(f"wind_rotors.{name}.hub", text, "place the hub above ground, z upward"))
+    return tuple(found)
+
+
+def upwind_axes(model: Model) -> tuple[Message, ...]:
+    """A remark for every rotor whose axis points upwind, or is across the wind, in all scenarios."""
+    found = []
+    for name, part in model.wind_rotors.items():
+        axis = axes_of(model, part.hub)[:, 2]
+        directions = [model.winds[wind].direction for _, wind in winds_of_scenario(model, part)]
+        along = [axis[0] * math.cos(angle) + axis[1] * math.sin(angle) for angle in directions]
+        if along and max(along) <= ACROSS:
+            angle = math.degrees(math.acos(np.clip(max(along), -1.0, 1.0)))
+            text = f"the z axis of {part.hub} has an angle of {angle:.3g} deg to the wind"
+            remedy = "the blades require an axis downwind: change axes of the hub, or direction of the wind"
+            found.append(remark(f"wind_rotors.{name}.hub", text, remedy))
     return tuple(found)
 
 

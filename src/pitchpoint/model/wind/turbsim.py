@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,16 +72,9 @@ def read_turbsim(path: str | os.PathLike[str]) -> WindBox:
         If the file is missing, cut off or damaged.
     """
     name = Path(path)
-    there = size_of(name)
-    try:
-        with name.open("rb") as file:
-            head, numbers = _header(name, file, there)
-            file.seek(HEADER.itemsize + numbers["n_text"])
-            velocity = _velocities(name, file, numbers, head["scale"].astype(float))
-    except (OSError, ValueError) as error:
-        if isinstance(error, WindFileError):
-            raise
-        raise unreadable(name, error) from error
+    with _opened(name) as (file, head, numbers):
+        file.seek(HEADER.itemsize + numbers["n_text"])
+        velocity = _velocities(name, file, numbers, head["scale"].astype(float))
     return _box(name, head, velocity)
 
 
@@ -97,12 +92,8 @@ def turbsim_extent(path: str | os.PathLike[str]) -> BoxExtent:
         If the file is missing, cut off or damaged.
     """
     name = Path(path)
-    there = size_of(name)
-    try:
-        with name.open("rb") as file:
-            head, numbers = _header(name, file, there)
-    except OSError as error:
-        raise unreadable(name, error) from error
+    with _opened(name) as (_, head, numbers):
+        pass
     n_t, n_z, n_y = (numbers[key] for key in ("n_t", "n_z", "n_y"))
     box = _box(name, head, np.zeros((1, n_z, n_y, 3), np.float32))
     return BoxExtent(
@@ -115,13 +106,21 @@ def turbsim_extent(path: str | os.PathLike[str]) -> BoxExtent:
     )
 
 
-def _header(path: Path, file: Any, there: int) -> tuple[Any, dict[str, int]]:
-    """Header and numbers of points, checked together with the size of the file."""
-    if there < HEADER.itemsize:
-        raise refused(path, "header", f"{there} bytes", "are there: the file is cut off",
-                      f"{HEADER.itemsize} bytes", _REMEDY)  # fmt: skip
-    head = np.frombuffer(file.read(HEADER.itemsize), HEADER)[0]
-    return head, _checked(path, head, there)
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[IO[bytes], Any, dict[str, int]]]:
+    """Open file, its header and its numbers of points, checked together with its size."""
+    there = size_of(path)
+    try:
+        with path.open("rb") as file:
+            if there < HEADER.itemsize:
+                raise refused(path, "header", f"{there} bytes", "are there: the file is cut off",
+                              f"{HEADER.itemsize} bytes", _REMEDY)  # fmt: skip
+            head = np.frombuffer(file.read(HEADER.itemsize), HEADER)[0]
+            yield file, head, _checked(path, head, there)
+    except (OSError, ValueError) as error:
+        if isinstance(error, WindFileError):
+            raise
+        raise unreadable(path, error) from error
 
 
 def _box(name: Path, head: Any, velocity: NDArray[np.float32]) -> WindBox:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.core.nearest import LISTED, did_you_mean
+from pitchpoint.core.nearest import LISTED, did_you_mean, hint
 from pitchpoint.geometry.rotor.polar import Polar
 from pitchpoint.model.windio.ontology import Ontology
 
@@ -60,7 +60,7 @@ def read_airfoils(
     names
         Airfoils of the blade.
     configurations
-        Configuration of the polars by airfoil; the first one of an airfoil that has no such polars.
+        Configuration of the polars by airfoil; default: the first one of the airfoil.
     """
     found = {}
     known = {
@@ -82,8 +82,8 @@ def read_airfoils(
 
 
 def _airfoil(file: Ontology, at: tuple[Any, ...], name: str, wanted: str | None) -> Airfoil | None:
-    thick = file.number(*at, "rthick" if file.has(*at, "rthick") else "relative_thickness", positive=True)
     key = "rthick" if file.has(*at, "rthick") else "relative_thickness"
+    thick = file.number(*at, key, positive=True)
     center = file.number(*at, "aerodynamic_center", default=0.25)
     for place, value in ((key, thick), ("aerodynamic_center", center)):
         if not -1e-6 <= value <= 1.0 + 1e-6 and value == value:
@@ -93,6 +93,9 @@ def _airfoil(file: Ontology, at: tuple[Any, ...], name: str, wanted: str | None)
     entries = file.entries(*at, "polars")
     given = list(dict.fromkeys(str(e.get("configuration")) for e in entries if isinstance(e, dict)))
     used = wanted if wanted in given else next(iter(given), None)
+    if wanted is not None and wanted != used and given != ["None"]:  # without configurations: any
+        text = f"has no polars of the configuration '{wanted}', which the blade names"
+        file.problem((*at, "polars"), text, remedy=hint(wanted, given))
     if len(given) > 1:
         others = ", ".join(each for each in given if each != used)
         file.notes.append(f"airfoil {name}: polars of the configuration {used}, not of {others}")

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.progress import report_step
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import force_directions, mesh_records
 from pitchpoint.system.system import System
@@ -25,6 +26,8 @@ SWING = 0.05
 """Rotation [rad] about one axis above which it counts as motion instead of vibration."""
 TUMBLE = 0.3
 """The same for rotations about several axes, beyond the validity of small rotation vectors."""
+STRIDE = 50
+"""Number of times between progress reports."""
 WAY = 0.01
 """Displacement above which it counts as motion, relative to the size of the machine."""
 
@@ -106,6 +109,8 @@ def motion(
     )
     state = system.initial_state()
     for i in range(n):
+        if i % STRIDE == 0:
+            report_step(f"scene, {100.0 * i / n:.0f} %")
         state.t = float(times[i])
         state.q[:] = q[i]
         state.charts[:] = charts[i]

@@ -173,6 +173,20 @@ def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> N
     return np.asarray(found[alone][_undetermined(own)])
 
 
+def integrators(system: System, state: State) -> NDArray[np.int64]:
+    """States of signals that do not decay, such as a sum of errors, whatever their inputs depend on.
+
+    Parameters
+    ----------
+    system, state
+        The system and the state to evaluate.
+    """
+    found = signal_states(system)
+    if not found.size:
+        return found
+    return found[_undetermined(slopes(without_limits(system), state, EXACT)[np.ix_(found, found)])]
+
+
 def _undetermined(rates: Array) -> NDArray[np.bool_]:
     """Flags of the states without a rate of their own that take part in the null space of their rates."""
     sizes = np.abs(rates).max(axis=1, initial=0.0)

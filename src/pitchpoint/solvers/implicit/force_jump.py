@@ -23,12 +23,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import invoke, plain
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import OK, SINGULAR
 from pitchpoint.solvers.implicit.generalized_alpha import Run
+from pitchpoint.solvers.implicit.interface import forget_slopes
 from pitchpoint.solvers.implicit.newton import EXTRA
-from pitchpoint.solvers.implicit.step import coefficients
+from pitchpoint.solvers.implicit.step import coefficients, factors
+from pitchpoint.solvers.implicit.substeps import LONG_RHO, SubstepRun
 from pitchpoint.system.linear import factor_entry, solve_entry
 from pitchpoint.system.link import NO_MATTER
+from pitchpoint.system.part import solve_entry as part_solution
 from pitchpoint.system.requests import RESIDUAL, send_request
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import System
@@ -52,6 +55,8 @@ def continue_after_jump(run: Run, change: NDArray[np.float64]) -> int:
     w = run.system.workspace
     if w.mach[0]["settles"] != 0:
         return run.go_on()
+    if isinstance(run, SubstepRun):
+        return _in_parts(run, change)
     beta, gamma, alpha_m, alpha_f = plain(coefficients)(run.rho_inf)
     cm = (1.0 - alpha_m) / (run.h**2 * beta * (1.0 - alpha_f))
     histories = [w.a, w.arrays["al"], w.arrays["ap"]]
@@ -70,6 +75,25 @@ def continue_after_jump(run: Run, change: NDArray[np.float64]) -> int:
         history += cm * w.arrays["x"]
     for multipliers in (w.lam, w.arrays["lp"]):
         multipliers += w.arrays["y"]
+    return OK
+
+
+def _in_parts(run: SubstepRun, change: NDArray[np.float64]) -> int:
+    """Continue a run with long steps: each part with the matrix of its own step; returns the status."""
+    w = run.system.workspace
+    for part, h, rho in zip(run.parts, (run.h, run.count * run.h), (run.rho_inf, LONG_RHO), strict=True):
+        cm, cd, _ = plain(factors)(h, rho)
+        status = part.refactor(run.t, cm, cd)
+        if status != OK:
+            return run.go_on() if status == SINGULAR else status
+        w.R[:] = change - part.arrays["shift"]
+        part.run(part_solution, run.t)
+        delta = cm * part.arrays["x"][part.own]
+        if not np.isfinite(delta).all():
+            return run.go_on()
+        for history in (w.a, w.arrays["al"], w.arrays["ap"]):
+            history[part.own] += delta
+    forget_slopes(run.parts[0])
     return OK
 
 

@@ -33,22 +33,33 @@ def coefficients(rho):
     return 0.25 * (gamma + 0.5) * (gamma + 0.5), gamma, alpha_m, alpha_f
 
 
-@kernel
-def _predict(q, v, a, al, ap, h, method):
-    """Prediction of a step: linear extrapolation of the acceleration.
+@kernel(inline=True)
+def factors(h, rho):
+    """Factors cm and cd of the corrections, and share of a in the algorithmic acceleration."""
+    beta, gamma, alpha_m, alpha_f = coefficients(rho)
+    return (
+        (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f)),
+        gamma / (h * beta),
+        (1.0 - alpha_f) / (1.0 - alpha_m),
+    )
 
-    Constant extrapolation would cause a first-order error in h in steps with one iteration.
+
+@kernel(inline=True)
+def predict(i, q, v, a, al, ap, h, method):
+    """Prediction of coordinate i: linear extrapolation of the acceleration.
+
+    Constant extrapolation would cause a first-order error in h in steps with one iteration. The share of the
+    solved acceleration in `al` is added after the iteration.
     """
     beta, gamma, alpha_m, alpha_f = method
-    for i in range(q.size):
-        last = al[i]
-        guess = 2.0 * a[i] - ap[i]
-        new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
-        q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
-        v[i] += h * ((1.0 - gamma) * last + gamma * new)
-        al[i] = new
-        ap[i] = a[i]
-        a[i] = guess
+    last = al[i]
+    guess = 2.0 * a[i] - ap[i]
+    new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
+    q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
+    v[i] += h * ((1.0 - gamma) * last + gamma * new)
+    al[i] = new - (1.0 - alpha_f) / (1.0 - alpha_m) * guess
+    ap[i] = a[i]
+    a[i] = guess
 
 
 @kernel
@@ -93,10 +104,7 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
     a = view(c["a"], nd, F8)
     al = view(m["al"], nd, F8)
     ap = view(m["ap"], nd, F8)
-    beta, gamma, alpha_m, alpha_f = coefficients(rho)
-    cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
-    cd = gamma / (h * beta)
-    share = (1.0 - alpha_f) / (1.0 - alpha_m)
+    cm, cd, share = factors(h, rho)
     if keep != 0:
         stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
         for i in range(nd):
@@ -107,9 +115,9 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
             stage[KEPT + 1, i] = a[i]
         if c["nc"] > 0:
             _keep_multipliers(c, m, stage)
-    _predict(q, v, a, al, ap, h, (beta, gamma, alpha_m, alpha_f))
+    method = coefficients(rho)
     for i in range(nd):
-        al[i] -= share * a[i]  # the solved acceleration is added below
+        predict(i, q, v, a, al, ap, h, method)
     if m["settles"] != 0:
         _predict_multipliers(at)
     if iteration != 0:

@@ -2,193 +2,80 @@
 """Generalised-alpha with short steps of gear trains within longer steps of the rest of the machine.
 
 A long step begins with the short steps of the gear trains (fast part), during which all other coordinates
-(slow
-part) follow the linear extrapolation of their accelerations. Then the slow part takes its step. It is loaded
-by the mean force of the fast part, extrapolated to the end of the step from two long steps: forces at the
-mesh
-frequencies, sampled once per long step, would appear as slow vibrations. Both parts are implicit and of
-second order; elements between them must be soft compared with the inertia of the slow part (`gear_part`).
+(slow part) follow the linear extrapolation of their accelerations and, where forces of the fast part act, the
+motion caused by them (`interface`). Then the slow part takes its step with their mean. Both parts are
+implicit and of second order; elements between them must be soft compared with the inertia of the slow part
+(`gear_part`). A long step that fails is replaced by short steps of the whole machine.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import address, call, kernel, view
 from pitchpoint.core.status import BAD_CENTRE, DIVERGED, OK, SLOW, UNBOUNDED
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.contact_counts import count_contacts
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.implicit.newton import newton_step
-from pitchpoint.solvers.implicit.step import DIVISION, MAX_PARTS, coefficients
+from pitchpoint.solvers.implicit.generalized_alpha import ORDER
+from pitchpoint.solvers.implicit.interface import (
+    accept,
+    begin,
+    begin_signals,
+    collect,
+    keep_motion,
+    measure,
+    measure_entry,
+    place,
+    place_signals,
+)
+from pitchpoint.solvers.implicit.part_step import LONG, SHORT, follow, keep_part, part_step, rescale
+from pitchpoint.solvers.implicit.step import DIVISION, MAX_PARTS
 from pitchpoint.solvers.sampling import (
+    RECORDER,
     Accumulators,
     Chunk,
     add_value,
     advance_into,
+    crossings,
     due,
+    fill_record,
     keep,
     new_recorder,
     record_events,
-    record_step,
     recorder_at,
+    take,
 )
 from pitchpoint.system import evaluate
 from pitchpoint.system.part import Part
-from pitchpoint.system.residual import observe, wrap
-from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, STEPS, VALID
+from pitchpoint.system.residual import evaluate_events, observe, wrap
+from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
 
-BEGIN = 0
-"""First of three rows of the stages of a part: q and v, a and both memories at the start of its step."""
-
-SUM = 3
-"""First of two rows of the stages of the slow part: mean forces of the fast part in this and in the last long
-step, whether there has been one, and 1 for the coordinates with such forces."""
+LONG_RHO = 0.2
+"""Spectral radius at infinite frequency of long steps: their numerical damping, 0.1 % of the critical one at
+32 long steps per period, exceeds the energy that late forces add."""
 
 PAIR = np.dtype(
     [
         *((name, "f8") for name in ("t0", "h", "rho", "tol")),
-        *((name, "i8") for name in ("first", "n", "fast", "slow", "count", "last")),
+        *(
+            (name, "i8")
+            for name in ("first", "n", "fast", "slow", "count", "last", "order", "code", "again", "mask")
+        ),
     ],
     align=True,
 )
 """Arguments of the loop: short step h, n short steps, control records of both parts, number of short steps
-per long step and in the last one."""
+per long step and in the last one; ORDER and address of `generalized_alpha.entry`."""
 
 
 @kernel
-def _keep(c, m):
-    """Save the values of a part at the start of a step."""
-    nd = c["nd"]
-    own = view(m["own"], m["nown"], I8)
-    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    for k in range(own.size):
-        i = own[k]
-        stage[BEGIN, i] = q[i]
-        stage[BEGIN, nd + i] = v[i]
-        stage[BEGIN + 1, i] = a[i]
-        stage[BEGIN + 1, nd + i] = al[i]
-        stage[BEGIN + 2, i] = ap[i]
-
-
-@kernel
-def _back(c, m):
-    """Restore the values of a part at the start of a step."""
-    nd = c["nd"]
-    own = view(m["own"], m["nown"], I8)
-    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    for k in range(own.size):
-        i = own[k]
-        q[i] = stage[BEGIN, i]
-        v[i] = stage[BEGIN, nd + i]
-        a[i] = stage[BEGIN + 1, i]
-        al[i] = stage[BEGIN + 1, nd + i]
-        ap[i] = stage[BEGIN + 2, i]
-
-
-@kernel
-def _follow(c, m, tau, h):
-    """Extrapolate a part from the start of its step by tau, with the slope of its accelerations over h."""
-    nd = c["nd"]
-    own = view(m["own"], m["nown"], I8)
-    stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    for k in range(own.size):
-        i = own[k]
-        a0 = stage[BEGIN + 1, i]
-        jerk = (a0 - stage[BEGIN + 2, i]) / h
-        a[i] = a0 + jerk * tau
-        v[i] = stage[BEGIN, nd + i] + tau * (a0 + 0.5 * jerk * tau)
-        q[i] = stage[BEGIN, i] + tau * (stage[BEGIN, nd + i] + tau * (0.5 * a0 + jerk * tau / 6.0))
-
-
-@kernel
-def _other_step(c, m, ratio):
-    """Rescale the values a fraction of a step ahead or behind, for steps of `ratio` times the length."""
-    nd = c["nd"]
-    own = view(m["own"], m["nown"], I8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    for k in range(own.size):
-        i = own[k]
-        al[i] = a[i] + (al[i] - a[i]) * ratio
-        ap[i] = a[i] + (ap[i] - a[i]) * ratio
-    view(m["clock"], 16, I8)[VALID] = 0
-
-
-@kernel
-def _add_force(c, n, k, count):
-    """Add the forces of the fast part on the slow coordinates after short step k to their mean.
-
-    After the last one, k = count, `shift` becomes the mean, extrapolated to the end of the long step, less
-    the present forces.
-    """
-    nd = c["nd"]
-    own = view(n["own"], n["nown"], I8)
-    R = view(c["R"], nd, F8)
-    shift = view(n["shift"], nd, F8)
-    stage = view(n["stage"], (STAGE_ROWS, 2 * nd), F8)
-    for j in range(own.size):
-        i = own[j]
-        if k == 1:
-            stage[SUM, i] = 0.0
-        stage[SUM, i] += R[i] / count
-        if k == count and stage[SUM + 1, nd + i] != 0.0:
-            mean = stage[SUM, i]
-            before = mean if stage[SUM + 1, 0] == 0.0 else stage[SUM, nd + i]
-            stage[SUM, nd + i] = mean
-            shift[i] = mean + (mean - before) * (count - 1.0) / (2.0 * count) - R[i]
-    if k == count:
-        stage[SUM + 1, 0] = 1.0
-
-
-@kernel
-def part_step(at, t, h, rho, tol):
-    """One generalised-alpha step of a part to the time t; see `step.alpha_step`."""
-    c = view(at, 1, CTL)[0]
-    m = view(c["mach"], 1, MACH)[0]
-    nd = c["nd"]
-    own = view(m["own"], m["nown"], I8)
-    q = view(c["q"], nd, F8)
-    v = view(c["v"], nd, F8)
-    a = view(c["a"], nd, F8)
-    al = view(m["al"], nd, F8)
-    ap = view(m["ap"], nd, F8)
-    beta, gamma, alpha_m, alpha_f = coefficients(rho)
-    cm = (1.0 - alpha_m) / (h * h * beta * (1.0 - alpha_f))
-    cd = gamma / (h * beta)
-    share = (1.0 - alpha_f) / (1.0 - alpha_m)
-    for k in range(own.size):
-        i = own[k]
-        last = al[i]
-        guess = 2.0 * a[i] - ap[i]
-        new = ((1.0 - alpha_f) * guess + alpha_f * a[i] - alpha_m * last) / (1.0 - alpha_m)
-        q[i] += h * v[i] + h * h * ((0.5 - beta) * last + beta * new)
-        v[i] += h * ((1.0 - gamma) * last + gamma * new)
-        ap[i] = a[i]
-        a[i] = guess
-        al[i] = new - share * guess  # the solved acceleration is added below
-    status = newton_step(at, t, cm, cd, tol)
-    if status == OK:
-        for k in range(own.size):
-            i = own[k]
-            al[i] += share * a[i]
-    return status
+def _diverged(status):
+    """Whether a step failed in a way that shorter steps may avoid."""
+    return status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED
 
 
 @kernel
@@ -198,26 +85,83 @@ def _short_step(at, other, t, tau, h, whole, rho, tol):
     m = view(c["mach"], 1, MACH)[0]
     s = view(other, 1, CTL)[0]
     n = view(s["mach"], 1, MACH)[0]
-    _keep(c, m)
-    _follow(s, n, tau, whole)
+    keep_part(c, m, SHORT, 0)
+    follow(s, n, tau, whole)
+    place(s, n, tau, h)
+    place_signals(m, tau)
     status = part_step(at, t, h, rho, tol)
+    if status == OK:
+        accept(n, h)
+        return status
+    keep_motion(n, 0)
     parts = DIVISION
-    while parts <= MAX_PARTS:
-        if not (status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED):
-            break
+    while parts <= MAX_PARTS and _diverged(status):
         view(m["clock"], 16, I8)[REJECTED] += 1 if parts == DIVISION else 0
-        _back(c, m)
-        _other_step(c, m, 1.0 / parts)
+        keep_part(c, m, SHORT, 1)
+        keep_motion(n, 1)
+        rescale(c, m, 1.0 / parts)
         for p in range(1, parts + 1):
             left = (parts - p) * h / parts
-            _follow(s, n, tau - left, whole)
+            follow(s, n, tau - left, whole)
+            place(s, n, tau - left, h / parts)
+            place_signals(m, tau - left)
             status = part_step(at, t - left, h / parts, rho, tol)
             if status != OK:
                 break
+            accept(n, h / parts)
         if status == OK:
-            _other_step(c, m, 1.0 * parts)
+            rescale(c, m, 1.0 * parts)
         parts *= DIVISION
     return status
+
+
+@kernel
+def _equal_steps(at, order, first, count, recorder):
+    """Take short steps with the whole machine in place of a long step that failed.
+
+    Samples and events of short steps already taken are recorded again, their statistics are not. Returns
+    the status and the number of steps.
+    """
+    o = view(order, 1, PAIR)[0]
+    plain = view(o["order"], 1, ORDER)[0]
+    c = view(at, 1, CTL)[0]
+    m = view(c["mach"], 1, MACH)[0]
+    view(m["clock"], 16, I8)[VALID] = 0
+    status = evaluate_events(at, o["t0"] + first * o["h"], m["ev0"]) if c["ne"] > 0 else OK
+    taken = 0
+    while taken < count and status == OK:
+        plain["first"] = first + taken
+        status = call(o["code"], at, o["order"], recorder if taken + 1 == count else o["again"])
+        taken += 1 if status == OK else 0
+    return status, taken
+
+
+@kernel
+def _record_long(at, t, h, span, number, mask, recorder):
+    """Record a long step that ends at t; events of other bodies are located in its whole span."""
+    measure_it, sample = due(number, recorder)
+    status = OK
+    if sample != 0 or measure_it != 0:
+        status = take(at, t, recorder, measure_it, sample)
+    c = view(at, 1, CTL)[0]
+    if status != OK or recorder.found.shape[0] == 0 or c["ne"] == 0:
+        return status
+    m = view(c["mach"], 1, MACH)[0]
+    status = evaluate_events(at, t, m["ev1"])
+    if status != OK:
+        return status
+    ev0 = view(m["ev0"], c["ne"], F8)
+    ev1 = view(m["ev1"], c["ne"], F8)
+    late = view(mask, c["ne"], I8)
+    for k in range(ev0.size):
+        long = span if late[k] != 0 else h
+        before = recorder.done[2]
+        one = ev0[k : k + 1]
+        recorder.done[2] = crossings(one, ev1[k : k + 1], t - long, long, recorder.found, before)
+        if recorder.done[2] > before and before < recorder.found.shape[0]:
+            recorder.found[before, 1] = k
+        ev0[k] = ev1[k]
+    return OK
 
 
 @kernel
@@ -241,6 +185,35 @@ def _record_short(at, t, h, number, recorder):
 
 
 @kernel
+def _long_step(fast, slow, order, first, count, recorder):
+    """Short steps of the gear trains after step `first`, and the step of the rest; returns the status."""
+    o = view(order, 1, PAIR)[0]
+    s = view(slow, 1, CTL)[0]
+    n = view(s["mach"], 1, MACH)[0]
+    h = o["h"]
+    whole = count * h
+    start = o["t0"] + first * h
+    begin(n)
+    begin_signals(view(view(fast, 1, CTL)[0]["mach"], 1, MACH)[0], whole)
+    for k in range(1, count + 1):
+        t = o["t0"] + (first + k) * h
+        status = _short_step(fast, slow, t, k * h, h, whole, o["rho"], o["tol"])
+        if status != OK:
+            return status
+        collect(s, n, k, count, whole)
+        wrap(fast)
+        if k < count:
+            status = _record_short(fast, t, h, first + k, recorder)
+            if status != OK:
+                return status
+    keep_part(s, n, SHORT, 1)
+    status = part_step(slow, start + whole, whole, LONG_RHO, o["tol"])
+    if status == OK:
+        wrap(slow)
+    return status
+
+
+@kernel
 def entry(at, order, recorder):
     """Execute a PAIR; both arguments are addresses of records."""
     o = view(order, 1, PAIR)[0]
@@ -260,36 +233,39 @@ def entry(at, order, recorder):
     done = 0
     while done < o["n"] and status == OK:
         # after a shorter one, long steps end at their multiples again
-        count = min(o["count"] - (o["first"] + done) % o["count"], o["n"] - done)
+        first = o["first"] + done
+        count = min(o["count"] - first % o["count"], o["n"] - done)
         if count != o["last"]:
-            _other_step(s, n, count / o["last"])
+            rescale(s, n, count / o["last"])
             o["last"] = count
-        whole = count * h
-        start = o["t0"] + (o["first"] + done) * h
-        _keep(s, n)
-        for k in range(1, count + 1):
-            t = o["t0"] + (o["first"] + done + k) * h
-            status = _short_step(fast, slow, t, k * h, h, whole, o["rho"], o["tol"])
-            if status != OK:
-                _back(f, m)
-                break
-            _add_force(f, n, k, count)
-            wrap(fast)
-            clock[STEPS] += 1
-            if k < count:
-                status = _record_short(fast, t, h, o["first"] + done + k, rec)
-                if status != OK:
-                    break
-        _back(s, n)
+        keep_part(s, n, SHORT, 0)
+        keep_part(f, m, LONG, 0)
+        samples = rec.done[1]
+        events = rec.done[2]
+        status = _long_step(fast, slow, order, first, count, rec)
+        t = o["t0"] + (first + count) * h
         if status == OK:
-            status = part_step(slow, start + whole, whole, o["rho"], o["tol"])
-            if status != OK:
-                _back(s, n)
-        if status == OK:
-            wrap(slow)
+            clock[STEPS] += count
             done += count
             rec.done[0] = done
-            status = record_step(at, start + whole, h, o["first"] + done, rec)
+            status = _record_long(at, t, h, count * h, first + count, o["mask"], rec)
+        elif _diverged(status):
+            clock[REJECTED] += 1
+            keep_part(s, n, SHORT, 1)
+            keep_part(f, m, LONG, 1)
+            rescale(s, n, 1.0 / count)
+            rec.done[1] = samples
+            rec.done[2] = events
+            status, taken = _equal_steps(at, order, first, count, recorder)
+            done += taken
+            rec.done[0] = done
+            if status == OK:
+                status = measure(fast, t)
+            rescale(s, n, 0.0)  # its slopes contain vibrations of the gear trains
+            view(m["clock"], 16, I8)[VALID] = 0
+        else:
+            keep_part(s, n, SHORT, 1)
+            keep_part(f, m, LONG, 1)
     f["held"] = 0
     s["held"] = 0
     return status
@@ -305,12 +281,15 @@ class SubstepRun(generalized_alpha.Run):
         Short steps per long step.
     parts
         Fast and slow part.
+    late
+        For each event function, 1 if it has new values at the ends of long steps only.
     last
         Short steps in the last long step.
     """
 
     count: int = 1
     parts: tuple[Part, ...] = ()
+    late: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
     last: int = 1
 
     def advance(
@@ -328,12 +307,24 @@ class SubstepRun(generalized_alpha.Run):
         recorder = new_recorder(
             system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
-        at = (part.at for part in self.parts)
-        times = (self.t0, self.h, self.rho_inf, self.tolerance)
-        order = np.array([(*times, self.steps, n, *at, self.count, self.last)], PAIR)
+        plain = self.order(1)
+        again, blank = (
+            np.zeros(1, RECORDER),
+            recorder._replace(sums=recorder.sums[:0], counts=recorder.counts[:0]),
+        )
+        fill_record(again, blank)
+        order = np.zeros(1, PAIR)
+        o = order[0]
+        o["t0"], o["h"], o["rho"], o["tol"] = self.t0, self.h, self.rho_inf, self.tolerance
+        o["first"], o["n"], o["count"], o["last"] = self.steps, n, self.count, self.last
+        o["fast"], o["slow"] = (part.at for part in self.parts)
+        o["order"], o["code"] = plain.ctypes.data, address(generalized_alpha.entry)
+        o["again"], o["mask"] = again.ctypes.data, self.late.ctypes.data
         done = advance_into(entry, system.workspace.at, order, recorder)
         self.last = int(order[0]["last"])
-        system.workspace.clock[REJECTED] = self.parts[0].arrays["clock"][REJECTED]
+        for part in self.parts:
+            system.workspace.clock[REJECTED] += part.arrays["clock"][REJECTED]
+            part.arrays["clock"][REJECTED] = 0
         self.steps += done.steps
         return done
 
@@ -342,9 +333,11 @@ class SubstepRun(generalized_alpha.Run):
         status, w = super().go_on(), self.system.workspace
         self._rescale(self.parts[1], 0.0)  # their slopes contain vibrations of the gear train
         self.last = self.count
-        self.parts[1].arrays["stage"][SUM + 1, 0] = 0.0
+        w.arrays["ev1"][:] = w.arrays["ev0"]  # short steps evaluate only events of the fast part
         for part in self.parts:
             part.arrays["clock"][VALID] = 0
+        if status == OK:
+            status = self.parts[0].run(measure_entry, self.t)
         if status == OK:  # short steps write only the channels of the fast part
             w.arrays["row"][:] = evaluate.observe(self.system, evaluate.store(self.system, self.t))
         return status

@@ -17,7 +17,7 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -27,9 +27,9 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.core.symmetric_pencil import symmetric_pencil
 from pitchpoint.solvers.eigen import NEGATIVE, best_match, scaled_pencil, sorted_modes
+from pitchpoint.solvers.state_shares import Complex, state_shares
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 SHIFT = 1e-10
 """First shift over the largest stiffness per mass. Rigid modes then have six correct digits, enough to
@@ -50,8 +50,9 @@ STILL = 1e-5
 """Eigenvalue over that shift below which a mode is rigid: a double zero has half the digits only."""
 MAX_SHIFT = 1e6
 """Shift over the largest stiffness above which an eigenvalue below it means negative mass."""
-OWN = 0.5
-"""Share of the element states in an eigenvector from which it counts as a mode of the states."""
+MAINLY = 0.5
+"""Least share of the states in an eigenvalue that is listed as one of theirs. Of smaller ones it is not known
+whether they belong to modes beyond those requested."""
 
 
 def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tuple[Array, Array]:
@@ -153,7 +154,7 @@ def nearest_damped(
     states: Sequence[int],
     omega: Array,
     shapes: Array,
-) -> tuple[Complex, Complex]:
+) -> tuple[Complex, Complex, Complex, float]:
     """Damped modes that correspond to the lowest undamped modes.
 
     Parameters
@@ -171,8 +172,8 @@ def nearest_damped(
 
     Returns
     -------
-    eigenvalue, shape over the coordinates
-        First those of the undamped modes, then those of the states among the lowest, in ascending order.
+    eigenvalues (m,) and shapes over the coordinates (m, nd) of the undamped modes, the other eigenvalues that
+    belong mainly to states, in ascending order, and the absolute value up to which these are complete
 
     Raises
     ------
@@ -186,11 +187,10 @@ def nearest_damped(
     known = (omega == 0.0) & _inside(loose, m, _coordinates(basis, shapes))
     values, found = np.zeros(len(omega), np.complex128), shapes.astype(np.complex128)
     if known.all() and not states:
-        return values, found
-    own, z = _iterate((A, B), matrices[0], basis, loose, states, omega[~known], shapes[~known])
-    count = int(np.sum(~known))
-    values[~known], found[~known] = own[:count], z[:count]
-    return np.concatenate([values, own[count:]]), np.concatenate([found, z[count:]])
+        return values, found, np.zeros(0, np.complex128), 0.0
+    own, z, rest, reach = _iterate((A, B), matrices[0], basis, loose, states, omega[~known], shapes[~known])
+    values[~known], found[~known] = own, z
+    return values, found, rest, reach
 
 
 def _coordinates(basis: Any, shapes: Array) -> Array:
@@ -228,17 +228,18 @@ def _iterate(
     states: Sequence[int],
     omega: Array,
     shapes: Array,
-) -> tuple[Complex, Complex]:
+) -> tuple[Complex, Complex, Complex, float]:
     """Damped modes as in `nearest_damped`, in the complement of the rigid rotations without forces."""
     from scipy.sparse import csc_array
-    from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, splu
+    from scipy.sparse.linalg import splu
 
     A, B = pencil
     n, m = basis.shape[1], len(omega)
     size = A.shape[0] - 2 * loose.shape[1]
     moving = omega[omega > 0.0]
     shift = NEARER * float(moving.min() if moving.size else 1.0)
-    lu, carried = splu((A - shift * B).tocsc()), B[n : 2 * n, n : 2 * n] @ loose
+    lu: Any = splu((A - shift * B).tocsc())
+    carried = B[n : 2 * n, n : 2 * n] @ loose
 
     def solve(x: Array) -> Array:
         """Solve with the factors and remove the rigid rotations from positions and rates."""
@@ -247,32 +248,52 @@ def _iterate(
             part -= loose @ (carried.T @ part)
         return y
 
+    def solve_left(x: Array) -> Array:
+        """The same for left vectors times B."""
+        y = np.asarray(B.T @ lu.solve(np.asarray(x).ravel(), "T"))
+        for part in (y[:n], y[n : 2 * n]):
+            part -= carried @ (loose.T @ part)
+        return y
+
     count = min(2 * (m + max(GUARD, m // 4)) + len(states), size - 2)
-    start = solve(np.random.default_rng(0).standard_normal(A.shape[0]))
-    inverse = LinearOperator(A.shape, matvec=solve, dtype=float)
+    values, y = _eigenvectors(solve, A.shape, shift, count, size)
+    share = np.zeros(values.size)
+    if states:
+        left_values, left = _eigenvectors(solve_left, A.shape, shift, count, size)
+        order = best_match(-np.abs(values[:, None] - left_values))
+        share = state_shares(values, y, left[:, order], slice(2 * n, None))
+    reach = float(np.abs(values - shift).max(initial=0.0)) - shift
+    upper = values.imag > -1e-10 * np.abs(values)
+    values, y, share = values[upper], y[:, upper], share[upper]
+    values = np.where(np.abs(values.imag) <= 1e-10 * np.abs(values), values.real, values)
+    z = np.asarray((basis @ y[:n]).T, dtype=np.complex128)
+    first = best_match(_likeness(csc_array(M), omega, shapes, values, z) * (1.0 - share))
+    rest = np.setdiff1d(np.flatnonzero(share > MAINLY), first)
+    rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
+    still = np.zeros(values.size, bool)
+    still[first[omega == 0.0]] = True
+    still &= np.abs(values) < STILL * shift
+    values[still] = 0.0
+    if states:
+        z[:, list(states)] = (y[2 * n :] / np.where(still, np.inf, values)).T
+    return values[first], z[first], values[rest], reach
+
+
+def _eigenvectors(
+    solve: Callable[[Array], Array], shape: tuple[int, int], shift: float, count: int, size: int
+) -> tuple[Complex, Complex]:
+    """Eigenvalues closest to a shift, and vectors as columns; `solve`: product with the shifted inverse."""
+    from scipy.sparse.linalg import ArpackError, LinearOperator, eigs
+
+    start = solve(np.random.default_rng(0).standard_normal(shape[0]))
+    inverse = LinearOperator(shape, matvec=solve, dtype=float)
     try:
         found, y = eigs(inverse, count, which="LM", v0=start, ncv=min(size, 2 * count + 20))
     except ArpackError as problem:
         raise SolverError(
             "the iteration for the damped modes did not converge; request another number of modes", DIVERGED
         ) from problem
-    values = shift + 1.0 / found
-    upper = values.imag > -1e-10 * np.abs(values)
-    values, y = values[upper], y[:, upper]
-    values = np.where(np.abs(values.imag) <= 1e-10 * np.abs(values), values.real, values)
-    z = np.asarray((basis @ y[:n]).T, dtype=np.complex128)
-    share = np.linalg.norm(y[2 * n :], axis=0) / np.linalg.norm(y, axis=0)
-    first = best_match(_likeness(csc_array(M), omega, shapes, values, z))
-    rest = np.setdiff1d(np.flatnonzero(share > OWN), first)
-    rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
-    still = np.zeros(values.size, bool)
-    still[first[omega == 0.0]] = True
-    still &= np.abs(values) < STILL * shift
-    values[still] = 0.0
-    order = np.concatenate([first, rest])
-    if states:
-        z[:, list(states)] = (y[2 * n :] / np.where(still, np.inf, values)).T
-    return values[order], z[order]
+    return shift + 1.0 / found, y
 
 
 def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int]) -> tuple[Any, Any]:

@@ -32,6 +32,7 @@ from pitchpoint.model.components.controller import (
     PythonController,
 )
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
+from pitchpoint.model.signal_units import source_of
 from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, TIME
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
@@ -159,15 +160,9 @@ def signal_net(
 
 def _unit_of(net: SignalNet, name: str, blocks: Mapping[str, bl.Block]) -> str:
     """Unit of a signal; limits and filters have the unit of their input."""
-    seen: set[str] = set()
-    while name in blocks and name not in seen:
-        block = blocks[name]
-        if isinstance(block, bl.DryFriction):
-            return "1"
-        if not isinstance(block, bl.Limits | bl.Filter | bl.RateLimit):
-            return block.unit
-        seen.add(name)
-        name = block.input
+    name = source_of(blocks, name)
+    if name in blocks:
+        return str(getattr(blocks[name], "unit", "1"))
     return UNITS[net.nodes[name].fields["unit"]] if name in net.nodes else "1"
 
 

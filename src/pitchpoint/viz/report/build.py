@@ -7,12 +7,13 @@ omitted.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
+from pitchpoint.core.progress import report_step
 from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
@@ -24,7 +25,7 @@ from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
 from pitchpoint.viz.report.gearbox import GearboxData, gearbox_section
 from pitchpoint.viz.report.overview import provenance_section, scene_section
-from pitchpoint.viz.report.page import page
+from pitchpoint.viz.report.page import Section, page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.responses import response_section
@@ -354,32 +355,38 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     highest = default_highest_order(teeth)
     seen = results.scene.run if results.scene.scene is not None else ""
     overlaid = {name for _, members in results.compared for name in members.values()}
-    sections = [
-        summary_section(model.counts, results, model.warnings),
-        gearbox_section(model.gearbox),
-        compare_section(results.compared, results),
-        scene_section(results.scene),
-        power_section(results.powers),
-        time_section(results.runs, seen, overlaid),
-        sweep_section(results.sweeps),
-        case_section(results.cases),
-        study_section(results.studies),
-        spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
-        campbell_section(results.campbells),
-        mode_section(results.modes),
-        response_section(results.responses),
-        contact_section(results.contacts),
-        relief_section(results.reliefs),
-        roll_section(results.rolls),
-        mesh_cycle_section(results.mesh_cycles, results.planets),
-        parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
-        parts.drawing_section(model.pairs),
-        parameter_section(model.parameters),
-        signal_section(model.signals),
-        extreme_section(results.runs, seen),
-        provenance_section(results.sources),
-        parts.notes_section(model.assumptions, model.sources),
+    makers: list[Callable[[], Section]] = [
+        lambda: summary_section(model.counts, results, model.warnings),
+        lambda: gearbox_section(model.gearbox),
+        lambda: compare_section(results.compared, results),
+        lambda: scene_section(results.scene),
+        lambda: power_section(results.powers),
+        lambda: time_section(results.runs, seen, overlaid),
+        lambda: sweep_section(results.sweeps),
+        lambda: case_section(results.cases),
+        lambda: study_section(results.studies),
+        lambda: spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
+        lambda: campbell_section(results.campbells),
+        lambda: mode_section(results.modes),
+        lambda: response_section(results.responses),
+        lambda: contact_section(results.contacts),
+        lambda: relief_section(results.reliefs),
+        lambda: roll_section(results.rolls),
+        lambda: mesh_cycle_section(results.mesh_cycles, results.planets),
+        lambda: parts.gear_section(
+            model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults
+        ),
+        lambda: parts.drawing_section(model.pairs),
+        lambda: parameter_section(model.parameters),
+        lambda: signal_section(model.signals),
+        lambda: extreme_section(results.runs, seen),
+        lambda: provenance_section(results.sources),
+        lambda: parts.notes_section(model.assumptions, model.sources),
     ]
+    sections = []
+    for k, make in enumerate(makers):
+        report_step(f"page, {100.0 * k / len(makers):.0f} %")
+        sections.append(make())
     footer = f"Made by pitchpoint {model.version}".rstrip()
     if model.model_hash:
         footer += f" from the model {model.model_hash}"

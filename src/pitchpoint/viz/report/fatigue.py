@@ -24,11 +24,11 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
     section
         The section of the run.
     found
-        As returned by `report.fatigue.fatigue_loads`; empty for none.
+        As returned by `report.fatigue.fatigue_loads`; without loads there is no section.
     name
         Of the run.
     """
-    if not found:
+    if not found or not (found["channels"] or found["teeth"]):
         return
     section.add(f"<h4>Fatigue loads</h4><p>{_words(found)}</p>")
     head = ["load", "minimum", "mean", "maximum", *(f"m = {m:g}" for m in found["slopes"])]
@@ -54,7 +54,6 @@ def add_fatigue(section: Section, found: Mapping[str, Any], name: str) -> None:
         for gear, flank, row in teeth
     ]
     section.add(plain_table(head, rows))
-    notes = escape(" ".join(f"{note}." for note in found["notes"]))
     section.add(
         f"<p>{found['tooth_force'].capitalize()}; equivalent for m = {found['tooth_slope']:g}, as many "
         f"constant pulses as the teeth have in the mean. {notes}</p>"

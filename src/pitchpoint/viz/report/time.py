@@ -213,10 +213,21 @@ def _add_signals(
         shown = None if state is None else state[part]
         end = plot_signals(time[part], last, contact_state=shown, points=SAMPLES, rows=rows, half=True)
     whole = plot_signals(time, drawn, contact_state=state, points=SAMPLES, rows=rows, half=end is not None)
-    long = drawn[0].long_name if len(drawn) == 1 else ""
-    section.add_figure(
-        whole, f"{long[:1].upper()}{long[1:]}." if long else "", name=drawn[0].quantity, beside=end
-    )
+    words = _curve_words(drawn[0]) if len(drawn) == 1 else ""
+    section.add_figure(whole, words, name=drawn[0].quantity, beside=end)
+
+
+def _curve_words(channel: Channel) -> str:
+    """Caption of a picture with one curve, which has no other name; its element is in it.
+
+    Examples
+    --------
+    >>> _curve_words(Channel("torque[shaft]", np.zeros(2), "N m", "torque on the first body"))
+    'Torque, shaft: torque on the first body.'
+    """
+    name, long = channel.label, channel.long_name
+    words = long if long and owner(channel) in long else f"{name}: {long}" if long else name
+    return f"{words[:1].upper()}{words[1:]}."
 
 
 def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel], steady: bool) -> list[str]:
