@@ -127,7 +127,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     )
     if as_json:
         emit_json(summary)
-    elif summary["modes"] and not (quiet and files["output"] is not None):
+    elif (error is None or summary["modes"]) and not (quiet and files["output"] is not None):
         print_summary(f"{model.title or file}: critical speeds", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 

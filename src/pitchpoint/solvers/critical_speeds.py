@@ -83,8 +83,8 @@ BY_STRAIN = (ERROR, SHUTTLING, RUN_OUT, FAULT, GIVEN, DRIVEN)
 ROTATION = WAYS.index("rotation")
 ROUNDING = 1e-12
 """Share of the energy up to which nothing is excited."""
-ROUNDS, EXACT = 6, 1e-9
-"""Maximum number of corrections of a crossing, and its relative accuracy."""
+ROUNDS, EXACT, CHANGE = 6, 1e-9, 1e-5
+"""Most corrections of a crossing, its relative accuracy, and the least change of a gap that gives a slope."""
 
 DAMPED = 0.012 / (2.0 * np.pi)
 """Least damping ratio in the ranks, see the module."""
@@ -269,7 +269,7 @@ def _solve(
         speed = float(np.clip(last - gap / slope, min(ends), max(ends)))
         value, shape = found.modes.near(speed, value, shape)
         new = value.imag / (2.0 * np.pi) - order * abs(speed) / (2.0 * np.pi)
-        if speed != last and new != gap:
+        if speed != last and abs(new - gap) > CHANGE * abs(value.imag) / (2.0 * np.pi):
             slope = (new - gap) / (speed - last)
         done = abs(new) <= EXACT * abs(value.imag) / (2.0 * np.pi) or speed == last
         last, gap = speed, new

@@ -83,6 +83,12 @@ def test_people_get_tables(capsys: pytest.CaptureFixture[str]) -> None:
     assert "1st bending" not in out
 
 
+def test_machines_without_modes_have_a_table_without_rows(capsys: pytest.CaptureFixture[str]) -> None:
+    crank = MODEL.parents[1] / "flexible-slider-crank" / "rigid.yaml"
+    assert run_command(["campbell", str(crank), "-s", "driven", "--points", "2"]) == 0
+    assert "critical speeds: none" in " ".join(capsys.readouterr().out.split())
+
+
 def test_operating_speeds_are_in_the_diagram(capsys: pytest.CaptureFixture[str]) -> None:
     """The scenario stops at 4500 rpm: the critical speed at 5854 rpm is inside the operating range given."""
     given = ["-s", "fast", "--body", "rotor", "--operating", "5000..6500rpm", "--points", "13"]

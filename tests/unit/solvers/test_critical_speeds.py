@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,7 @@ from pitchpoint.analysis.campbell_ranking import ranked_speeds, select_modes
 from pitchpoint.core.errors import SolverError
 from pitchpoint.report.campbell import campbell_of
 from pitchpoint.solvers.campbell import follow_modes
-from pitchpoint.solvers.critical_speeds import critical_speeds, separation
+from pitchpoint.solvers.critical_speeds import _solve, critical_speeds, separation
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.excitation_orders import excitation_orders
 from pitchpoint.solvers.linear_system import damped_modes
@@ -401,3 +403,24 @@ def test_what_moves_critical_speeds_is_what_another_solution_gives():
             moved = (by_whirl[0][whirl] - by_whirl[1][whirl]) / (2.0 * rel * speed)
             assert found == pytest.approx(moved, rel=0.01), (name, whirl)
             assert abs(moved) > 0.005
+
+
+def test_slopes_of_branches_do_not_depend_on_rounding():
+    """A frequency that does not change with speed but for rounding, 1e-9, in the last steps of a crossing."""
+    calls: list[float] = []
+
+    def near(speed: float, value: complex, shape: Any) -> tuple[complex, Any]:
+        calls.append(speed)
+        return 20j * (1.0 + 2e-9 * (-1) ** len(calls)), shape
+
+    found = SimpleNamespace(
+        speed=np.array([0.05, 0.25]),
+        frequency=np.full((2, 1), 20.0 / (2.0 * np.pi)),
+        eigenvalue=np.full((2, 1), 20j),
+        shape=np.ones((2, 1, 1)),
+        modes=SimpleNamespace(near=near),
+    )
+    speed, _, _, slope = _solve(found, 117.0, 0, (0, 1))
+    assert len(calls) > 2
+    assert speed == pytest.approx(20.0 / 117.0, rel=1e-8)
+    assert abs(slope) < 1e-3
