@@ -9,9 +9,13 @@ import os
 import signal
 from collections.abc import Generator, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+if TYPE_CHECKING:
+    from pitchpoint.core.progress import Progress
 
 TESTS = Path(__file__).parent
 LONG = ("tests/browser/", "tests/examples/", "tests/validation/")
@@ -19,6 +23,8 @@ LONG = ("tests/browser/", "tests/examples/", "tests/validation/")
 BACKWARDS = os.environ.get("PYTEST_XDIST_WORKER", "")[-1:] in tuple("13579")
 """Whether this is every second worker."""
 
+TEXTS, LARGE = 100, 100_000
+"""Number of model texts whose nodes are kept, and the number of characters above which they are not."""
 FEW_SETS = 12
 """Number of parameter sets of a test up to which all are in `make test`."""
 
@@ -74,6 +80,27 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)  # as in the command line; syntax trees are read four times as fast
+    remember_nodes()
+
+
+def remember_nodes() -> None:
+    """Keep the nodes of the last model texts: ruamel.yaml takes most of the time of reading a model."""
+    from pitchpoint.model.reading import yaml_tree
+
+    compose = yaml_tree._compose
+    kept: dict[str, Any] = {}
+
+    def composed(text: str, progress: Progress = yaml_tree.silent) -> Any:
+        """Nodes of a text, which `Tree` does not change."""
+        if len(text) > LARGE:  # a test may observe how they are composed
+            return compose(text, progress)
+        if text not in kept:
+            kept[text] = compose(text, progress)
+            while len(kept) > TEXTS:
+                del kept[next(iter(kept))]
+        return kept[text]
+
+    yaml_tree._compose = composed
 
 
 @pytest.hookimpl(wrapper=True)

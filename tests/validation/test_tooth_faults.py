@@ -340,7 +340,7 @@ def test_a_pitch_error_is_that_of_the_deviations(law):
     assert np.ptp(found[0]) > 1e-6
 
 
-@pytest.mark.parametrize("fault", ["end", "crack"])
+@pytest.mark.parametrize("fault", ["end", pytest.param("crack", marks=pytest.mark.study)])
 def test_one_bad_tooth_gives_lines_at_the_shaft(fault):
     """A run at constant speed: between mesh harmonics the force has lines at all multiples of the frequency
     of the shaft with the bad tooth, where a healthy pair has next to nothing."""
@@ -378,7 +378,7 @@ loads:
 """
 
 
-@pytest.mark.parametrize("internal", [False, True])
+@pytest.mark.parametrize("internal", [pytest.param(False, marks=pytest.mark.study), True])
 def test_a_tooth_of_an_idler_is_met_by_both_mates_where_it_stands(internal):
     """The flanks differ from healthy ones in either mesh just while tooth 7 points to that mate: in the mean
     of those places, which the path of contact spreads to both sides, within half a pitch."""

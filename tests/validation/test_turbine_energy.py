@@ -52,7 +52,7 @@ def imbalance(model, step: float) -> tuple[float, float]:
     return float(rest / simpson(air, dx=step)), float(np.abs(pitch).max())
 
 
-@pytest.mark.parametrize("air", ["steady", "dynamic"])
+@pytest.mark.parametrize("air", [pytest.param("steady", marks=pytest.mark.study), "dynamic"])
 def test_power_of_the_air_is_accounted_for(air):
     """Induction and stall steady, and as states. The error decreases at least with the square of the step."""
     changes = {

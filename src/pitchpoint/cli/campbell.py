@@ -14,12 +14,17 @@ from pitchpoint.cli.options import common, model_file, output, state, writes
 from pitchpoint.cli.output import emit_json
 from pitchpoint.cli.ranges import modes_of, quantities
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.wind_campbell import of_wind
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.core.errors import SolverError
     from pitchpoint.model.model import Model
+
+
+POINTS = 41
+"""Default number of speeds."""
 
 
 def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> str | None:
@@ -52,7 +57,18 @@ def checked_orders(_: click.Context, __: click.Parameter, text: str | None) -> s
     "LOW..HIGH",
     "Speeds of the body, such as 300..7200rpm; default: from zero to 1.2 times the highest operating speed.",
 )
-@click.option("--points", type=click.IntRange(min=2), default=41, help="Number of speeds.", show_default=True)
+@quantities(
+    "--wind-speeds",
+    "speed",
+    "LOW..HIGH",
+    "Wind speeds at the hub of a wind rotor instead of speeds, such as 4..25m/s: at each, rotor and "
+    "controllers are in equilibrium.",
+)
+@click.option(
+    "--points",
+    type=click.IntRange(min=2),
+    help="Number of speeds; default: 41, of wind speeds one for each m/s.",
+)
 @click.option(
     "--orders",
     metavar="LIST",
@@ -91,6 +107,10 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
         raise click.BadParameter("a single speed; write LOW..HIGH, 0..3000rpm", param_hint="--speeds")
     if options["operating"] is not None and options["operating"][1] == 0.0:
         raise click.BadParameter("zero speed; give a speed above 0", param_hint="--operating")
+    over_wind = options.pop("wind_speeds")
+    if over_wind is not None:
+        return of_wind(file, over_wind, options, as_json=as_json, allow_code=allow_code, quiet=quiet)
+    options["points"] = options["points"] or POINTS
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, options["scenario"]) if options["scenario"] is not None else None
     _check_body(model, name, options["body"])

@@ -66,6 +66,28 @@ def listening(listener: Callable[[str], None]) -> Iterator[None]:
         _listener.reset(before)
 
 
+def as_steps(words: str) -> Progress:
+    """Receiver that reports progress as steps, for work before that of a display.
+
+    Parameters
+    ----------
+    words
+        Short description of the work.
+
+    Examples
+    --------
+    >>> with listening(print):
+    ...     as_steps("matrices")(1.0, 4.0)
+    matrices, 25 %
+    """
+
+    def report(done: float, total: float, note: str = "") -> None:
+        """Report the share that is done."""
+        report_step(f"{words}, {100.0 * done / max(total, 1e-300):.0f} %")
+
+    return report
+
+
 def report_step(words: str) -> None:
     """Report the current step to the listener.
 

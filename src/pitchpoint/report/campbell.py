@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.progress import Progress, report_step, silent
+from pitchpoint.core.progress import Progress, as_steps, silent
 from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def campbell_of(
     if body is None:
         raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
     system = compile_model(model, scenario)
-    linear = linearise(system, scenario, turning=body, progress=_matrices)
+    linear = linearise(system, scenario, turning=body, progress=as_steps("matrices"))
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
@@ -109,11 +109,6 @@ def campbell_of(
     return campbell_dataset(
         system, found, orders=[w for w in words if w != BEARINGS], more_orders=more, operating=operating
     )
-
-
-def _matrices(done: float, total: float, note: str = "") -> None:
-    """Report the progress of the matrices, which are computed before the speeds."""
-    report_step(f"matrices, {100.0 * done / total:.0f} %")
 
 
 REACH = 1.25

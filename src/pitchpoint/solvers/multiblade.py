@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 AZIMUTHS = 12
-"""Positions within the angle between two blades. With the flow around the tower, frequencies and damping ratios
-are then within 0.05 % of those of many positions, of 6 within 0.4 %, of 3 within 0.7 %."""
+"""Positions within the angle between two blades. With the flow around the tower, frequencies and damping
+ratios are then within 0.05 % of those of 24 positions; with 6 within 0.4 %, with 3 within 0.7 %."""
 LOWEST = 0.03
 """Least imaginary part over the absolute value of eigenvalues that oscillate."""
 

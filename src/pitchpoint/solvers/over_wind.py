@@ -48,7 +48,8 @@ class OverWind:
             raise SolverError(f"no modes in {MULTIBLADE}: {error}", INCONSISTENT) from error
         self.states, self.rotors = WindStates(linear, rates), tuple(bladed)
         self.notes: tuple[str, ...] = (
-            f"modes of {', '.join(bladed)} in {MULTIBLADE}: the frequencies are those in axes that do not turn",
+            f"modes of {', '.join(bladed)} in {MULTIBLADE}: "
+            "the frequencies are those in axes that do not turn",
         )
         self.reference = linear
 

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, INCONSISTENT
 from pitchpoint.core.units import format_quantity
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
@@ -33,7 +34,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 from pitchpoint.system.wind import with_wind
 
-STEP = 1.0
+STEP = 2.0
 """Largest step of the wind speed between two equilibria [m/s]."""
 ROUNDS = 25
 """Maximum number of corrections of speed and integrators."""
@@ -83,7 +84,7 @@ class WindStates(SpeedStates):
         self.open = [n for n, k in enumerate(spins) if k not in driven and rates[k] != 0.0]
         if len(self.open) > 1:
             raise SolverError(
-                "several groups of bodies rotate freely, so that the speed of the rotor does not give that of "
+                "several groups of bodies rotate freely, and the speed of the rotor does not give those of "
                 "the others; drive or connect them",
                 INCONSISTENT,
             )
@@ -100,6 +101,7 @@ class WindStates(SpeedStates):
             last = Operation(self.operating, self.linear.system, self.linear.state)
             last, at = self._solved(self.wind, last), self.wind
             for wind in map(float, part):
+                report_step(f"operating point at {format_quantity(wind, 'speed', 4)}")
                 try:
                     for between in np.linspace(at, wind, int(np.ceil(abs(wind - at) / STEP)) + 1)[1:-1]:
                         last = self._solved(float(between), last)
@@ -204,7 +206,9 @@ class _Trial:
 
     def _torque(self, found: Operation) -> float:
         """Change of the net torque for a relative change `TRIAL` of the speed, for comparison."""
-        low, high = (self._at(found.speed * (1.0 + d), found.state.v[self.of.idle])[0][0] for d in (0.0, TRIAL))
+        low, high = (
+            self._at(found.speed * (1.0 + d), found.state.v[self.of.idle])[0][0] for d in (0.0, TRIAL)
+        )
         return float(abs(high - low)) / TRIAL
 
     def regulated(self) -> Operation | None:
@@ -213,9 +217,7 @@ class _Trial:
         try:
             left, _ = self._at(x[0], x[1:])
             sizes = np.maximum(1.0, np.abs(x)) * TRIAL
-            slopes = np.column_stack(
-                [(self._at(*_split(x + d))[0] - left) / d.sum() for d in np.diag(sizes)]
-            )
+            slopes = np.column_stack([(self._at(*_split(x + d))[0] - left) / d.sum() for d in np.diag(sizes)])
             acting = np.flatnonzero(np.abs(slopes[0]) > WEAK * abs(slopes[0, 0]))
             if acting.size < 2:
                 return None

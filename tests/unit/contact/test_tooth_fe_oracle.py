@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+import skfem
 
 from pitchpoint.contact.tooth_fe.contour import Contour
 from pitchpoint.contact.tooth_fe.loads import flank_cases, flank_load
@@ -15,8 +16,6 @@ from pitchpoint.contact.tooth_fe.solid import Solid, freedoms
 from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.tooth_form import tooth_form
-
-skfem = pytest.importorskip("skfem")
 
 E, NU = 206.0e9, 0.3
 LAYERS = 8

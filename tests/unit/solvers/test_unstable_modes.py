@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -188,7 +189,13 @@ def test_modes_at_one_speed_name_unstable_ones_and_their_source():
     assert "unstable" in str(said) and "fed by torque t)" in str(said)
     damped = PINION.replace("DAMPING", ", damping: {ratio: 0.02}")
     linear = linearise(compiled(damped, "s")[1], "s")
-    assert unstable_notes(linear, find_modes(linear.system, "s", linear=linear)) == ()
+    modes = find_modes(linear.system, "s", linear=linear)
+    assert unstable_notes(linear, modes) == ()
+    for value, count in ((1e-14, 0), (0.1, 1)):  # a rigid rotation by rounding, and one that a load drives
+        values, ratios = modes.eigenvalue.copy(), modes.damping_ratio.copy()
+        values[0], ratios[0] = value, -1.0
+        turned = replace(modes, eigenvalue=values, damping_ratio=ratios)
+        assert len(unstable_notes(linear, turned)) == count
 
 
 def test_a_mode_near_another_is_that_of_all_modes_with_states_of_a_brake():

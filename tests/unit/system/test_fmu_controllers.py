@@ -493,3 +493,9 @@ def test_files_that_are_no_fmu(tmp_path):
     (tmp_path / "damaged.fmu").write_bytes(damaged)
     with pytest.raises(FmuFileError, match=r"is damaged"):
         read_fmu(str(tmp_path / "damaged.fmu"))
+    damaged = bytearray(whole)
+    struct.pack_into("<H", damaged, 26, 60_000)  # length of the first name
+    (tmp_path / "long.fmu").write_bytes(damaged)
+    with pytest.raises(FmuFileError, match=r"is damaged: File name in directory") as error:
+        read_fmu(str(tmp_path / "long.fmu"))
+    assert len(str(error.value)) < 300

@@ -23,7 +23,7 @@ from pitchpoint.core.errors import Message, PitchpointError
 from pitchpoint.core.library_header import own_platform as this_platform
 from pitchpoint.core.library_header import read_headers
 
-DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, lzma.LZMAError)
+DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, UnicodeDecodeError, lzma.LZMAError)
 """Errors of damaged archives."""
 DESCRIPTION = "modelDescription.xml"
 LARGEST = 2_000_000_000
@@ -119,7 +119,13 @@ class FmuFile:
                 for entry in entries:
                     archive.extract(entry, folder)
             except DAMAGED as error:
-                raise FmuFileError(f"is damaged: {error}") from error
+                raise FmuFileError(_damage(error)) from error
+
+
+def _damage(error: BaseException) -> str:
+    """Reason of a damaged archive; that of Python may contain half of the file."""
+    reason = " ".join(str(error).split())
+    return f"is damaged: {reason[:120]}{'...' if reason[120:] else ''}"
 
 
 def own_platform() -> str:
@@ -163,7 +169,7 @@ def _read(path: str, stamp: int, size: int) -> FmuFile:
             for entry in entries.values():
                 _verify(archive, entry)
         except DAMAGED as error:
-            raise FmuFileError(f"is damaged: {error}") from error
+            raise FmuFileError(_damage(error)) from error
     if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
         raise FmuFileError(f"has a {DESCRIPTION} with entities, which FMI does not permit")
     try:

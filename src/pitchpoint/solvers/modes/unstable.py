@@ -41,7 +41,8 @@ if TYPE_CHECKING:
 UNDAMPED = 1e-7
 """Damping ratio, of either sign, up to which a mode counts as undamped: rounding of eigenvalues."""
 RIGID = 1e-10
-"""Eigenvalue relative to the largest one up to which a mode is a rigid rotation, which does not grow."""
+"""Eigenvalue relative to the largest one (of `modes`: the largest frequency of a coordinate with all others
+fixed) up to which a mode is a rigid rotation, which does not grow."""
 DRIFT = 1e-2
 """The same relative to the speed for the rotation of a rotor in multi-blade coordinates."""
 ANTISYMMETRIC = 1e-12
@@ -177,11 +178,20 @@ def feeding(
     return max(power, key=power.__getitem__) if power and max(power.values()) > 0.0 else ""
 
 
+def growing(linear: Linearised, modes: Modes) -> NDArray[np.bool_]:
+    """Whether each mode about a state grows; the eigenvalue of a rigid rotation without load is rounding."""
+    mass = linear.at_rest.M.diagonal()
+    stiffness = np.abs(linear.K.diagonal())
+    largest = np.sqrt(np.divide(stiffness, mass, out=np.zeros(len(mass)), where=mass > 0.0).max(initial=0.0))
+    return (modes.damping_ratio < -UNDAMPED) & (np.abs(modes.eigenvalue) > RIGID * largest)
+
+
 def sources(linear: Linearised, modes: Modes) -> list[str]:
     """Components that feed the unstable modes about a state, by mode; "" for the others."""
+    grows = growing(linear, modes)
     return [
         feeding(linear.system, linear.state, modes.groups, modes.elements, value, modes.damped_shape[k])
-        if modes.damping_ratio[k] < -UNDAMPED
+        if grows[k]
         else ""
         for k, value in enumerate(modes.eigenvalue.tolist())
     ]
@@ -189,11 +199,12 @@ def sources(linear: Linearised, modes: Modes) -> list[str]:
 
 def unstable_notes(linear: Linearised, modes: Modes) -> tuple[Message, ...]:
     """Note on the unstable modes about a state: names, damping ratios and what feeds them."""
+    grows = growing(linear, modes)
     listed = [
         f"{modes.names[k]} ({100.0 * float(modes.damping_ratio[k]):.2g} %"
         + (f", fed by {source})" if source else ")")
         for k, source in enumerate(sources(linear, modes))
-        if modes.damping_ratio[k] < -UNDAMPED
+        if grows[k]
     ]
     if not listed:
         return ()
