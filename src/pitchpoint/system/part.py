@@ -26,7 +26,7 @@ from pitchpoint.system.residual import COLUMNS, NEWTON
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import FACTORISATIONS, MACH, STAGE_ROWS, VALID
 
-LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces", "driven")
+LISTS = ("own", "fixes", "chosen", "factor", "solve", "spins", "proj", "forces", "driven", "body_out")
 """Arrays of a part whose lengths the drivers read."""
 
 
@@ -181,6 +181,7 @@ class Part:
         table = w.program["body_out"]
         own = np.isin(table[:, 1], list(bodies)) & (table[:, 0] < 3)
         self.arrays["chosen"] = np.array(sorted({*seen, *table[own, 3].tolist()}), np.int64)
+        self.arrays["body_out"] = table[own]
         self.arrays["proj"] = proj[inside[proj["pi"]] & inside[proj["pj"]]]
         self.arrays["driven"] = np.array(sorted(driven), np.int64)
         self.arrays["demand"] = np.zeros((2, len(driven) + 1))
