@@ -26,6 +26,24 @@ def held_modes(structure, nodes, count):
     return Modes(np.sqrt(values) / (2.0 * np.pi), shape, 0.0).select(count=count)
 
 
+def tension_stiffness(beam):
+    """Geometric stiffness per tensile force (12, 12) of a beam without shear deformation [1/m, 1, m]."""
+    h = beam.length
+    part = np.array(
+        [
+            [36.0, 3.0 * h, -36.0, 3.0 * h],
+            [3.0 * h, 4.0 * h**2, -3.0 * h, -(h**2)],
+            [-36.0, -3.0 * h, 36.0, -3.0 * h],
+            [3.0 * h, -(h**2), -3.0 * h, 4.0 * h**2],
+        ]
+    ) / (30.0 * h)
+    found = np.zeros((12, 12))
+    # deflection and slope of both ends in each plane; the slope is ry or -rx
+    for places, signs in (([0, 4, 6, 10], [1.0, 1.0, 1.0, 1.0]), ([1, 3, 7, 9], [1.0, -1.0, 1.0, -1.0])):
+        found[np.ix_(places, places)] = part * np.outer(signs, signs)
+    return found
+
+
 def axial_stiffening(beams, structure, start=0.0):
     """Stiffness by the tension that inertia loads put into a straight body, per unit of nine loads (9, n, n).
 
@@ -57,7 +75,7 @@ def axial_stiffening(beams, structure, start=0.0):
         # integral of the pull of the own mass: rho A (z_2^2 - z^2)/2, mean over the element
         first, last = middle[k] - 0.5 * beam.length, middle[k] + 0.5 * beam.length
         pull += beam.rho * beam.section.A * (last**2 / 2.0 - (last**3 - first**3) / (6.0 * beam.length))
-        unit = beam.geometric()
+        unit = tension_stiffness(beam)
         found[2, at, at] -= beyond * unit
         found[3, at, at] += pull * unit
         found[4, at, at] += pull * unit

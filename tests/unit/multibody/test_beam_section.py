@@ -10,6 +10,7 @@ import pytest
 from scipy.linalg import eigh
 
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
+from tests.support.beam_modes import tension_stiffness
 
 STEEL = {"E": 206e9, "G": 206e9 / 2.6, "rho": 7830.0}
 ROUND = Beam(section=tube(0.05, 0.02), length=0.4, **STEEL)
@@ -87,3 +88,16 @@ def test_refinement_reaches_the_continuum():
     assert found[0] > found[1] > found[2] > -1e-7  # from above, as Ritz demands
     assert found[0] / found[1] == pytest.approx(16.0, rel=0.3)  # order 4
     assert abs(found[2]) < 1e-5
+
+
+def test_tension_raises_and_euler_load_buckles():
+    n, beam = 8, Beam(section=tube(0.02), length=0.125, E=2e11, G=8e10, rho=7850.0)
+    np.testing.assert_allclose(tension_stiffness(beam) @ rigid(0.125)[:, [0, 1, 2, 5]], 0.0, atol=1e-12)
+    K, K_g = line(beam, n, Beam.stiffness), line(beam, n, tension_stiffness)
+    held = [0, 1, 2, 5, 6 * n, 6 * n + 1]
+    free = np.setdiff1d(np.arange(6 * n + 6), held)
+    values = eigh(K_g[np.ix_(free, free)], K[np.ix_(free, free)], eigvals_only=True)
+    load = 1.0 / values[-1]
+    euler = math.pi**2 * beam.E * beam.section.I_1
+    sheared = euler / (1.0 + euler / (beam.section.kappa_1 * beam.section.A * beam.G))
+    assert load == pytest.approx(sheared, rel=2e-4)  # shape functions without shear, 8 elements
