@@ -168,7 +168,6 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
     """Crossings of all branches and orders in the range of the speeds, in order of their rank."""
     forward = np.argsort(found.speed, kind="stable")
     phases: Phases | None = None
-    solve = _interpolate if found.rotors else _solve
     solved, turning = [], []
     by_teeth: list[ByTeeth | None] = []
     for order in orders:
@@ -181,15 +180,17 @@ def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalS
         source = _source(found, order, phases)
         for mode, ends in crossings:
             report_step(f"critical speeds of order {order.name}, mode {mode + 1}")
+            exact = not found.rotors
             try:
-                speed, value, shape, slope = solve(found, order.value, mode, ends)
+                crossing = (_solve if exact else _interpolate)(found, order.value, mode, ends)
             except SolverError:  # no equilibrium at a speed between the computed ones
-                continue
-            at = found.modes.at(_nearest(found, speed) if found.rotors else speed)  # as in the solution
+                exact, crossing = False, _interpolate(found, order.value, mode, ends)
+            speed, value, shape, slope = crossing
+            near = _nearest(found, speed)
+            at = found.modes.at(speed if exact else float(found.speed[near]))
             solved.append((order, mode, speed, value, shape, slope))
             turning.append(gyroscopic_terms(shape[None], at.D)[0])
-            near = found.shape[int(np.argmin(np.abs(found.speed - speed)))]
-            by_teeth.append(_by_teeth(at, source, (speed, value, shape), near))
+            by_teeth.append(_by_teeth(at, source, (speed, value, shape), found.shape[near]))
     if not solved:
         return ()
     _, _, speeds, values, shapes, slopes = zip(*solved, strict=True)
@@ -281,7 +282,7 @@ def _solve(
 def _interpolate(
     found: Campbell, order: float, mode: int, at: tuple[int, int]
 ) -> tuple[float, complex, NDArray[np.complex128], float]:
-    """As `_solve` between the computed points: matrices of turning rotors require several equilibria each."""
+    """As `_solve`, interpolated: matrices of turning rotors require several equilibria each."""
     from scipy.interpolate import PchipInterpolator
     from scipy.optimize import brentq
 
@@ -299,13 +300,12 @@ def _interpolate(
     last = next((end for end in ends if gap(end) == 0.0), None)
     speed = float(brentq(gap, ends[0], ends[1])) if last is None else last
     slope = float(curve(speed, 1)[1]) * sense / order
-    near = int(np.argmin(np.abs(found.speed - speed)))
-    return speed, complex(*curve(speed)), found.shape[near, mode], slope
+    return speed, complex(*curve(speed)), found.shape[_nearest(found, speed), mode], slope
 
 
-def _nearest(found: Campbell, speed: float) -> float:
-    """Computed speed that is closest to a speed."""
-    return float(found.speed[int(np.argmin(np.abs(found.speed - speed)))])
+def _nearest(found: Campbell, speed: float) -> int:
+    """Index of the computed speed that is closest to a speed."""
+    return int(np.argmin(np.abs(found.speed - speed)))
 
 
 def _critical(

@@ -231,6 +231,23 @@ def test_orders_of_a_geared_rotor(geared):
         excitation_orders(geared, found.motions, found.rates, ["3q"])
 
 
+def test_no_crossing_is_lost_without_equilibrium_between_two_speeds(geared, monkeypatch):
+    """Crossings between speeds without equilibrium are interpolated."""
+    found = follow_modes(geared, np.linspace(300.0, 7200.0, 31) * RPM, "rotor")
+    orders = excitation_orders(geared, found.motions, found.rates, ["1x", "mesh"])
+    expected = critical_speeds(found, orders)
+
+    def none(self, *_):
+        """No equilibrium at any further speed."""
+        raise SolverError("no equilibrium", 0)
+
+    monkeypatch.setattr(type(found.modes), "near", none)
+    got = critical_speeds(found, orders)
+    assert len(got) == len(expected) > 0
+    speeds = [sorted(c.speed for c in each) for each in (got, expected)]
+    assert speeds[0] == pytest.approx(speeds[1], rel=1e-3)  # PCHIP between steps of 230 rpm
+
+
 def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
     """The reduced basis and the inverse iteration against the eigenvalues of all coordinates.
 
@@ -243,7 +260,7 @@ def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
     assert list(found.modes.exact) == pytest.approx([300.0 * RPM, 3750.0 * RPM, 7200.0 * RPM])
     for s in (3, 12, 22):
         linear = at_one_azimuth(found.modes.linear, found.rates).at(found.speed[s])
-        exact = damped_modes(linear, found.modes.modes)[0]
+        exact = damped_modes(linear, found.modes.modes).values
         assert found.eigenvalue[s, 1:].imag == pytest.approx(
             _matched(found.eigenvalue[s, 1:], exact).imag, rel=1e-7
         )
@@ -252,9 +269,8 @@ def test_crossings_and_speeds_between_are_those_of_the_whole_system(geared):
         )
     orders = excitation_orders(geared, found.motions, found.rates, ["1x", "mesh"])
     for c in critical_speeds(found, orders)[:6]:
-        exact = damped_modes(at_one_azimuth(found.modes.linear, found.rates).at(c.speed), found.modes.modes)[
-            0
-        ]
+        at = at_one_azimuth(found.modes.linear, found.rates).at(c.speed)
+        exact = damped_modes(at, found.modes.modes).values
         assert np.abs(exact.imag / (2.0 * math.pi) - c.frequency).min() < 1e-6 * c.frequency
 
 
@@ -357,9 +373,8 @@ def test_finely_divided_shafts_need_few_solutions_of_the_whole_system(geared):
     found = follow_modes(pp.compile_model(fine, "fast"), np.linspace(300.0, 7200.0, 30) * RPM, "rotor")
     assert found.shape.shape[2] == 132
     assert len(found.modes.exact) < 9
-    exact = damped_modes(
-        at_one_azimuth(found.modes.linear, found.rates).at(found.speed[7]), found.modes.modes
-    )[0]
+    at = at_one_azimuth(found.modes.linear, found.rates).at(found.speed[7])
+    exact = damped_modes(at, found.modes.modes).values
     assert found.eigenvalue[7, 1:] == pytest.approx(_matched(found.eigenvalue[7, 1:], exact), rel=1e-8)
 
 
