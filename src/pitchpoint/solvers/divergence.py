@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.status import BAD_CENTRE, DIVERGED, NOT_FINITE, SLOW, UNBOUNDED
+from pitchpoint.solvers.implicit.gear_part import fast_bodies
 from pitchpoint.solvers.sampling import GREATEST
 from pitchpoint.solvers.step_choice import choose_step
 
@@ -84,7 +85,8 @@ def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
     """
     if status not in FAILURES or scenario.method in SHORTENED:
         return ""
-    if scenario.long_step is not None and scenario.long_step > 1.5 * h:
+    long = scenario.long_step
+    if long is not None and long > 1.5 * h and fast_bodies(start.system):
         return "; shorten or remove `long_step`"
     own = choose_step(start, replace(scenario, step=None, sample_rate=None))[0]
     if h <= 1.01 * own:

@@ -181,7 +181,7 @@ sensors:
   rate: {type: joint, coordinate: pin.spin, derivative: 1}
 """
 BLOCK_FILES = {
-    "sum": "{type: sum, inputs: {turn: 2, rate: -0.5 N m s}, offset: 60 rpm, unit: N m}",
+    "sum": "{type: sum, inputs: {turn: 2, rate: -0.5 N m s}, offset: 6.283185307179586 N m, unit: N m}",
     "limits": "{type: limits, input: rate, limits: [-0.3, 0.4 rad/s]}",
     "table": "{type: table, input: rate, points: [[-1, -3], [0, 0.5], [2, 4]]}",
     "formula": "{type: formula, formula: 3 * sin(turn) * rate + t, inputs: [turn, rate, t]}",
