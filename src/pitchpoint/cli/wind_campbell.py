@@ -121,7 +121,7 @@ def compute(
 
 
 def _selected(data: xr.Dataset, selection: range | str | None) -> xr.Dataset:
-    """Modes of a selection: numbers, or part of a name."""
+    """Modes of a selection: numbers, or part of a name, in upper or lower case."""
     if selection is None:
         return data
     words = [str(name) for name in data["name"].values]
@@ -129,12 +129,11 @@ def _selected(data: xr.Dataset, selection: range | str | None) -> xr.Dataset:
     kept = [
         k
         for k, number in enumerate(numbers)
-        if (selection in words[k] if isinstance(selection, str) else number in selection)
+        if (selection.lower() in words[k].lower() if isinstance(selection, str) else number in selection)
     ]
     if not kept:
-        raise click.BadParameter(
-            f"no mode {selection!r}; there are: {', '.join(words)}", param_hint="--modes"
-        )
+        text = repr(selection) if isinstance(selection, str) else f"{selection[0]}..{selection[-1]}"
+        raise click.BadParameter(f"no mode {text}; there are: {', '.join(words)}", param_hint="--modes")
     inside = np.isin(data["resonance_mode"].values, [numbers[k] for k in kept])
     return data.isel(mode=kept, resonance=np.flatnonzero(inside))
 

@@ -170,8 +170,9 @@ def _of_resonances(found: Campbell, rotor: Any, orders: Any, blades: int) -> Row
     listed = []
     for order, line in zip(_orders(blades), orders, strict=True):
         away = found.frequency - line[:, None]
+        above = away > 0.0
         vibrates = np.minimum(found.frequency[:-1], found.frequency[1:]) > 0.0
-        for k, mode in np.argwhere(vibrates & (away[:-1] * away[1:] < 0.0)):
+        for k, mode in np.argwhere(vibrates & (above[:-1] != above[1:])):
             part = away[k, mode] / (away[k, mode] - away[k + 1, mode])
 
             def between(values: Any, k: int = k, part: float = part) -> float:

@@ -45,7 +45,10 @@ TRIAL = 1e-3
 LARGEST = 0.1
 """Largest relative change of the speed in one correction."""
 WEAK = 1e-7
-"""Effect of a unit of an integrator over that of a unit of the relative speed, below which it has none."""
+"""Effect of a unit of an integrator over that of a unit of the speed, below which it has none."""
+MOMENT, RESTS = 0.01, 1e-4
+"""Time [s] over which an integrator moves at its rate, and the effect per second on the torque, over that of
+a relative change of the speed, below which it rests."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,8 @@ class WindStates(SpeedStates):
     Raises
     ------
     SolverError
-        If the machine has no rotor in a steady wind, or several groups of bodies rotate freely.
+        If the machine has no rotor in a steady wind, a free rotor without speed, or several groups of bodies
+        that rotate freely.
     """
 
     def __init__(self, linear: Linearised, rates: Array) -> None:
@@ -86,6 +90,12 @@ class WindStates(SpeedStates):
             raise SolverError(
                 "several groups of bodies rotate freely, and the speed of the rotor does not give those of "
                 "the others; drive or connect them",
+                INCONSISTENT,
+            )
+        if self.open and self.operating == 0.0:
+            raise SolverError(
+                "the rotor is free and has no speed at the start, with which the operating points begin; "
+                "give the scenario a speed of the rotor",
                 INCONSISTENT,
             )
         self.limits = system.initial_state().v[self.idle]
@@ -136,14 +146,14 @@ class WindStates(SpeedStates):
             return trial.operation(last.speed, self.limits)
         if self.regulated:
             found = trial.regulated()
-            if found is not None:
+            if found is not None and not trial.moves(found):
                 return found
         limited = trial.limited()
         if not trial.moves(limited):
             self.regulated = False
             return limited
         found = _Trial(self, system, limited).regulated()
-        if found is None:
+        if found is None or trial.moves(found):
             words = format_quantity(wind, "speed", 4)
             raise SolverError(f"controllers have no steady state at {words}", DIVERGED)
         self.regulated = True
@@ -189,23 +199,18 @@ class _Trial:
         raise SolverError("no speed of the rotor balances the torques", DIVERGED)
 
     def moves(self, found: Operation) -> bool:
-        """Whether integrators that act on the torque have an input there."""
-        if not self.of.idle:
-            return False
-        here, _ = self._at(found.speed, found.state.v[self.of.idle])
-        return any(
-            here[1 + n] != 0.0 and abs(self._effect(found, n) - here[0]) > WEAK * self._torque(found)
-            for n in range(len(self.of.idle))
-        )
-
-    def _effect(self, found: Operation, n: int) -> float:
-        """Net torque after a small change of one integrator."""
-        other = found.state.v[self.of.idle].copy()
-        other[n] += TRIAL * max(1.0, abs(other[n]))
-        return float(self._at(found.speed, other)[0][0])
+        """Whether an integrator moves there that acts on the torque."""
+        values = found.state.v[self.of.idle]
+        here, _ = self._at(found.speed, values)
+        for n in np.flatnonzero(here[1:]):
+            other = values.copy()
+            other[n] += MOMENT * here[1 + n]
+            if abs(self._at(found.speed, other)[0][0] - here[0]) > RESTS * MOMENT * self._torque(found):
+                return True
+        return False
 
     def _torque(self, found: Operation) -> float:
-        """Change of the net torque for a relative change `TRIAL` of the speed, for comparison."""
+        """Change of the net torque over the relative change of the speed, for comparison."""
         low, high = (
             self._at(found.speed * (1.0 + d), found.state.v[self.of.idle])[0][0] for d in (0.0, TRIAL)
         )

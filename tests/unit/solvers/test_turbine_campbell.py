@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.multiblade import find_multiblade_modes
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.wind_campbell import solve_wind_campbell
+from pitchpoint.solvers.wind_states import Operation, WindStates, _Trial
 from pitchpoint.system.compile import compile_model
 from tests.support.rotors import FOLDER
 
@@ -297,6 +299,36 @@ def test_a_resonance_is_where_mode_and_order_meet(over_wind):
     assert line == pytest.approx(f) and curve == pytest.approx(f)
 
 
+def test_a_mode_with_exactly_the_frequency_of_an_order_is_a_resonance():
+    frequency, order = np.array([[0.5], [0.6], [0.7]]), np.array([[0.6] * 3] + [[9.0] * 3] * 3)
+    found = SimpleNamespace(speed=np.array([8.0, 9.0, 10.0]), frequency=frequency, damping_ratio=frequency)
+    rows = wind_campbell._of_resonances(found, np.ones(3), order, 3)
+    assert rows["resonance_wind_speed"][1] == pytest.approx([9.0])
+
+
+def test_a_free_rotor_requires_a_speed(production):
+    system, linear = production
+    stopped = linear.state.copy()
+    stopped.v[:] = 0.0
+    with pytest.raises(SolverError, match="give the scenario a speed of the rotor"):
+        WindStates(replace(linear, state=stopped), rates_of(linear, "hub", "production"))
+
+
+@pytest.mark.parametrize(
+    ("acts", "speed", "moves"), [(97.0, 1.2, True), (0.0, 1.2, False), (97.0, 1.0, False)]
+)
+def test_an_integrator_at_rest_has_no_input_or_no_effect(acts, speed, moves):
+    """Integrator of a generator torque [N m], with the error of the speed against 1 rad/s as input."""
+
+    class Machine(_Trial):
+        def _at(self, speed, values):
+            return np.array([4e6 * (1.2 - speed) - acts * values[0], 2e4 * (speed - 1.0)]), None
+
+    state = SimpleNamespace(v=np.zeros(1), copy=lambda: None)
+    trial = Machine(SimpleNamespace(idle=[0]), None, Operation(speed, None, state))
+    assert trial.moves(trial.last) is moves
+
+
 def test_the_command_over_the_wind(tmp_path, capsys, monkeypatch, over_wind):
     monkeypatch.setattr(wind_campbell, "solve_wind_campbell", lambda *_, **__: over_wind)
     file, plot, csv = str(FOLDER.parent / "model.yaml"), tmp_path / "w.html", tmp_path / "w.csv"
@@ -307,10 +339,12 @@ def test_the_command_over_the_wind(tmp_path, capsys, monkeypatch, over_wind):
     assert "damping ratio [%]" in plot.read_text(encoding="utf-8")
     rows = csv.read_text(encoding="utf-8").splitlines()
     assert len(rows) == 5 and rows[1].startswith("wind speed [m/s],rotor speed [rad/s],pitch [rad]")
-    assert run_command([*options, "--json", "--modes", "edgewise"]) == 0
+    assert run_command([*options, "--json", "--modes", "Edgewise"]) == 0
     summary = json.loads(capsys.readouterr().out)
     assert summary["wind_speed"] == [8.0, 12.0, 13.0]
     assert summary["modes"] and all("edgewise" in row["name"] for row in summary["modes"])
+    assert run_command([*options, "--modes", "50..60"]) == 2
+    assert "no mode 50..60; there are: 1st tower" in capsys.readouterr().err
     assert run_command([*options, "--speeds", "0..9rpm"]) == 2
     assert "--speeds has no effect with --wind-speeds" in capsys.readouterr().err
     assert run_command([*options[:-1], "8m/s"]) == 2
