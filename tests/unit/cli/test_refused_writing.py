@@ -73,9 +73,9 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     assert run_command(["run", model, "-s", "steady", "-o", result, "-q"]) == 0
     t = np.arange(20_000) / 10_000.0
     noise = np.random.default_rng(1).normal(size=t.size)
-    np.savetxt(
-        record, np.column_stack([t, np.sin(2513.3 * t) + noise]), "%.6g", ",", header="time,acc", comments=""
-    )
+    # 25 Hz and its mesh of 16 teeth with two harmonics determine the speed
+    lines = sum(np.sin(2.0 * np.pi * f * t) for f in (25.0, 400.0, 800.0, 1200.0))
+    np.savetxt(record, np.column_stack([t, lines + 0.3 * noise]), "%.6g", ",", header="time,acc", comments="")
     return {"model": model, "flanks": flanks, "result": result, "record": str(record)}
 
 
