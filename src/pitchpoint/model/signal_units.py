@@ -109,6 +109,8 @@ def _of_sensor(machine: Any, sensor: Any) -> str:
         return "N m" if sensor.quantity == "moment" else "N"
     if isinstance(sensor, JointSensor):
         joint, _, coordinate = sensor.coordinate.rpartition(".")
+        if not joint and coordinate in machine.joints:
+            return "1"  # the name of a joint without its coordinate is reported
         own = getattr(machine.joints.get(joint), "coordinates", {})
         unit = "m" if own.get(coordinate, DISPLACEMENTS.get(coordinate)) == "length" else "rad"
         return unit + ("", "/s", "/s^2")[sensor.derivative]
